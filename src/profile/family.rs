@@ -1,0 +1,305 @@
+//! One drive as its catalogues describe it, and decoding by it.
+
+use super::param::Param;
+use super::text::{Lang, Text, fold, same, starts};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Everything that the catalogues know of one drive.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// Family of the catalogue: `active`.
+    pub family: String,
+    /// Word for `--drive` and JSON: `act`.
+    pub drive: String,
+    /// Title of the family.
+    pub title: Text,
+    /// Parameters by number.
+    pub params: BTreeMap<u32, Param>,
+    /// States of the status word; the first that fits counts.
+    pub states: Vec<StateRow>,
+    /// Fault groups by the high byte of the fault code.
+    pub fault_groups: Vec<FaultGroup>,
+    /// Faults.
+    pub faults: Vec<FaultRow>,
+    /// Codes of the error register.
+    pub errors: Vec<ErrorRow>,
+    /// Diagnostic counters of function code 8.
+    pub counters: Vec<CounterRow>,
+    pub(super) roles: BTreeMap<String, u32>,
+    pub(super) groups: BTreeMap<String, Vec<u32>>,
+    pub(super) enums: BTreeMap<String, BTreeMap<i64, Text>>,
+    pub(super) bits: BTreeMap<String, BTreeMap<u8, BitRow>>,
+}
+
+/// A state of the drive's state machine.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StateRow {
+    /// Stable name.
+    pub slug: String,
+    /// Bits that decide.
+    pub mask: u32,
+    /// Their value in this state.
+    pub value: u32,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+}
+
+/// Faults with the same high byte.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultGroup {
+    /// High byte of the fault code.
+    pub high: u32,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+}
+
+/// A fault.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultRow {
+    /// Value of the fault parameter.
+    pub code: u32,
+    /// Last value, if a whole range means the same and its low byte is a node id.
+    pub last: Option<u32>,
+    /// As the drive displays it: `F0100`.
+    pub key: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What causes it.
+    pub cause: Text,
+    /// What to do.
+    pub remedy: Text,
+    /// Where the facts come from.
+    pub source: Option<String>,
+}
+
+/// A code of the error register (P.11).
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorRow {
+    /// Value of the register.
+    pub code: u32,
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What to do.
+    pub hint: Text,
+}
+
+/// A diagnostic counter.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CounterRow {
+    /// Sub-function of code 8 that returns it.
+    pub sub: u16,
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What it counts and what a high value means.
+    pub help: Text,
+}
+
+/// A bit of a word.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BitRow {
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What it means and what to do.
+    pub help: Option<Text>,
+}
+
+/// A bit of a decoded word.
+#[derive(Clone, Copy, Debug)]
+pub struct WordBit<'a> {
+    /// Number, from 0.
+    pub bit: u8,
+    /// Whether it is set.
+    pub set: bool,
+    /// What it is called; `None` if nobody defined it.
+    pub row: Option<&'a BitRow>,
+}
+
+/// Why a query names no parameter.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LookupError {
+    /// Nothing fits.
+    #[error("no parameter is called '{query}'")]
+    Unknown {
+        /// What was asked.
+        query: String,
+        /// Names that come near.
+        near: Vec<String>,
+    },
+    /// More than one fits.
+    #[error("'{query}' could be {}", .found.join(", "))]
+    Ambiguous {
+        /// What was asked.
+        query: String,
+        /// Parameters that fit.
+        found: Vec<String>,
+    },
+}
+
+impl Family {
+    pub(super) fn empty(family: &str, drive: &str, title: Text) -> Self {
+        Family {
+            family: family.to_owned(),
+            drive: drive.to_owned(),
+            title,
+            params: BTreeMap::new(),
+            states: Vec::new(),
+            fault_groups: Vec::new(),
+            faults: Vec::new(),
+            errors: Vec::new(),
+            counters: Vec::new(),
+            roles: BTreeMap::new(),
+            groups: BTreeMap::new(),
+            enums: BTreeMap::new(),
+            bits: BTreeMap::new(),
+        }
+    }
+
+    /// The row of a number.
+    pub fn param(&self, id: u32) -> Option<&Param> {
+        self.params.get(&id)
+    }
+
+    /// The row of a number, or a row that says that nobody knows it.
+    pub fn param_or_unknown(&self, id: u32) -> Param {
+        self.param(id).cloned().unwrap_or_else(|| Param::unknown(id))
+    }
+
+    /// The parameter that plays a role: `status-word`, `fault` …
+    pub fn role(&self, role: &str) -> Option<&Param> {
+        self.roles.get(role).and_then(|&id| self.param(id))
+    }
+
+    /// Numbers of a group such as `actual`, as far as this drive has them; `all` is everything readable but the error
+    /// register, which reading would clear.
+    pub fn group(&self, name: &str) -> Option<Vec<u32>> {
+        let readable = |id: &u32| self.param(*id).is_some_and(|param| param.access.reads());
+        if name == "all" {
+            let register = self.roles.get("error-register");
+            return Some(self.params.keys().copied().filter(|id| readable(id) && register != Some(id)).collect());
+        }
+        Some(self.groups.get(name)?.iter().copied().filter(|id| readable(id)).collect())
+    }
+
+    /// Names of the groups.
+    pub fn group_names(&self) -> impl Iterator<Item = &str> {
+        self.groups.keys().map(String::as_str).chain(["all"])
+    }
+
+    /// Finds a parameter by slug or by a name in either language: exact first, then as a unique start.
+    pub fn find(&self, query: &str) -> Result<&Param, LookupError> {
+        let names = |param: &Param| [param.slug.clone(), param.name.en.clone(), param.name.de.clone()];
+        let fitting = |fits: fn(&str, &str) -> bool| {
+            let rows = self.params.values().filter(|param| names(param).iter().any(|name| fits(name, query)));
+            rows.collect::<Vec<_>>()
+        };
+        for fits in [same as fn(&str, &str) -> bool, starts] {
+            match fitting(fits).as_slice() {
+                [] => {}
+                [only] => return Ok(only),
+                several => {
+                    let found = several.iter().take(8).map(|param| format!("{} ({})", param.id, param.slug));
+                    return Err(LookupError::Ambiguous { query: query.to_owned(), found: found.collect() });
+                }
+            }
+        }
+        let near = self.search(query).into_iter().take(5).map(|param| format!("{} ({})", param.id, param.slug));
+        Err(LookupError::Unknown { query: query.to_owned(), near: near.collect() })
+    }
+
+    /// Every parameter whose number, slug or names contain all words of `query`.
+    pub fn search(&self, query: &str) -> Vec<&Param> {
+        let words: Vec<String> = fold(query).split(' ').map(str::to_owned).collect();
+        let hay = |param: &Param| {
+            let unit = param.unit.as_deref().unwrap_or("");
+            fold(&format!("{} {} {} {} {unit}", param.id, param.slug, param.name.en, param.name.de))
+        };
+        self.params.values().filter(|param| words.iter().all(|word| hay(param).contains(word.as_str()))).collect()
+    }
+
+    /// Texts of a parameter's values.
+    pub fn choices(&self, param: &Param) -> Vec<(i64, [&str; 2])> {
+        let table = param.enumeration.as_ref().and_then(|name| self.enums.get(name));
+        table.into_iter().flatten().map(|(&raw, text)| (raw, text.both())).collect()
+    }
+
+    /// Text of a raw value, if the parameter has a table that knows it.
+    pub fn text_of(&self, param: &Param, raw: i64) -> Option<&Text> {
+        self.enums.get(param.enumeration.as_ref()?)?.get(&raw)
+    }
+
+    /// Whether the parameter's value is a word of bits.
+    pub fn is_word(&self, param: &Param) -> bool {
+        param.bits.is_some()
+    }
+
+    /// Every named bit of a word, and every set bit that nobody named, from 0 up. `value_of` tells the present raw
+    /// value of another parameter, where the bit names depend on one.
+    pub fn word<'a>(&'a self, param: &Param, raw: u32, value_of: impl Fn(u32) -> Option<i64>) -> Vec<WordBit<'a>> {
+        let other = param.bits_when.iter().find(|when| value_of(when.param) == Some(when.value)).map(|when| &when.bits);
+        let table = other.or(param.bits.as_ref()).and_then(|name| self.bits.get(name));
+        let row = |bit: u8| table.and_then(|table| table.get(&bit));
+        let width = if raw > 0xFFFF { 32 } else { 16 };
+        let bits = (0..width).map(|bit| WordBit { bit, set: raw >> bit & 1 == 1, row: row(bit) });
+        bits.filter(|bit| bit.set || bit.row.is_some()).collect()
+    }
+
+    /// The state that a status word stands for.
+    pub fn state(&self, status: u32) -> Option<&StateRow> {
+        self.states.iter().find(|state| status & state.mask == state.value)
+    }
+
+    /// The row of a fault code.
+    pub fn fault(&self, code: u32) -> Option<&FaultRow> {
+        self.faults.iter().find(|row| (row.code..=row.last.unwrap_or(row.code)).contains(&code))
+    }
+
+    /// The group of a fault code, also of one that has no row.
+    pub fn fault_group(&self, code: u32) -> Option<&FaultGroup> {
+        self.fault_groups.iter().find(|group| group.high == code >> 8)
+    }
+
+    /// The row of a code of the error register.
+    pub fn error(&self, code: u32) -> Option<&ErrorRow> {
+        self.errors.iter().find(|row| row.code == code)
+    }
+}
+
+macro_rules! two_languages {
+    ($($row:ident),*) => {$(
+        impl $row {
+            /// The name in `lang`.
+            pub fn name(&self, lang: Lang) -> &str {
+                match lang {
+                    Lang::En => &self.en,
+                    Lang::De => &self.de,
+                }
+            }
+        }
+    )*};
+}
+two_languages!(StateRow, FaultGroup, FaultRow, ErrorRow, CounterRow, BitRow);

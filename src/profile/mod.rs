@@ -1,0 +1,18 @@
+//! What a drive is: data and pure decoding.
+//!
+//! Parameters, enums, bits, states, faults and texts of every family come from catalogue files (TOML) in one format,
+//! shipped (`data/`) or brought by the user. This room knows no bytes on a line, no clock and no I/O but the texts
+//! that it is handed.
+
+mod catalogue;
+mod family;
+mod param;
+mod select;
+mod text;
+pub mod value;
+
+pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
+pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultRow, LookupError, StateRow, WordBit};
+pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
+pub use select::{DataSets, SelectError, Selection, Selector, Store};
+pub use text::{Lang, Text, fold};

@@ -1,0 +1,239 @@
+//! One parameter of a drive: what the catalogue knows about it.
+
+use super::text::{Lang, Text};
+use serde::Deserialize;
+
+/// Data type of a parameter on the wire.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Type {
+    /// 16 bits, unsigned.
+    Uint,
+    /// 16 bits, two's complement.
+    Int,
+    /// 16 bits whose sign no source proves: read as unsigned unless the range goes below zero.
+    Word,
+    /// 32 bits, two's complement.
+    Long,
+    /// Text; not over Modbus.
+    String,
+}
+
+impl Type {
+    /// Width on the wire in bits; `None` for texts.
+    pub fn bits(self) -> Option<u8> {
+        match self {
+            Type::Uint | Type::Int | Type::Word => Some(16),
+            Type::Long => Some(32),
+            Type::String => None,
+        }
+    }
+
+    /// The word that names the type in catalogues, on the command line and in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Type::Uint => "uint",
+            Type::Int => "int",
+            Type::Word => "word",
+            Type::Long => "long",
+            Type::String => "string",
+        }
+    }
+
+    /// Smallest and largest raw value that the width can carry; a word may carry either sign.
+    pub fn raw_range(self) -> (i64, i64) {
+        match self {
+            Type::Uint => (0, 0xFFFF),
+            Type::Int => (-0x8000, 0x7FFF),
+            Type::Word => (-0x8000, 0xFFFF),
+            Type::Long => (i32::MIN.into(), i32::MAX.into()),
+            Type::String => (0, 0),
+        }
+    }
+}
+
+impl std::str::FromStr for Type {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        let known = [Type::Uint, Type::Int, Type::Word, Type::Long];
+        let found = known.into_iter().find(|known| known.name() == text);
+        found.ok_or_else(|| format!("expected uint, int, word or long, got '{text}'"))
+    }
+}
+
+/// Who may read and write a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum Access {
+    /// Read only.
+    #[serde(rename = "r")]
+    Read,
+    /// Write only.
+    #[serde(rename = "w")]
+    Write,
+    /// Both.
+    #[serde(rename = "rw")]
+    ReadWrite,
+}
+
+impl Access {
+    /// Whether the parameter can be read.
+    pub fn reads(self) -> bool {
+        self != Access::Write
+    }
+
+    /// Whether the parameter can be written.
+    pub fn writes(self) -> bool {
+        self != Access::Read
+    }
+
+    /// The word that names the access: `r`, `w`, `rw`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Access::Read => "r",
+            Access::Write => "w",
+            Access::ReadWrite => "rw",
+        }
+    }
+}
+
+/// In how many data sets a parameter exists (CM-485 manual 7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sets {
+    /// Once: data set 0.
+    One,
+    /// Four times: data sets 1-4, switchable.
+    Four,
+}
+
+/// When a written value takes effect.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Effective {
+    /// At once.
+    #[default]
+    AtOnce,
+    /// After a reset or power cycle.
+    Reset,
+}
+
+/// What writing a parameter can do to people, the machine or the connection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum HazardKind {
+    /// May start the shaft or change its movement.
+    Motion,
+    /// May cut the line to the drive.
+    Line,
+    /// Resets the drive or its faults.
+    Reset,
+}
+
+/// Other names for the bits of a word while another parameter has a certain value.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BitsWhen {
+    /// The parameter that decides.
+    pub param: u32,
+    /// Its raw value.
+    pub value: i64,
+    /// Name of the `[bits.…]` table that holds then.
+    pub bits: String,
+}
+
+/// A row of the catalogue. Limits and default are raw integers: the value without its decimal point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Param {
+    /// Number.
+    pub id: u32,
+    /// Stable English name in kebab-case.
+    pub slug: String,
+    /// Name in both languages.
+    pub name: Text,
+    /// Unit as printed.
+    pub unit: Option<String>,
+    /// Data type, where a source tells it.
+    pub kind: Option<Type>,
+    /// Decimals of the value, where a source tells them.
+    pub decimals: Option<u8>,
+    /// Lower limit, raw.
+    pub min: Option<i64>,
+    /// Upper limit, raw.
+    pub max: Option<i64>,
+    /// Factory setting, raw.
+    pub default: Option<i64>,
+    /// Who may read and write it.
+    pub access: Access,
+    /// In how many data sets it exists, where a source tells it.
+    pub sets: Option<Sets>,
+    /// Lives in RAM only.
+    pub volatile: bool,
+    /// When a written value takes effect.
+    pub effective: Effective,
+    /// What writing it can do.
+    pub hazard: Option<HazardKind>,
+    /// Name of its table of values.
+    pub enumeration: Option<String>,
+    /// Name of its table of bits.
+    pub bits: Option<String>,
+    /// Other bit tables for other modes.
+    pub bits_when: Vec<BitsWhen>,
+    /// Shown in hexadecimal by habit.
+    pub hex: bool,
+    /// A remark for the technician.
+    pub note: Option<Text>,
+    /// Fields whose facts no second source confirms; `row` stands for all.
+    pub unconfirmed: Vec<String>,
+    /// Option module that the parameter comes with.
+    pub module: Option<String>,
+    /// Where the facts come from.
+    pub source: String,
+    /// The catalogue that brought the row.
+    pub origin: String,
+}
+
+impl Param {
+    /// A parameter that no catalogue knows.
+    pub fn unknown(id: u32) -> Self {
+        Param {
+            id,
+            slug: format!("parameter-{id}"),
+            name: Text { en: format!("Parameter {id}"), de: format!("Parameter {id}") },
+            unit: None,
+            kind: None,
+            decimals: None,
+            min: None,
+            max: None,
+            default: None,
+            access: Access::ReadWrite,
+            sets: None,
+            volatile: false,
+            effective: Effective::AtOnce,
+            hazard: None,
+            enumeration: None,
+            bits: None,
+            bits_when: Vec::new(),
+            hex: false,
+            note: None,
+            unconfirmed: vec!["row".to_owned()],
+            module: None,
+            source: String::new(),
+            origin: "unknown".to_owned(),
+        }
+    }
+
+    /// Name in `lang`.
+    pub fn name(&self, lang: Lang) -> &str {
+        self.name.get(lang)
+    }
+
+    /// Whether a catalogue knows the parameter at all.
+    pub fn is_known(&self) -> bool {
+        self.origin != "unknown"
+    }
+
+    /// Decimals to show; 0 where no source tells them.
+    pub fn decimals_or_zero(&self) -> u8 {
+        self.decimals.unwrap_or(0)
+    }
+}

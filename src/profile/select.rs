@@ -1,0 +1,243 @@
+//! How users name parameters and data sets: `372`, `rated-speed@2`, `480-483@all`, `@actual`, `372@2ram`.
+
+use super::family::{Family, LookupError};
+use super::param::Param;
+use std::fmt;
+use std::str::FromStr;
+
+/// Which memory of the drive is meant (CM-485 manual 7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Store {
+    /// Non-volatile; wears out after about a million writes.
+    Eeprom,
+    /// Lost at power-off.
+    Ram,
+}
+
+/// Which data sets of a parameter are meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DataSets {
+    /// None was named: data set 0.
+    Unnamed,
+    /// One, 0-4.
+    One(u8, Store),
+    /// All four, one by one.
+    All(Store),
+}
+
+impl DataSets {
+    /// RAM sets are numbered 5 above their EEPROM twins (CM-485 manual 7).
+    pub const RAM_OFFSET: u8 = 5;
+
+    /// The data set numbers to put on the wire.
+    pub fn wire(self) -> Vec<u8> {
+        match self {
+            DataSets::Unnamed => vec![0],
+            DataSets::One(set, store) => vec![wire_set(set, store)],
+            DataSets::All(store) => (1..=4).map(|set| wire_set(set, store)).collect(),
+        }
+    }
+}
+
+fn wire_set(set: u8, store: Store) -> u8 {
+    match store {
+        Store::Eeprom => set,
+        Store::Ram => set + DataSets::RAM_OFFSET,
+    }
+}
+
+/// What stands before the `@`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Who {
+    Number(u32),
+    Range(u32, u32),
+    Name(String),
+    Group(String),
+}
+
+/// A parameter as the user named it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Selector {
+    who: Who,
+    sets: DataSets,
+}
+
+/// A parameter and the data sets that are meant.
+#[derive(Clone, Debug)]
+pub struct Selection {
+    /// The parameter; unknown to the catalogue if only its number was given.
+    pub param: Param,
+    /// The data sets.
+    pub sets: DataSets,
+}
+
+/// Why a text is no selector.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SelectError {
+    /// The part behind `@` is no data set.
+    #[error("'{0}' is no data set: expected 0-4, 5-9, all, ram, allram, or 0ram-4ram")]
+    Set(String),
+    /// Nothing before the `@`.
+    #[error("'{0}' names no parameter: expected a number, a range such as 480-483, a name, or a group such as @actual")]
+    Empty(String),
+    /// A range that runs backwards or is too long.
+    #[error("'{0}' is no range: expected FIRST-LAST with at most 1000 numbers")]
+    Range(String),
+    /// No such group.
+    #[error("there is no group '@{name}' (expected: {})", .known.join(", "))]
+    Group {
+        /// What came.
+        name: String,
+        /// Groups of this drive.
+        known: Vec<String>,
+    },
+    /// No such parameter.
+    #[error(transparent)]
+    Lookup(#[from] LookupError),
+}
+
+impl FromStr for DataSets {
+    type Err = SelectError;
+    fn from_str(text: &str) -> Result<Self, SelectError> {
+        let bad = || SelectError::Set(text.to_owned());
+        let (number, store) = match text.strip_suffix("ram") {
+            Some(rest) => (rest, Store::Ram),
+            None => (text, Store::Eeprom),
+        };
+        match (number, store) {
+            ("", Store::Ram) => Ok(DataSets::One(0, Store::Ram)),
+            ("all", store) => Ok(DataSets::All(store)),
+            (digit, store) => {
+                let set: u8 = digit.parse().map_err(|_| bad())?;
+                match (set, store) {
+                    (0..=4, store) => Ok(DataSets::One(set, store)),
+                    (5..=9, Store::Eeprom) => Ok(DataSets::One(set - DataSets::RAM_OFFSET, Store::Ram)),
+                    _ => Err(bad()),
+                }
+            }
+        }
+    }
+}
+
+impl FromStr for Selector {
+    type Err = SelectError;
+    fn from_str(text: &str) -> Result<Self, SelectError> {
+        let text = text.trim();
+        if let Some(group) = text.strip_prefix('@') {
+            let (name, sets) = match group.split_once('@') {
+                Some((name, sets)) => (name, sets.parse()?),
+                None => (group, DataSets::Unnamed),
+            };
+            return Ok(Selector { who: Who::Group(name.to_ascii_lowercase()), sets });
+        }
+        let (who, sets) = match text.rsplit_once('@') {
+            Some((who, sets)) => (who.trim(), sets.trim().parse()?),
+            None => (text, DataSets::Unnamed),
+        };
+        let who_text = who.strip_prefix("P.").or_else(|| who.strip_prefix("p.")).unwrap_or(who);
+        if who_text.is_empty() {
+            return Err(SelectError::Empty(text.to_owned()));
+        }
+        let who = match who_text.split_once('-') {
+            _ if who_text.bytes().all(|byte| byte.is_ascii_digit()) => {
+                Who::Number(who_text.parse().map_err(|_| SelectError::Empty(text.to_owned()))?)
+            }
+            Some((first, last)) if is_number(first) && is_number(last) => {
+                let bad = || SelectError::Range(text.to_owned());
+                let (first, last): (u32, u32) = (first.parse().map_err(|_| bad())?, last.parse().map_err(|_| bad())?);
+                if first > last || last - first >= 1000 {
+                    return Err(bad());
+                }
+                Who::Range(first, last)
+            }
+            _ => Who::Name(who_text.to_owned()),
+        };
+        Ok(Selector { who, sets })
+    }
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+impl Selector {
+    /// The group with this name.
+    pub fn group(name: &str) -> Self {
+        Selector { who: Who::Group(name.to_owned()), sets: DataSets::Unnamed }
+    }
+
+    /// The parameters that are meant, in the order in which they were named. A range takes the rows that the
+    /// catalogue has in it; if it has none, every number of it.
+    pub fn resolve(&self, family: &Family) -> Result<Vec<Selection>, SelectError> {
+        let select = |param: Param| Selection { param, sets: self.sets };
+        Ok(match &self.who {
+            Who::Number(id) => vec![select(family.param_or_unknown(*id))],
+            Who::Range(first, last) => {
+                let known: Vec<_> = family.params.range(first..=last).map(|(_, param)| select(param.clone())).collect();
+                if known.is_empty() { (*first..=*last).map(|id| select(Param::unknown(id))).collect() } else { known }
+            }
+            Who::Name(name) => vec![select(family.find(name)?.clone())],
+            Who::Group(name) => {
+                let unknown = || SelectError::Group {
+                    name: name.clone(),
+                    known: family.group_names().map(|name| format!("@{name}")).collect(),
+                };
+                let ids = family.group(name).ok_or_else(unknown)?;
+                ids.iter().filter_map(|&id| family.param(id)).map(|param| select(param.clone())).collect()
+            }
+        })
+    }
+}
+
+impl fmt::Display for DataSets {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DataSets::Unnamed => write!(f, "0"),
+            DataSets::One(set, Store::Eeprom) => write!(f, "{set}"),
+            DataSets::One(set, Store::Ram) => write!(f, "{set}ram"),
+            DataSets::All(Store::Eeprom) => write!(f, "all"),
+            DataSets::All(Store::Ram) => write!(f, "allram"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sets(text: &str) -> Result<Vec<u8>, SelectError> {
+        text.parse().map(DataSets::wire)
+    }
+
+    #[test]
+    fn data_sets_become_numbers_on_the_wire() {
+        for (text, wire) in [
+            ("0", vec![0]),
+            ("2", vec![2]),
+            ("ram", vec![5]),
+            ("2ram", vec![7]),
+            ("7", vec![7]),
+            ("all", vec![1, 2, 3, 4]),
+            ("allram", vec![6, 7, 8, 9]),
+        ] {
+            assert_eq!(sets(text), Ok(wire), "{text}");
+        }
+        for text in ["", "10", "5ram", "x", "-1", "ramram"] {
+            assert!(sets(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn selectors_are_numbers_ranges_names_and_groups() {
+        let parsed = |text: &str| text.parse::<Selector>().map(|selector| selector.who);
+        assert_eq!(parsed("372@2"), Ok(Who::Number(372)));
+        assert_eq!(parsed("P.372"), Ok(Who::Number(372)));
+        assert_eq!(parsed("480-483@2"), Ok(Who::Range(480, 483)));
+        assert_eq!(parsed("rated-speed@all"), Ok(Who::Name("rated-speed".to_owned())));
+        assert_eq!(parsed("@actual"), Ok(Who::Group("actual".to_owned())));
+        assert!(parsed("9-3").is_err());
+        assert!(parsed("@2").is_ok_and(|who| who == Who::Group("2".to_owned())));
+        assert!(parsed("372@").is_err());
+        assert!(parsed("").is_err());
+    }
+}

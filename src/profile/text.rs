@@ -1,0 +1,126 @@
+//! Texts in two languages, and how names are compared.
+
+use serde::Deserialize;
+use std::str::FromStr;
+
+/// Language of names and texts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// German.
+    De,
+}
+
+impl Lang {
+    /// The language of a POSIX locale name such as `de_DE.UTF-8`; English for all but German.
+    pub fn of_locale(locale: &str) -> Self {
+        let is_german = locale == "de" || ["de_", "de-", "de.", "de@"].iter().any(|start| locale.starts_with(start));
+        if is_german { Lang::De } else { Lang::En }
+    }
+}
+
+impl FromStr for Lang {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "en" => Ok(Lang::En),
+            "de" => Ok(Lang::De),
+            _ => Err(format!("expected en or de, got '{text}'")),
+        }
+    }
+}
+
+/// A text in both languages.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Text {
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+}
+
+impl Text {
+    /// The text in `lang`.
+    pub fn get(&self, lang: Lang) -> &str {
+        match lang {
+            Lang::En => &self.en,
+            Lang::De => &self.de,
+        }
+    }
+
+    /// Both languages, English first.
+    pub fn both(&self) -> [&str; 2] {
+        [&self.en, &self.de]
+    }
+}
+
+/// Folds a name for comparison: lower case, blanks for punctuation, umlauts spelt out (`ä` as `ae`).
+pub fn fold(name: &str) -> String {
+    fold_with(name, |umlaut| match umlaut {
+        'ä' => "ae",
+        'ö' => "oe",
+        'ü' => "ue",
+        _ => "ss",
+    })
+}
+
+/// Whether `query` (as typed) is the start of `name`, whatever the case and however umlauts are spelt.
+pub(super) fn starts(name: &str, query: &str) -> bool {
+    let query = fold(query);
+    fold(name).starts_with(&query) || fold_plain(name).starts_with(&query)
+}
+
+/// Whether `query` (as typed) is `name`, whatever the case and however umlauts are spelt.
+pub(super) fn same(name: &str, query: &str) -> bool {
+    let query = fold(query);
+    fold(name) == query || fold_plain(name) == query
+}
+
+/// Like [`fold`], with umlauts reduced to their base letter (`ä` as `a`).
+fn fold_plain(name: &str) -> String {
+    fold_with(name, |umlaut| match umlaut {
+        'ä' => "a",
+        'ö' => "o",
+        'ü' => "u",
+        _ => "s",
+    })
+}
+
+fn fold_with(name: &str, spell: impl Fn(char) -> &'static str) -> String {
+    let mut folded = String::with_capacity(name.len());
+    for letter in name.chars().flat_map(char::to_lowercase) {
+        match letter {
+            'ä' | 'ö' | 'ü' | 'ß' => folded.push_str(spell(letter)),
+            letter if letter.is_alphanumeric() => folded.push(letter),
+            _ if folded.ends_with(' ') || folded.is_empty() => {}
+            _ => folded.push(' '),
+        }
+    }
+    folded.truncate(folded.trim_end().len());
+    folded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn umlauts_and_case_do_not_matter() {
+        for query in ["Übergang 5", "uebergang 5", "UBERGANG", "über", "ubergang-5"] {
+            assert!(starts("Übergang 5", query), "{query}");
+        }
+        assert!(!starts("Übergang 5", "gang"));
+        assert!(same("max. Regelabweichung", "MAX REGELABWEICHUNG"));
+    }
+
+    #[test]
+    fn locales_choose_the_language() {
+        assert_eq!(Lang::of_locale("de_DE.UTF-8"), Lang::De);
+        assert_eq!(Lang::of_locale("de"), Lang::De);
+        assert_eq!(Lang::of_locale("den"), Lang::En);
+        assert_eq!(Lang::of_locale("C"), Lang::En);
+    }
+}

@@ -1,0 +1,290 @@
+//! Exact values: an integer and a count of decimals. No float anywhere.
+
+use super::param::{Param, Type};
+
+/// Why a text is not a value of a parameter.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ValueError {
+    /// No number, and no text of the parameter's table either.
+    #[error("'{text}' is neither a number nor one of the values of this parameter{}", list(.choices))]
+    NotANumber {
+        /// What came.
+        text: String,
+        /// Texts that would be right.
+        choices: Vec<String>,
+    },
+    /// The unit is another one than the parameter's.
+    #[error("the unit '{got}' does not fit: this parameter is in {}", .expected.as_deref().unwrap_or("no unit"))]
+    Unit {
+        /// What came.
+        got: String,
+        /// The parameter's unit.
+        expected: Option<String>,
+    },
+    /// More decimals than the parameter has.
+    #[error("'{text}' has more decimals than the {decimals} of this parameter")]
+    Decimals {
+        /// What came.
+        text: String,
+        /// Decimals of the parameter.
+        decimals: u8,
+    },
+    /// Out of the printed range.
+    #[error("{value} is out of the range {min} … {max}")]
+    Range {
+        /// What came.
+        value: String,
+        /// Lower limit.
+        min: String,
+        /// Upper limit.
+        max: String,
+    },
+    /// Does not fit into the width of the type.
+    #[error("{value} does not fit into a {kind}")]
+    Width {
+        /// What came.
+        value: String,
+        /// The type.
+        kind: &'static str,
+    },
+}
+
+fn list(choices: &[String]) -> String {
+    if choices.is_empty() { String::new() } else { format!(" (expected: {})", choices.join(", ")) }
+}
+
+/// Units that are the same or differ by a power of ten: as typed, as in the catalogue, power.
+const UNITS: &[(&str, &str, i32)] = &[
+    ("rpm", "1/min", 0),
+    ("min-1", "1/min", 0),
+    ("u/min", "1/min", 0),
+    ("deg", "°", 0),
+    ("w", "kW", -3),
+    ("mw", "kW", -6),
+    ("ma", "A", -3),
+    ("mv", "V", -3),
+    ("kv", "V", 3),
+    ("ms", "s", -3),
+    ("s", "ms", 3),
+    ("khz", "Hz", 3),
+];
+
+/// `raw` with its decimal point: `-12000` with two decimals is `-120.00`.
+pub fn format_decimal(raw: i64, decimals: u8) -> String {
+    let places = usize::from(decimals);
+    let digits = format!("{:0width$}", raw.unsigned_abs(), width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    let sign = if raw < 0 { "-" } else { "" };
+    if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") }
+}
+
+/// Reads `text` as a decimal number with at most `decimals` places; accepts point or comma.
+///
+/// Returns the raw integer. Trailing zeros beyond the places are accepted, other digits are not.
+pub fn parse_decimal(text: &str, decimals: u8) -> Result<i64, ValueError> {
+    shifted(text, decimals, 0)
+}
+
+/// Like [`parse_decimal`], with the number multiplied by `10^power` first.
+fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
+    let no_number = || ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() };
+    let (negative, digits) = match text.strip_prefix(['-', '−']) {
+        Some(rest) => (true, rest),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let (whole, fraction) = digits.split_once(['.', ',']).unwrap_or((digits, ""));
+    if (whole.is_empty() && fraction.is_empty()) || !(whole.chars().chain(fraction.chars())).all(|c| c.is_ascii_digit())
+    {
+        return Err(no_number());
+    }
+    let places = i32::from(decimals) + power;
+    let exponent = places - i32::try_from(fraction.len()).map_err(|_| no_number())?;
+    let digits = format!("{whole}{fraction}");
+    let digits = digits.trim_start_matches('0');
+    let too_fine = || ValueError::Decimals { text: text.to_owned(), decimals };
+    let scaled = match usize::try_from(exponent) {
+        Ok(zeros) if digits.is_empty() => "0".repeat(zeros.min(1)),
+        Ok(zeros) if zeros > 20 => return Err(no_number()),
+        Ok(zeros) => format!("{digits}{}", "0".repeat(zeros)),
+        Err(_) => {
+            let cut = exponent.unsigned_abs() as usize;
+            let keep = digits.len().saturating_sub(cut);
+            let (kept, dropped) = digits.split_at(keep);
+            if dropped.contains(|c| c != '0') {
+                return Err(too_fine());
+            }
+            kept.to_owned()
+        }
+    };
+    let magnitude: i64 = if scaled.is_empty() { 0 } else { scaled.parse().map_err(|_| no_number())? };
+    Ok(if negative { -magnitude } else { magnitude })
+}
+
+/// Splits `10,3 A` into number and unit.
+fn split_unit(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    let end =
+        text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | '−'))).unwrap_or(text.len());
+    let (number, unit) = text.split_at(end);
+    (number.trim(), unit.trim())
+}
+
+/// Power of ten between a typed unit and the parameter's; `None` if they do not fit.
+fn unit_power(typed: &str, unit: Option<&str>) -> Option<i32> {
+    let unit = unit?;
+    if typed.eq_ignore_ascii_case(unit) {
+        return Some(0);
+    }
+    UNITS.iter().find(|row| row.0.eq_ignore_ascii_case(typed) && row.1 == unit).map(|row| row.2)
+}
+
+/// Reads a typed value for a parameter: number with or without unit, `0x…`, or a text of its table (`choices`).
+///
+/// Checks unit and decimals; [`check_range`] and [`check_width`] come after, because they can be forced.
+pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<i64, ValueError> {
+    let text = text.trim();
+    if let Some(hex) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        return i64::from_str_radix(hex, 16)
+            .map_err(|_| ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() });
+    }
+    let by_text = || choice(text, choices);
+    let (number, unit) = split_unit(text);
+    if number.is_empty() {
+        let names = choices.iter().take(8).map(|(raw, names)| format!("{raw} = {}", names[0])).collect();
+        return by_text().ok_or(ValueError::NotANumber { text: text.to_owned(), choices: names });
+    }
+    let power = match unit {
+        "" => 0,
+        typed => match unit_power(typed, param.unit.as_deref()) {
+            Some(power) => power,
+            None => {
+                let mismatch = ValueError::Unit { got: typed.to_owned(), expected: param.unit.clone() };
+                return by_text().ok_or(mismatch);
+            }
+        },
+    };
+    shifted(number, param.decimals_or_zero(), power)
+}
+
+/// The raw value whose text starts with `text`, if there is exactly one, or whose text it is.
+fn choice(text: &str, choices: &[(i64, [&str; 2])]) -> Option<i64> {
+    let exact = choices.iter().find(|(_, names)| names.iter().any(|name| super::text::same(name, text)));
+    if let Some((raw, _)) = exact {
+        return Some(*raw);
+    }
+    let mut starting = choices.iter().filter(|(_, names)| names.iter().any(|name| super::text::starts(name, text)));
+    let first = starting.next()?;
+    starting.next().is_none().then_some(first.0)
+}
+
+/// Holds a raw value against the printed range of the parameter.
+pub fn check_range(raw: i64, param: &Param) -> Result<(), ValueError> {
+    let decimals = param.decimals_or_zero();
+    let shown = |limit: Option<i64>| limit.map_or_else(|| "…".to_owned(), |raw| format_decimal(raw, decimals));
+    if param.min.is_some_and(|min| raw < min) || param.max.is_some_and(|max| raw > max) {
+        return Err(ValueError::Range {
+            value: format_decimal(raw, decimals),
+            min: shown(param.min),
+            max: shown(param.max),
+        });
+    }
+    Ok(())
+}
+
+/// Holds a raw value against the width of a type.
+pub fn check_width(raw: i64, kind: Type, decimals: u8) -> Result<(), ValueError> {
+    let (min, max) = kind.raw_range();
+    if raw < min || raw > max {
+        return Err(ValueError::Width { value: format_decimal(raw, decimals), kind: kind.name() });
+    }
+    Ok(())
+}
+
+/// The raw integer that bits on the wire stand for.
+pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
+    match kind {
+        Type::Uint | Type::String => i64::from(bits & 0xFFFF),
+        Type::Int => i64::from(bits as u16 as i16),
+        Type::Word if min.is_some_and(|min| min < 0) => i64::from(bits as u16 as i16),
+        Type::Word => i64::from(bits & 0xFFFF),
+        Type::Long => i64::from(bits as i32),
+    }
+}
+
+/// The bits on the wire for a raw integer: two's complement in the width of the type.
+pub fn to_wire(raw: i64, kind: Type) -> Result<u32, ValueError> {
+    check_width(raw, kind, 0)?;
+    Ok(match kind {
+        Type::Long => raw as i32 as u32,
+        _ => raw as u32 & 0xFFFF,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn param(unit: &str, decimals: u8) -> Param {
+        Param { unit: Some(unit.to_owned()), decimals: Some(decimals), ..Param::unknown(1) }
+    }
+
+    #[test]
+    fn decimals_are_exact_both_ways() {
+        for (raw, decimals, text) in
+            [(10_025, 2, "100.25"), (-12_000, 2, "-120.00"), (5, 3, "0.005"), (-5, 1, "-0.5"), (7, 0, "7")]
+        {
+            assert_eq!(format_decimal(raw, decimals), text);
+            assert_eq!(parse_decimal(text, decimals), Ok(raw));
+        }
+    }
+
+    #[test]
+    fn values_come_as_technicians_type_them() {
+        for (text, unit, decimals, raw) in [
+            ("1.5kW", "kW", 1, 15),
+            ("1500 W", "kW", 1, 15),
+            ("10,3 A", "A", 1, 103),
+            ("-120 Hz", "Hz", 2, -12_000),
+            ("0x0F", "", 0, 15),
+            ("1450rpm", "1/min", 0, 1_450),
+            ("2.50", "s", 1, 25),
+            (".5", "s", 1, 5),
+            ("250ms", "s", 2, 25),
+            ("0", "Hz", 2, 0),
+        ] {
+            assert_eq!(parse(text, &param(unit, decimals), &[]), Ok(raw), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_named() {
+        let hertz = param("Hz", 2);
+        assert!(matches!(parse("5 A", &hertz, &[]), Err(ValueError::Unit { .. })));
+        assert!(matches!(parse("5.001", &hertz, &[]), Err(ValueError::Decimals { .. })));
+        for text in ["", "abc", "-", "1.2.3", "--1", "99999999999999999999", "0xZZ", "1e5"] {
+            assert!(parse(text, &hertz, &[]).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_of_the_table_are_values() {
+        let choices = [(0, ["Even", "Gerade"]), (1, ["Odd", "Ungerade"]), (10, ["19200 Bd", "19200 Bd"])];
+        let parity = param("", 0);
+        assert_eq!(parse("even", &parity, &choices), Ok(0));
+        assert_eq!(parse("unger", &parity, &choices), Ok(1));
+        assert_eq!(parse("19200 Bd", &parity, &choices), Ok(10));
+        assert!(
+            matches!(parse("mark", &parity, &choices), Err(ValueError::NotANumber { choices, .. }) if choices.len() == 3)
+        );
+    }
+
+    #[test]
+    fn wire_width_and_sign() {
+        assert_eq!(from_wire(0xFFFF_D120, Type::Long, None), -12_000);
+        assert_eq!(to_wire(-12_000, Type::Long), Ok(0xFFFF_D120));
+        assert_eq!(from_wire(0xFFFF, Type::Word, None), 65_535);
+        assert_eq!(from_wire(0xFFFF, Type::Word, Some(-100)), -1);
+        assert_eq!(to_wire(-1, Type::Int), Ok(0xFFFF));
+        assert!(to_wire(65_536, Type::Uint).is_err());
+    }
+}
