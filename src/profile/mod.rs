@@ -16,3 +16,4 @@ pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultRow, LookupError, St
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use text::{Lang, Text, fold};
+pub use value::format_value;

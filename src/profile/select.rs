@@ -69,6 +69,8 @@ pub struct Selection {
     pub param: Param,
     /// The data sets.
     pub sets: DataSets,
+    /// It came as one of a group or range, so a drive need not have it.
+    pub of_group: bool,
 }
 
 /// Why a text is no selector.
@@ -169,7 +171,8 @@ impl Selector {
     /// The parameters that are meant, in the order in which they were named. A range takes the rows that the
     /// catalogue has in it; if it has none, every number of it.
     pub fn resolve(&self, family: &Family) -> Result<Vec<Selection>, SelectError> {
-        let select = |param: Param| Selection { param, sets: self.sets };
+        let of_group = matches!(self.who, Who::Group(_) | Who::Range(..));
+        let select = |param: Param| Selection { param, sets: self.sets, of_group };
         Ok(match &self.who {
             Who::Number(id) => vec![select(family.param_or_unknown(*id))],
             Who::Range(first, last) => {

@@ -220,6 +220,13 @@ pub fn to_wire(raw: i64, kind: Type) -> Result<u32, ValueError> {
     })
 }
 
+/// A value on the wire as people write it: `1.5 kW`.
+pub fn format_value(param: &Param, bits: u32, long: bool) -> String {
+    let kind = if long { Type::Long } else { param.kind.filter(|kind| kind.bits() == Some(16)).unwrap_or(Type::Word) };
+    let number = format_decimal(from_wire(bits, kind, param.min), param.decimals_or_zero());
+    param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,0 +1,162 @@
+//! The options that every verb takes.
+
+use crate::profile::Lang;
+use crate::protocol::line::Parity;
+use crate::render::Format;
+use crate::tick::Span;
+use crate::transport::Port;
+use clap::{ArgAction, Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Options of every verb.
+#[derive(Clone, Debug, Default, Args)]
+pub struct Globals {
+    /// Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]
+    ///
+    /// Without it the one USB serial adapter that is plugged in is taken.
+    #[arg(short, long, global = true, value_name = "PORT", help_heading = "Line")]
+    pub port: Option<Port>,
+
+    /// Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody
+    ///
+    /// Verbs that only read take address 1 if none is given.
+    #[arg(short, long, global = true, value_name = "LIST", help_heading = "Line")]
+    pub address: Option<String>,
+
+    /// Speed in baud [default: 19200]
+    #[arg(short, long, global = true, value_name = "BAUD", help_heading = "Line",
+          value_parser = clap::value_parser!(u32).range(300..=1_250_000))]
+    pub baud: Option<u32>,
+
+    /// Parity: even, odd, none [default: even]
+    #[arg(long, global = true, value_name = "PARITY", help_heading = "Line")]
+    pub parity: Option<Parity>,
+
+    /// Stop bits [default: 1; 2 without parity]
+    #[arg(long, global = true, value_name = "BITS", help_heading = "Line", value_parser = clap::value_parser!(u8).range(1..=2))]
+    pub stop_bits: Option<u8>,
+
+    /// Data bits [default: 8 for RTU, 7 for ASCII]
+    #[arg(long, global = true, value_name = "BITS", help_heading = "Line", value_parser = clap::value_parser!(u8).range(7..=8))]
+    pub data_bits: Option<u8>,
+
+    /// Protocol on the line: rtu, ascii [default: rtu]
+    #[arg(long, global = true, value_name = "PROTOCOL", help_heading = "Line")]
+    pub protocol: Option<String>,
+
+    /// What the drives are: auto, act, acu [default: auto, ask the drive]
+    #[arg(long, global = true, value_name = "FAMILY", help_heading = "Line")]
+    pub drive: Option<String>,
+
+    /// How long to wait for a reply, such as 500ms or 2s [default: 500ms]
+    #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
+    pub timeout: Option<Span>,
+
+    /// How often to repeat a question that got no valid reply [default: 2]
+    #[arg(long, global = true, value_name = "N", help_heading = "Line", value_parser = clap::value_parser!(u8).range(0..=20))]
+    pub retries: Option<u8>,
+
+    /// Output: table, json, ndjson, csv [default: table]
+    #[arg(long, global = true, value_name = "FORMAT", help_heading = "Output")]
+    pub format: Option<Format>,
+
+    /// Same as --format json
+    #[arg(long, global = true, conflicts_with = "format", help_heading = "Output")]
+    pub json: bool,
+
+    /// Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]
+    #[arg(long, global = true, value_name = "LANG", help_heading = "Output")]
+    pub lang: Option<Lang>,
+
+    /// Less on stderr
+    #[arg(short, long, global = true, conflicts_with = "verbose", help_heading = "Output")]
+    pub quiet: bool,
+
+    /// Show every telegram on stderr, decoded, with its time
+    #[arg(short, long, global = true, action = ArgAction::Count, help_heading = "Output")]
+    pub verbose: u8,
+
+    /// Record the line to a file that `decode trace` reads
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Output")]
+    pub trace: Option<PathBuf>,
+
+    /// Colour: auto, always, never [default: auto]
+    #[arg(long, global = true, value_name = "WHEN", help_heading = "Output")]
+    pub color: Option<ColorChoice>,
+
+    /// No progress bar
+    #[arg(long, global = true, help_heading = "Output")]
+    pub no_progress: bool,
+
+    /// More catalogue files; later ones win (repeatable)
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Files")]
+    pub catalogue: Vec<PathBuf>,
+
+    /// Project file to read in place of ./antrieb.toml
+    #[arg(long, global = true, value_name = "FILE", conflicts_with = "no_config", help_heading = "Files")]
+    pub config: Option<PathBuf>,
+
+    /// Read no project file and no user configuration
+    #[arg(long, global = true, help_heading = "Files")]
+    pub no_config: bool,
+
+    /// Show the telegrams that would be sent; open nothing
+    #[arg(long, global = true, help_heading = "Safety")]
+    pub dry_run: bool,
+
+    /// Answer the safety question with yes; never taken from environment or files
+    #[arg(long, global = true, help_heading = "Safety")]
+    pub yes: bool,
+}
+
+/// When to use colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ColorChoice {
+    /// On a terminal, unless NO_COLOR is set or TERM is dumb.
+    #[default]
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// Reads `500ms`, `2s`, `1.5 s`, `2m`.
+pub fn parse_span(text: &str) -> Result<Span, String> {
+    let bad = || format!("expected a time such as 500ms, 2s or 1m, got '{text}'");
+    let text = text.trim();
+    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
+    let (number, unit) = text.split_at(end);
+    let micros = match unit.trim() {
+        "us" => 1,
+        "ms" => 1_000,
+        "s" => 1_000_000,
+        "m" | "min" => 60_000_000,
+        "h" => 3_600_000_000,
+        _ => return Err(bad()),
+    };
+    let thousandths = crate::profile::value::parse_decimal(number, 3).map_err(|_| bad())?;
+    let thousandths = u64::try_from(thousandths).map_err(|_| bad())?;
+    let span = thousandths.checked_mul(micros).ok_or_else(bad)? / 1_000;
+    if span > 7 * 24 * 3_600_000_000 {
+        return Err(format!("'{text}' is longer than a week"));
+    }
+    Ok(Span::from_micros(span))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_humane() {
+        for (text, us) in
+            [("500ms", 500_000), ("2s", 2_000_000), ("1.5 s", 1_500_000), ("1m", 60_000_000), ("0.5ms", 500)]
+        {
+            assert_eq!(parse_span(text), Ok(Span::from_micros(us)), "{text}");
+        }
+        for text in ["", "5", "s", "-1s", "1.2.3s", "1x", "99999999h"] {
+            assert!(parse_span(text).is_err(), "{text}");
+        }
+    }
+}

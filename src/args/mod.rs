@@ -1,0 +1,7 @@
+//! From the command line, the environment and files to [`Settings`], resolved once.
+
+mod globals;
+mod settings;
+
+pub use globals::{ColorChoice, Globals, parse_span};
+pub use settings::{Addresses, Environment, Settings, user_config_directory};

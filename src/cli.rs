@@ -1,0 +1,264 @@
+//! The program: root command, dispatch, signals, hidden verbs that print completions and man pages.
+
+use crate::args::{Environment, Globals, Settings};
+use crate::command::{self, Context};
+use crate::drive::Interrupt;
+use crate::failure::{Class, Failure};
+use crate::outcome::Outcome;
+use crate::profile::{Lang, Registry};
+use crate::render::{self, Console, Format, Streams, Terminal};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
+use std::io::{self, Write};
+
+/// Commissioning tool for industrial drives on serial lines.
+///
+/// Finds drives, says in plain words what they say, reads and writes their parameters in four data sets, and diagnoses
+/// the line. `--port sim` is a built-in bench with two drives: try everything there first.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "antrieb", version, after_help = after_help(), max_term_width = 100, disable_help_subcommand = true)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+    #[command(flatten)]
+    globals: Globals,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Verb {
+    Scan(command::scan::Args),
+    Identify(command::identify::Args),
+    Read(command::read::Args),
+    Write(command::write::Args),
+    Dataset(command::dataset::Args),
+    Diag(command::diag::Args),
+    #[command(visible_alias = "state")]
+    Statemachine(command::statemachine::Args),
+    #[command(visible_alias = "setpoint")]
+    Sollwert(command::sollwert::Args),
+    Params(command::params::Args),
+    Decode(command::decode::Args),
+    Simulate(command::simulate::Args),
+    /// Prints the JSON Schema of a verb's output, or of every verb's
+    Schema {
+        /// The verb
+        verb: Option<String>,
+    },
+    /// Prints a completion script
+    #[command(hide = true)]
+    Completions {
+        /// bash, zsh, fish, powershell
+        shell: clap_complete::Shell,
+    },
+    /// Prints a man page: of the program, or of a verb
+    #[command(hide = true)]
+    Man {
+        /// The verb
+        verb: Option<String>,
+    },
+}
+
+fn after_help() -> String {
+    let mut text = "Exit codes:\n    0  done\n".to_owned();
+    for (_, code, meaning) in Class::TABLE {
+        text += &format!("  {code:>3}  {meaning}\n");
+    }
+    text + "\nFirst steps:\n  antrieb --port sim scan\n  antrieb --port sim -a 1 read 372@2 481 @actual\n  antrieb --port sim -a 2 diag\n"
+}
+
+/// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
+/// name, and the port.
+pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
+    let Streams { mut out, err, mut input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
+    let cli = match parse(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return clap_exit(&error, arguments, out.as_mut(), err),
+    };
+    let quiet = cli.globals.quiet;
+    let console = Console::new(err, quiet, err_is_terminal && !quiet && !cli.globals.no_progress);
+    let (name, printed) = match &cli.verb {
+        Verb::Schema { verb } => ("schema", print_schema(verb.as_deref(), out.as_mut())),
+        Verb::Completions { shell } => ("completions", completions(*shell, out.as_mut())),
+        Verb::Man { verb } => ("man", man(verb.as_deref(), out.as_mut())),
+        _ => ("", Ok(None)),
+    };
+    if !name.is_empty() {
+        return match printed {
+            Ok(None) => 0,
+            Ok(Some(failure)) => {
+                render::print_failure(&failure, &console);
+                failure.class.exit()
+            }
+            Err(error) => closed(&error, &console),
+        };
+    }
+    let verb = verb_name(&cli.verb);
+    let settings = Settings::resolve(&cli.globals, environment);
+    let (format, lang) = match &settings {
+        Ok(settings) => (settings.format, settings.lang),
+        Err(_) if cli.globals.json => (Format::Json, Lang::En),
+        Err(_) => (cli.globals.format.unwrap_or_default(), Lang::En),
+    };
+    let outcome = settings.and_then(|settings| {
+        let present = input_is_terminal && err_is_terminal;
+        let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
+        let mut ask = Terminal { console: console.clone(), input: input.as_mut(), present, yes, quiet, lang };
+        work(&cli.verb, &settings, &mut ask, &console)
+    });
+    let outcome = outcome.unwrap_or_else(Outcome::from);
+    let width = if out_is_terminal { width } else { None };
+    match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
+        Ok(()) => outcome.failure.map_or(0, |failure| failure.class.exit()),
+        Err(error) => closed(&error, &console),
+    }
+}
+
+fn parse(arguments: &[OsString]) -> Result<Cli, clap::Error> {
+    let matches = Cli::command().try_get_matches_from(arguments)?;
+    Cli::from_arg_matches(&matches)
+}
+
+/// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
+fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, err: Box<dyn Write>) -> u8 {
+    let text = error.render().to_string();
+    if !error.use_stderr() {
+        let _closed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+        return 0;
+    }
+    let console = Console::new(err, true, false);
+    let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
+    let wants_json = words.iter().any(|word| word == "--json" || word == "--format=json")
+        || words
+            .windows(2)
+            .any(|pair| pair.first().is_some_and(|w| w == "--format") && pair.last().is_some_and(|w| w == "json"));
+    if wants_json {
+        let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+        let failure = Failure::new(Class::Usage, "usage.arguments", message).hint("antrieb --help");
+        let outcome = Outcome::from(failure);
+        let _closed = render::print(&outcome, "", Format::Json, Lang::En, None, out, &console);
+    } else {
+        text.lines().for_each(|line| console.line(line));
+    }
+    Class::Usage.exit()
+}
+
+/// A pipe that was closed on the other side is a success: the reader has what it wanted.
+fn closed(error: &io::Error, console: &Console) -> u8 {
+    if error.kind() == io::ErrorKind::BrokenPipe {
+        return 0;
+    }
+    console.line(&format!("error: cannot write the output: {error}"));
+    Class::Port.exit()
+}
+
+fn work(verb: &Verb, settings: &Settings, ask: &mut Terminal<'_>, console: &Console) -> Result<Outcome, Failure> {
+    let registry = Registry::open(&settings.catalogues)
+        .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.to_string()))?;
+    let bug = |error: io::Error| Failure::new(Class::Bug, "bug.runtime", format!("cannot start the runtime: {error}"));
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(bug)?;
+    let interrupt = Interrupt::default();
+    let mut observe = |event| console.observe(event);
+    let mut context =
+        Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
+    runtime.block_on(async {
+        let signals = tokio::spawn(raise_on_signal(interrupt));
+        let outcome = dispatch(verb, &mut context).await;
+        signals.abort();
+        outcome
+    })
+}
+
+async fn dispatch(verb: &Verb, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    match verb {
+        Verb::Scan(args) => command::scan::run(args, context).await,
+        Verb::Identify(args) => command::identify::run(args, context).await,
+        Verb::Read(args) => command::read::run(args, context).await,
+        Verb::Write(args) => command::write::run(args, context).await,
+        Verb::Dataset(args) => command::dataset::run(args, context).await,
+        Verb::Diag(args) => command::diag::run(args, context).await,
+        Verb::Statemachine(args) => command::statemachine::run(args, context).await,
+        Verb::Sollwert(args) => command::sollwert::run(args, context).await,
+        Verb::Params(args) => command::params::run(args, context),
+        Verb::Decode(args) => command::decode::run(args, context),
+        Verb::Simulate(args) => command::simulate::run(args, context).await,
+        Verb::Schema { .. } | Verb::Completions { .. } | Verb::Man { .. } => Ok(Outcome::default()),
+    }
+}
+
+fn verb_name(verb: &Verb) -> &'static str {
+    match verb {
+        Verb::Scan(_) => "scan",
+        Verb::Identify(_) => "identify",
+        Verb::Read(_) => "read",
+        Verb::Write(_) => "write",
+        Verb::Dataset(_) => "dataset",
+        Verb::Diag(_) => "diag",
+        Verb::Statemachine(_) => "statemachine",
+        Verb::Sollwert(_) => "sollwert",
+        Verb::Params(_) => "params",
+        Verb::Decode(_) => "decode",
+        Verb::Simulate(_) => "simulate",
+        Verb::Schema { .. } => "schema",
+        Verb::Completions { .. } => "completions",
+        Verb::Man { .. } => "man",
+    }
+}
+
+/// Raises the interrupt on Ctrl-C, SIGTERM and SIGHUP.
+#[cfg(unix)]
+async fn raise_on_signal(interrupt: Interrupt) {
+    use tokio::signal::unix::{SignalKind, signal};
+    let (Ok(mut term), Ok(mut hangup)) = (signal(SignalKind::terminate()), signal(SignalKind::hangup())) else {
+        return;
+    };
+    loop {
+        tokio::select! {
+            pressed = tokio::signal::ctrl_c() => if pressed.is_err() { return },
+            _ = term.recv() => {}
+            _ = hangup.recv() => {}
+        }
+        interrupt.raise();
+    }
+}
+
+#[cfg(not(unix))]
+async fn raise_on_signal(interrupt: Interrupt) {
+    while tokio::signal::ctrl_c().await.is_ok() {
+        interrupt.raise();
+    }
+}
+
+fn print_schema(verb: Option<&str>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    let Some(schema) = render::schema(verb) else {
+        let message = format!("'{}' has no JSON output", verb.unwrap_or_default());
+        return Ok(Some(Failure::new(Class::Usage, "usage.schema", message)));
+    };
+    serde_json::to_writer_pretty(&mut *out, &schema)?;
+    writeln!(out)?;
+    Ok(None)
+}
+
+fn completions(shell: clap_complete::Shell, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "antrieb", &mut script);
+    out.write_all(&script)?;
+    out.flush().map(|()| None)
+}
+
+fn man(verb: Option<&str>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    let mut root = Cli::command();
+    root.build();
+    let page = match verb {
+        None => clap_mangen::Man::new(root),
+        Some(verb) => match root.find_subcommand(verb) {
+            Some(found) => clap_mangen::Man::new(found.clone().version(env!("CARGO_PKG_VERSION"))),
+            None => {
+                let message = format!("there is no verb '{verb}'");
+                return Ok(Some(Failure::new(Class::Usage, "usage.verb", message)));
+            }
+        },
+    };
+    // No date: the page must be the same whenever it is built.
+    page.date("").source("antrieb").manual("Commissioning of drives").render(out)?;
+    out.flush().map(|()| None)
+}

@@ -1,0 +1,276 @@
+//! `dataset`: the four data sets of a drive.
+
+use super::read::select_failure;
+use super::write::{Job, Step, carry_out, permit, prepare};
+use super::{Context, Reader, addresses_to_read, addresses_to_write, connect, summary, target};
+use crate::args::Settings;
+use crate::drive::{Session, Target};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Dataset, DatasetRow, Outcome, Value, Warning, WriteResult};
+use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
+use clap::{Args as ClapArgs, Subcommand};
+
+/// Shows, selects, copies and compares the four data sets of a drive.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Action {
+    /// Show parameters in all four data sets side by side
+    Show {
+        /// Parameters, ranges or groups [default: every switchable parameter]
+        #[arg(value_name = "PARAMETER")]
+        params: Vec<String>,
+    },
+    /// Show which data set the drive works with (P.249) and what selects it (P.414)
+    Active,
+    /// Select a data set (P.414): 1-4, or 0 for the digital inputs
+    Select {
+        /// 0-4
+        #[arg(value_parser = clap::value_parser!(u8).range(0..=4))]
+        set: u8,
+        /// Select in RAM only, until power-off
+        #[arg(long)]
+        ram: bool,
+    },
+    /// Copy the values of one data set into another
+    Copy {
+        /// 1-4
+        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
+        from: u8,
+        /// 1-4
+        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
+        to: u8,
+        /// Parameters, ranges or groups [default: every switchable parameter]
+        #[arg(value_name = "PARAMETER")]
+        params: Vec<String>,
+        /// Copy into RAM only, until power-off
+        #[arg(long)]
+        ram: bool,
+    },
+    /// Compare two data sets; exits with 1 if they differ
+    Diff {
+        /// 1-4
+        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
+        a: u8,
+        /// 1-4
+        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
+        b: u8,
+        /// Parameters, ranges or groups [default: every switchable parameter]
+        #[arg(value_name = "PARAMETER")]
+        params: Vec<String>,
+    },
+}
+
+/// Works on the data sets of one drive.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let writes = matches!(args.action, Action::Select { .. } | Action::Copy { .. });
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
+    let &[address] = addresses.as_slice() else {
+        return Err(Failure::new(Class::Usage, "usage.address", "expected the address of one drive, got several"));
+    };
+    if address == 0 {
+        return Err(Failure::new(
+            Class::Usage,
+            "usage.address",
+            "expected the address of one drive, got 0 (everybody)",
+        ));
+    }
+    if let Action::Copy { from, to, .. } | Action::Diff { a: from, b: to, .. } = &args.action
+        && from == to
+    {
+        return Err(Failure::new(Class::Usage, "usage.data_set", "expected two different data sets"));
+    }
+    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut work = Work { target: target(&mut session, settings, registry, address).await?, settings };
+    let session = &mut session;
+    match &args.action {
+        Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,
+        Action::Active => work.active(session).await,
+        Action::Select { set, ram } => {
+            let param = work.target.family.role("set-selection").cloned();
+            let param =
+                param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no data set selection"))?;
+            let place = DataSets::One(0, if *ram { Store::Ram } else { Store::Eeprom });
+            let kind = param.kind;
+            let step = Step { param, set: place.wire().first().copied().unwrap_or(0), raw: (*set).into(), kind };
+            work.write(session, vec![step], *ask).await
+        }
+        Action::Copy { from, to, params, ram } => {
+            let store = if *ram { Store::Ram } else { Store::Eeprom };
+            work.copy(session, *from, *to, store, params, *ask).await
+        }
+        Action::Diff { a, b, params } => work.diff(session, *a, *b, params).await,
+    }
+}
+
+struct Work<'s> {
+    target: Target,
+    settings: &'s Settings,
+}
+
+impl Work<'_> {
+    /// The parameters that the user means, or every switchable one.
+    fn params(&self, texts: &[String]) -> Result<Vec<Param>, Failure> {
+        let family = &self.target.family;
+        if texts.is_empty() {
+            let four = family.params.values().filter(|param| param.sets == Some(Sets::Four) && param.access.reads());
+            return Ok(four.cloned().collect());
+        }
+        let mut params = Vec::new();
+        for text in texts {
+            let selector: Selector = text.parse().map_err(|error| select_failure(&error))?;
+            let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
+            params.extend(selections.into_iter().map(|selection| selection.param));
+        }
+        Ok(params)
+    }
+
+    /// Reads parameters in some data sets; what the drive does not have in sets is left out and named.
+    async fn rows(
+        &mut self,
+        session: &mut Session<'_>,
+        texts: &[String],
+        sets: &[u8],
+    ) -> Result<(Vec<DatasetRow>, Vec<Failure>, Vec<Warning>), Failure> {
+        let mut rows = Vec::new();
+        let named = !texts.is_empty();
+        let mut missing = Vec::new();
+        let params = self.params(texts)?;
+        let mut reader = Reader::new(session, &mut self.target, self.settings);
+        for param in params {
+            let mut values = Vec::new();
+            for &set in sets {
+                values.extend(reader.rows(&param, DataSets::One(set, Store::Eeprom)).await?);
+            }
+            if !named
+                && values.iter().all(|value| value.error.as_ref().is_some_and(|error| error.class == Class::Refused))
+            {
+                // Of a group not every drive has everything: an option module is not fitted, or the row was a guess.
+                reader.failures.truncate(reader.failures.len().saturating_sub(values.len()));
+                missing.push(param.id.to_string());
+                continue;
+            }
+            let raws: Vec<_> = values.iter().map(|value| value.raw).collect();
+            let equal = raws.windows(2).all(|pair| pair.first() == pair.last()) && raws.iter().all(Option::is_some);
+            rows.push(DatasetRow {
+                param: param.id,
+                slug: param.slug.clone(),
+                name: param.name(self.settings.lang).to_owned(),
+                unit: param.unit.clone(),
+                equal,
+                values,
+            });
+        }
+        let mut warnings = std::mem::take(&mut reader.warnings);
+        if !missing.is_empty() {
+            warnings.push(Warning {
+                code: "dataset.not_there".to_owned(),
+                message: format!("this drive does not have in its data sets: {}", missing.join(", ")),
+            });
+        }
+        Ok((rows, reader.failures, warnings))
+    }
+
+    async fn header(&mut self, session: &mut Session<'_>) -> Result<(Option<i64>, Option<Value>), Failure> {
+        let mut reader = Reader::new(session, &mut self.target, self.settings);
+        let active = reader.role("active-set").await?.and_then(|value| value.raw);
+        let selection = reader.role("set-selection").await?;
+        match reader.failures.pop() {
+            Some(failure) => Err(failure),
+            None => Ok((active, selection)),
+        }
+    }
+
+    async fn report(&mut self, session: &mut Session<'_>, rows: Vec<DatasetRow>) -> Result<Dataset, Failure> {
+        let (active, selection) = self.header(session).await?;
+        Ok(Dataset {
+            address: self.target.address,
+            drive: self.target.family.drive.clone(),
+            active,
+            selection,
+            rows,
+            written: Vec::new(),
+            dry_run: self.settings.dry_run,
+        })
+    }
+
+    async fn active(&mut self, session: &mut Session<'_>) -> Result<Outcome, Failure> {
+        Ok(Outcome::of(Data::Dataset(self.report(session, Vec::new()).await?)))
+    }
+
+    async fn show(&mut self, session: &mut Session<'_>, texts: &[String], sets: &[u8]) -> Result<Outcome, Failure> {
+        let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
+        let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
+        let report = self.report(session, rows).await?;
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good) })
+    }
+
+    async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
+        let mut outcome = self.show(session, texts, &[a, b]).await?;
+        if let Some(Data::Dataset(report)) = &mut outcome.data {
+            report.rows.retain(|row| !row.equal);
+            if outcome.failure.is_none() && !report.rows.is_empty() {
+                let message = format!("data sets {a} and {b} differ in {} parameters", report.rows.len());
+                outcome.failure = Some(Failure::new(Class::No, "no.differences", message));
+            }
+        }
+        Ok(outcome)
+    }
+
+    async fn copy(
+        &mut self,
+        session: &mut Session<'_>,
+        from: u8,
+        to: u8,
+        store: Store,
+        texts: &[String],
+        ask: &mut dyn crate::gate::Ask,
+    ) -> Result<Outcome, Failure> {
+        let (rows, failures, warnings) = self.rows(session, texts, &[from]).await?;
+        if let Some(failure) = failures.into_iter().next() {
+            return Err(failure);
+        }
+        let to = DataSets::One(to, store).wire().first().copied().unwrap_or(to);
+        let mut steps = Vec::new();
+        for value in rows.iter().flat_map(|row| &row.values) {
+            let param = self.target.family.param_or_unknown(value.param);
+            if let Some(raw) = value.raw.filter(|_| param.access.writes()) {
+                let kind = value.kind.and_then(|name| name.parse::<Type>().ok());
+                steps.push(Step { param, set: to, raw, kind });
+            }
+        }
+        let mut outcome = self.write(session, steps, ask).await?;
+        outcome.warnings.extend(warnings);
+        Ok(outcome)
+    }
+
+    /// Writes, after asking, and reports; in a dry run only says what would be written.
+    async fn write(
+        &mut self,
+        session: &mut Session<'_>,
+        steps: Vec<Step>,
+        ask: &mut dyn crate::gate::Ask,
+    ) -> Result<Outcome, Failure> {
+        let rows = prepare(session, &mut self.target, self.settings, &steps, false).await?;
+        let target = Target::new(self.target.address, self.target.family.clone());
+        let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
+        let mut failures = Vec::new();
+        if !self.settings.dry_run {
+            let jobs = [job];
+            let permit = permit(ask, &jobs)?;
+            [job] = jobs;
+            if let Some(permit) = permit {
+                carry_out(session, &mut job, self.settings, &permit, &mut failures).await;
+            }
+        }
+        let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
+        let mut report = self.report(session, Vec::new()).await?;
+        report.written = job.rows;
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good) })
+    }
+}

@@ -1,0 +1,138 @@
+//! `decode`: what do these bytes, this word, this code say? Without a drive.
+
+use super::{Context, offline_family};
+use crate::drive::decode::{Reader, parse_input};
+use crate::drive::describe;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Decode, Outcome};
+use crate::profile::Family;
+use clap::{Args as ClapArgs, Subcommand};
+use std::path::PathBuf;
+
+/// Explains telegrams, words and codes. No drive is needed.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum What {
+    /// A Modbus telegram: hex bytes, or an ASCII telegram from its colon on
+    Telegram {
+        /// 01 03 21 74 00 01 CE 2C, or :01032174000166
+        #[arg(required = true, value_name = "BYTES")]
+        bytes: Vec<String>,
+    },
+    /// A recording made with --trace
+    Trace {
+        /// The file
+        file: PathBuf,
+    },
+    /// A status word (P.411), such as 0x0237
+    Status {
+        /// The word
+        word: String,
+    },
+    /// A control word (P.410), such as 0x000F
+    Control {
+        /// The word
+        word: String,
+        /// Control mode (P.412) that decides what the bits mean: 0 contacts, 1 state machine, 2 remote contacts
+        #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=44))]
+        mode: u8,
+    },
+    /// A warning word (P.270), such as 0x008B
+    Warnings {
+        /// The word
+        word: String,
+    },
+    /// A fault code (P.260), such as F0500, 0x0500 or 1280
+    Fault {
+        /// The code
+        code: String,
+    },
+    /// A code of the error register (P.11), such as 11
+    Error {
+        /// The code
+        code: String,
+    },
+}
+
+/// Explains.
+pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
+    let family = offline_family(context.settings, context.registry)?;
+    let lang = context.settings.lang;
+    let reader = Reader { framing: context.settings.framing, family: Some(&family), lang };
+    let blank = |kind, input: &str| Decode {
+        kind,
+        input: input.to_owned(),
+        telegrams: Vec::new(),
+        word: None,
+        fault: None,
+        register: None,
+    };
+    let decode = match &args.what {
+        What::Telegram { bytes } => {
+            let input = bytes.join(" ");
+            let (framing, bytes) =
+                parse_input(&input).map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.to_string()))?;
+            let doc = Reader { framing, ..reader }.telegram(&bytes, None);
+            let failure =
+                (!doc.check_ok).then(|| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
+            let data = Data::Decode(Decode { telegrams: vec![doc], ..blank("telegram", &input) });
+            return Ok(Outcome { data: Some(data), warnings: Vec::new(), failure });
+        }
+        What::Trace { file } => {
+            let shown = file.display().to_string();
+            let bad = |why: String| Failure::new(Class::Data, "data.trace", format!("{shown}: {why}"));
+            let text = std::fs::read_to_string(file).map_err(|error| bad(error.to_string()))?;
+            Decode { telegrams: reader.recording(&text).map_err(bad)?, ..blank("trace", &shown) }
+        }
+        What::Status { word } => word_of(&family, "status-word", "status", word, None, lang)?,
+        What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode), lang)?,
+        What::Warnings { word } => word_of(&family, "warnings", "warnings", word, None, lang)?,
+        What::Fault { code } => {
+            let number = match code.strip_prefix(['F', 'f']) {
+                Some(digits) => u32::from_str_radix(digits.trim(), 16).ok().filter(|code| *code <= 0xFFFF),
+                None => number(code),
+            };
+            let number = number.ok_or_else(|| bad_code(code, "a fault such as F0500, 0x0500 or 1280"))?;
+            Decode { fault: describe::fault(&family, number, lang), ..blank("fault", code) }
+        }
+        What::Error { code } => {
+            let number = number(code).ok_or_else(|| bad_code(code, "a code such as 11"))?;
+            Decode { register: Some(describe::register(&family, number, lang)), ..blank("error", code) }
+        }
+    };
+    Ok(Outcome::of(Data::Decode(decode)))
+}
+
+fn word_of(
+    family: &Family,
+    role: &str,
+    kind: &'static str,
+    text: &str,
+    mode: Option<u8>,
+    lang: crate::profile::Lang,
+) -> Result<Decode, Failure> {
+    let raw = number(text).ok_or_else(|| bad_code(text, "a 16-bit word such as 0x0237 or 567"))?;
+    let param = family.role(role).ok_or_else(|| Failure::new(Class::Data, "data.role", format!("no {role}")))?;
+    let word = describe::word(family, param, raw, lang, &|_| mode.map(i64::from));
+    Ok(Decode { kind, input: text.to_owned(), telegrams: Vec::new(), word: Some(word), fault: None, register: None })
+}
+
+/// Reads `0x0237`, `0237h` or `567` as 16 bits.
+fn number(text: &str) -> Option<u32> {
+    let text = text.trim();
+    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).or_else(|| text.strip_suffix(['h', 'H']));
+    let number = match hex {
+        Some(digits) => u32::from_str_radix(digits, 16).ok()?,
+        None => text.parse().ok()?,
+    };
+    (number <= 0xFFFF).then_some(number)
+}
+
+fn bad_code(text: &str, expected: &str) -> Failure {
+    Failure::new(Class::Usage, "usage.number", format!("expected {expected}, got '{text}'"))
+}

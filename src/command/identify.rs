@@ -1,0 +1,134 @@
+//! `identify`: what is at an address, and how does it want to be talked to?
+
+use super::{Context, Reader, each_drive, finish};
+use crate::args::Settings;
+use crate::drive::{AccessError, Session, Target, recognise};
+use crate::failure::Failure;
+use crate::outcome::{Data, ErrorDoc, Evidence, Identify, Identity, Module, Outcome};
+use crate::profile::{DataSets, Lang, Registry};
+use clap::Args as ClapArgs;
+
+/// Tells what a drive is, and how it is set up for talking to it.
+///
+/// Shows the family with the evidence for it, protocol, baud rate, parity, address, watchdog, control mode,
+/// configuration, active data set, and which option modules answer. Nothing in the drive is changed.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {}
+
+/// Roles whose values matter for talking to a drive, in the order in which they are shown.
+const ROLES: [&str; 9] = [
+    "address",
+    "protocol",
+    "baud-rate",
+    "parity",
+    "watchdog",
+    "control-mode",
+    "configuration",
+    "active-set",
+    "set-selection",
+];
+
+/// Identifies every drive that was named.
+pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let (drives, failures, succeeded) = each_drive(
+        context,
+        async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
+            identify(session, settings, registry, address).await
+        },
+        |address, failure: &Failure| Identity {
+            address,
+            drive: "unknown".to_owned(),
+            title: String::new(),
+            evidence: Vec::new(),
+            modules: Vec::new(),
+            values: Vec::new(),
+            error: Some(ErrorDoc::from(failure)),
+        },
+    )
+    .await?;
+    Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new()))
+}
+
+async fn identify(
+    session: &mut Session<'_>,
+    settings: &Settings,
+    registry: &Registry,
+    address: u8,
+) -> Result<(Identity, Vec<Failure>), Failure> {
+    let lang = settings.lang;
+    let (target, evidence) = match &settings.drive {
+        Some(name) => {
+            let told = Evidence {
+                asked: "--drive".to_owned(),
+                answered: name.clone(),
+                tells: if lang == Lang::De { "so angegeben" } else { "as given" }.to_owned(),
+            };
+            (Some(Target::new(address, super::named_family(registry, name)?)), vec![told])
+        }
+        None => {
+            let finding =
+                recognise(session, address, lang).await.map_err(|error| error.failure(address, None, lang))?;
+            (finding.target(address, registry), finding.evidence)
+        }
+    };
+    let Some(mut target) = target else {
+        let title = match lang {
+            Lang::En => "Modbus device, no known drive",
+            Lang::De => "Modbus-Gerät, kein bekannter Antrieb",
+        };
+        let identity = Identity {
+            address,
+            drive: "unknown".to_owned(),
+            title: title.to_owned(),
+            evidence,
+            modules: Vec::new(),
+            values: Vec::new(),
+            error: None,
+        };
+        return Ok((identity, Vec::new()));
+    };
+    let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
+    let title = title.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
+    let mut reader = Reader::new(session, &mut target, settings);
+    let mut values = Vec::new();
+    for role in ROLES {
+        values.extend(reader.role(role).await?);
+    }
+    let modules = modules(&mut reader, lang).await?;
+    let drive = reader.target.family.drive.clone();
+    let failures = std::mem::take(&mut reader.failures);
+    Ok((Identity { address, drive, title, evidence, modules, values, error: None }, failures))
+}
+
+/// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.
+async fn modules(reader: &mut Reader<'_, '_, '_>, lang: Lang) -> Result<Vec<Module>, Failure> {
+    let mut probes = std::collections::BTreeMap::new();
+    for param in reader.target.family.params.values().filter(|param| param.access.reads()) {
+        if let Some(module) = &param.module {
+            probes.entry(module.clone()).or_insert_with(|| param.clone());
+        }
+    }
+    let mut modules = Vec::new();
+    for (name, param) in probes {
+        let answers = reader.target.read(reader.session, &param, DataSets::Unnamed).await;
+        let mut present = false;
+        for (_, answer) in answers {
+            match answer {
+                Ok(_) => present = true,
+                Err(error) if error.is_fatal() => {
+                    return Err(error.failure(reader.target.address, None, lang));
+                }
+                Err(AccessError::Refused(refusal)) => present |= refusal.cause.is_some_and(|cause| cause != 11),
+                Err(_) => {}
+            }
+        }
+        let evidence = match (lang, present) {
+            (Lang::En, true) => format!("P.{} answers", param.id),
+            (Lang::En, false) => format!("P.{} is unknown to the drive", param.id),
+            (Lang::De, true) => format!("P.{} antwortet", param.id),
+            (Lang::De, false) => format!("P.{} kennt der Antrieb nicht", param.id),
+        };
+        modules.push(Module { name, present, evidence });
+    }
+    Ok(modules)
+}

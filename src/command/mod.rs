@@ -1,0 +1,279 @@
+//! One file per verb: its arguments and its `run`. Nothing here prints, nothing here knows bytes.
+
+pub mod dataset;
+pub mod decode;
+pub mod diag;
+pub mod identify;
+pub mod params;
+pub mod read;
+pub mod scan;
+pub mod simulate;
+pub mod sollwert;
+pub mod statemachine;
+pub mod write;
+
+use crate::args::{Addresses, Settings};
+use crate::drive::{AccessError, Interrupt, Opening, Reading, Session, Target, describe, open_port, recognise};
+use crate::failure::{Class, Failure};
+use crate::gate::Ask;
+use crate::outcome::{Event, Outcome, Value, Warning};
+use crate::profile::{DataSets, Family, Param, Registry};
+use std::collections::BTreeMap;
+
+/// What every verb works with.
+pub struct Context<'a> {
+    /// Resolved settings.
+    pub settings: &'a Settings,
+    /// Catalogues.
+    pub registry: &'a Registry,
+    /// Who is asked for permission.
+    pub ask: &'a mut dyn Ask,
+    /// Who is told what happens on the way.
+    pub observe: &'a mut dyn FnMut(Event),
+    /// Raised by Ctrl-C and other signals.
+    pub interrupt: Interrupt,
+}
+
+impl std::fmt::Debug for Context<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Context").field("settings", &self.settings).finish_non_exhaustive()
+    }
+}
+
+/// Opens the line that the settings name.
+fn connect<'a>(
+    settings: &Settings,
+    registry: &Registry,
+    interrupt: &Interrupt,
+    observe: &'a mut dyn FnMut(Event),
+) -> Result<Session<'a>, Failure> {
+    let port = open_port(settings.port.as_ref(), observe)?;
+    let opening = Opening {
+        port: &port,
+        line: settings.line,
+        framing: settings.framing,
+        timeout: settings.timeout,
+        retries: settings.retries,
+        trace: settings.trace.as_deref(),
+        verbose: settings.verbose,
+        lang: settings.lang,
+    };
+    Session::open(opening, registry, interrupt.clone(), observe)
+}
+
+/// Addresses to read from: those that were named, or the factory address, which is said.
+fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Result<Vec<u8>, Failure> {
+    match &settings.addresses {
+        Addresses::Named(list) if list.contains(&0) => Err(Failure::new(
+            Class::Usage,
+            "usage.broadcast_read",
+            "address 0 is everybody: it can be written to, but nobody answers",
+        )
+        .hint("name one drive, such as -a 1")),
+        Addresses::Named(list) => Ok(list.clone()),
+        Addresses::Unnamed => {
+            observe(Event::Note("no address given, taking 1 (the factory setting)".to_owned()));
+            Ok(vec![1])
+        }
+    }
+}
+
+/// Addresses to write to: only those that were named.
+fn addresses_to_write(settings: &Settings) -> Result<Vec<u8>, Failure> {
+    match &settings.addresses {
+        Addresses::Named(list) => Ok(list.clone()),
+        Addresses::Unnamed => {
+            Err(Failure::new(Class::Usage, "usage.address", "expected the address of the drive to write to, got none")
+                .hint("add -a ADDRESS; `antrieb scan` finds the drives"))
+        }
+    }
+}
+
+/// The drive at an address: of the family that was named, or asked.
+async fn target(
+    session: &mut Session<'_>,
+    settings: &Settings,
+    registry: &Registry,
+    address: u8,
+) -> Result<Target, Failure> {
+    if let Some(name) = &settings.drive {
+        return Ok(Target::new(address, named_family(registry, name)?));
+    }
+    let finding = recognise(session, address, settings.lang)
+        .await
+        .map_err(|error| error.failure(address, None, settings.lang))?;
+    finding.target(address, registry).ok_or_else(|| {
+        let told: Vec<_> =
+            finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
+        Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
+            .hint(format!("{}; name the family with --drive if you know better", told.join("; ")))
+            .with("address", address)
+    })
+}
+
+/// The family that `--drive` names.
+fn named_family(registry: &Registry, name: &str) -> Result<Family, Failure> {
+    registry.family(name).ok_or_else(|| {
+        let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
+        let message = format!("unknown drive '{name}' (expected: auto, {})", known.join(", "));
+        Failure::new(Class::Usage, "usage.drive", message)
+    })
+}
+
+/// The family for work without a line: the one that was named, or the one with the larger catalogue.
+fn offline_family(settings: &Settings, registry: &Registry) -> Result<Family, Failure> {
+    named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
+}
+
+/// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
+struct Reader<'t, 's, 'o> {
+    session: &'t mut Session<'o>,
+    target: &'t mut Target,
+    settings: &'s Settings,
+    modes: BTreeMap<u32, i64>,
+    /// Not every drive has everything: what it does not know is a row with an error, but no failure of the verb.
+    lenient: bool,
+    failures: Vec<Failure>,
+    warnings: Vec<Warning>,
+}
+
+impl<'t, 's, 'o> Reader<'t, 's, 'o> {
+    fn new(session: &'t mut Session<'o>, target: &'t mut Target, settings: &'s Settings) -> Self {
+        Reader {
+            session,
+            target,
+            settings,
+            modes: BTreeMap::new(),
+            lenient: false,
+            failures: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The parameter that plays a role, read in its own data set; `None` if the family has none.
+    async fn role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
+        self.lenient = true;
+        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
+    }
+
+    /// One row per data set. Refusals are rows with an error; what ends the session is an error.
+    async fn rows(&mut self, param: &Param, sets: DataSets) -> Result<Vec<Value>, Failure> {
+        self.learn_modes(param).await?;
+        let mut rows = Vec::new();
+        for (set, result) in self.target.read(self.session, param, sets).await {
+            rows.push(self.row(param, set, result)?);
+        }
+        Ok(rows)
+    }
+
+    fn row(&mut self, param: &Param, set: u8, result: Result<Reading, AccessError>) -> Result<Value, Failure> {
+        let (address, lang) = (self.target.address, self.settings.lang);
+        match result {
+            Ok(reading) => {
+                if reading.corrected {
+                    self.warnings.push(Warning {
+                        code: "catalogue.width".to_owned(),
+                        message: format!(
+                            "parameter {}: the catalogue says {} (unconfirmed), drive {address} uses {}",
+                            param.id,
+                            param.kind.map_or("nothing", |kind| kind.name()),
+                            reading.kind.name()
+                        ),
+                    });
+                }
+                let lookup = |id: u32| self.modes.get(&id).copied();
+                Ok(describe::value(address, &self.target.family, param, reading, lang, &lookup))
+            }
+            Err(error) => {
+                let failure = error.failure(address, Some(&self.target.family), lang).with("param", param.id);
+                if error.is_fatal() {
+                    return Err(failure);
+                }
+                let row = describe::unread(address, &self.target.family, param, set, lang, &failure);
+                let not_there = failure.class == Class::Refused && self.lenient;
+                if !not_there {
+                    self.failures.push(failure);
+                }
+                Ok(row)
+            }
+        }
+    }
+
+    /// Reads the parameters that decide what this one's bits are called.
+    async fn learn_modes(&mut self, param: &Param) -> Result<(), Failure> {
+        for when in &param.bits_when {
+            if self.modes.contains_key(&when.param) {
+                continue;
+            }
+            let deciding = self.target.family.param_or_unknown(when.param);
+            for (_, result) in self.target.read(self.session, &deciding, DataSets::Unnamed).await {
+                match result {
+                    Ok(reading) => {
+                        self.modes.insert(when.param, reading.raw);
+                    }
+                    Err(error) if error.is_fatal() => {
+                        return Err(error.failure(self.target.address, None, self.settings.lang));
+                    }
+                    Err(_) => {}
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What to say when some of many questions failed: nothing, the failure itself, or that it is partly done.
+fn summary(failures: Vec<Failure>, succeeded: usize) -> Option<Failure> {
+    let count = failures.len();
+    let first = failures.into_iter().next()?;
+    if succeeded == 0 {
+        return Some(first);
+    }
+    let message = format!("{count} of {} failed; the first: {}", count + succeeded, first.message);
+    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
+    Some(failure)
+}
+
+/// The outcome of a verb that goes over several drives.
+fn finish(data: crate::outcome::Data, failures: Vec<Failure>, succeeded: usize, warnings: Vec<Warning>) -> Outcome {
+    Outcome { data: Some(data), warnings, failure: summary(failures, succeeded) }
+}
+
+/// Rows of a verb that goes over several drives, what failed, and how many drives were done.
+type Rows<R> = (Vec<R>, Vec<Failure>, usize);
+
+/// Runs a verb's work on every drive and collects what fails. Ends early only if the session is over.
+async fn each_drive<R>(
+    context: &mut Context<'_>,
+    mut work: impl AsyncFnMut(&mut Session<'_>, &Settings, &Registry, u8) -> Result<(R, Vec<Failure>), Failure>,
+    failed: impl Fn(u8, &Failure) -> R,
+) -> Result<Rows<R>, Failure> {
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let addresses = addresses_to_read(settings, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let (mut rows, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
+    for address in addresses {
+        match work(&mut session, settings, registry, address).await {
+            Ok((row, row_failures)) => {
+                rows.push(row);
+                failures.extend(row_failures);
+                succeeded += 1;
+            }
+            Err(failure) => {
+                let over = is_over(&failure);
+                rows.push(failed(address, &failure));
+                failures.push(failure);
+                if over {
+                    break;
+                }
+            }
+        }
+    }
+    Ok((rows, failures, succeeded))
+}
+
+/// Whether a failure ends the session: the port is gone, or somebody pressed Ctrl-C.
+fn is_over(failure: &Failure) -> bool {
+    matches!(failure.class, Class::Port | Class::Interrupted)
+}

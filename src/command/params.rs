@@ -1,0 +1,38 @@
+//! `params`: browse the catalogue, without a drive.
+
+use super::{Context, offline_family};
+use crate::drive::describe;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Outcome, Params};
+use clap::Args as ClapArgs;
+
+/// Browses the parameter catalogue. No drive is needed.
+///
+/// Shows every parameter whose number, slug or name contains the words; with one hit, everything that is known of it:
+/// unit, type, range, factory setting, data sets, values, bits, source. --drive act or acu picks the drive.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// Number, or words of a slug or name in English or German
+    #[arg(value_name = "SEARCH")]
+    pub search: Vec<String>,
+}
+
+/// Searches the catalogue.
+pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
+    let family = offline_family(context.settings, context.registry)?;
+    let query = args.search.join(" ");
+    let number: Option<u32> = query.trim().parse().ok();
+    let rows = match number.and_then(|id| family.param(id)) {
+        Some(exact) => vec![exact],
+        None if query.trim().is_empty() => family.params.values().collect(),
+        None => family.search(&query),
+    };
+    let params: Vec<_> =
+        rows.into_iter().map(|param| describe::param_doc(&family, param, context.settings.lang)).collect();
+    let none = params.is_empty().then(|| {
+        Failure::new(Class::No, "no.parameter_found", format!("no parameter of '{}' contains '{query}'", family.drive))
+            .hint("a drive has more parameters than its catalogue: `antrieb read NUMBER` reads any of them")
+    });
+    let data = Params { drive: family.drive.clone(), params };
+    Ok(Outcome { data: Some(Data::Params(data)), warnings: Vec::new(), failure: none })
+}

@@ -1,0 +1,146 @@
+//! `read`: values of parameters.
+
+use super::{Context, Reader, addresses_to_read, connect, finish, is_over, offline_family, target};
+use crate::drive::describe;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Outcome, Read, Value};
+use crate::profile::{Family, Lang, Selection, Selector, Type};
+use clap::Args as ClapArgs;
+
+/// Reads parameters.
+///
+/// A parameter is named by its number (372), its slug (rated-speed), or its English or German name; @N behind it picks
+/// a data set (372@2), @all all four, @ram and @2ram the RAM copies. Several at once, ranges (480-483) and groups
+/// (@actual, @modbus, @setpoints, @motor, @systembus, @all) work too. Without a parameter @actual is read.
+///
+/// Where the four data sets differ, set 0 cannot be read; then all four are shown side by side.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// What to read: 372, 372@2, rated-speed@all, 480-483, @actual
+    #[arg(value_name = "PARAMETER")]
+    pub params: Vec<String>,
+
+    /// Read with this type, whatever the catalogue says: uint, int, word, long
+    #[arg(long = "type", value_name = "TYPE")]
+    pub kind: Option<Type>,
+
+    /// Show this many decimals, whatever the catalogue says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
+    pub decimals: Option<u8>,
+}
+
+/// Reads the parameters of every drive that was named.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let selectors = selectors(&args.params)?;
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let addresses = addresses_to_read(settings, *observe)?;
+    // Names are checked before the port is opened; the drive may be of another family, but knows the same ones.
+    let family = offline_family(settings, registry)?;
+    select(&selectors, &family, args)?;
+    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
+    for address in addresses {
+        let mut target = match target(&mut session, settings, registry, address).await {
+            Ok(target) => target,
+            Err(failure) => {
+                let over = is_over(&failure);
+                values.extend(unreachable(
+                    address,
+                    &select(&selectors, &family, args)?,
+                    &family,
+                    settings.lang,
+                    &failure,
+                ));
+                failures.push(failure);
+                if over {
+                    break;
+                }
+                continue;
+            }
+        };
+        let selections = select(&selectors, &target.family, args)?;
+        if let Some(kind) = args.kind {
+            selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
+        }
+        let mut reader = Reader::new(&mut session, &mut target, settings);
+        for selection in &selections {
+            reader.lenient = selection.of_group;
+            match reader.rows(&selection.param, selection.sets).await {
+                Ok(rows) => values.extend(rows),
+                Err(failure) => {
+                    values.push(describe::unread(
+                        address,
+                        &reader.target.family,
+                        &selection.param,
+                        selection.sets.wire().first().copied().unwrap_or(0),
+                        settings.lang,
+                        &failure,
+                    ));
+                    failures.push(failure);
+                    let read = values.iter().filter(|value: &&Value| value.error.is_none()).count();
+                    return Ok(finish(Data::Read(Read { values }), failures, read, warnings));
+                }
+            }
+        }
+        failures.append(&mut reader.failures);
+        warnings.append(&mut reader.warnings);
+    }
+    succeeded += values.iter().filter(|value| value.error.is_none()).count();
+    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings))
+}
+
+/// Reads what the user typed; without anything, the group of actual values.
+fn selectors(params: &[String]) -> Result<Vec<Selector>, Failure> {
+    if params.is_empty() {
+        return Ok(vec![Selector::group("actual")]);
+    }
+    params.iter().map(|text| text.parse().map_err(|error| select_failure(&error))).collect()
+}
+
+pub(super) fn select_failure(error: &crate::profile::SelectError) -> Failure {
+    use crate::profile::{LookupError, SelectError};
+    let failure = |class, code: &str| Failure::new(class, code, error.to_string());
+    match error {
+        SelectError::Lookup(LookupError::Unknown { near, .. }) => {
+            let hint = if near.is_empty() {
+                "`antrieb params WORD` searches the catalogue; a number always works".to_owned()
+            } else {
+                format!("did you mean {}?", near.join(", "))
+            };
+            failure(Class::Data, "data.unknown_parameter").hint(hint)
+        }
+        SelectError::Lookup(LookupError::Ambiguous { .. }) => {
+            failure(Class::Data, "data.ambiguous_parameter").hint("use the number or the slug")
+        }
+        SelectError::Group { .. } => failure(Class::Data, "data.unknown_group"),
+        _ => failure(Class::Usage, "usage.parameter"),
+    }
+}
+
+fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Selection>, Failure> {
+    let mut selections = Vec::new();
+    for selector in selectors {
+        selections.extend(selector.resolve(family).map_err(|error| select_failure(&error))?);
+    }
+    for selection in &mut selections {
+        if let Some(decimals) = args.decimals {
+            selection.param.decimals = Some(decimals);
+        }
+        if let Some(kind) = args.kind {
+            selection.param.kind = Some(kind);
+            selection.param.unconfirmed.retain(|field| field != "type" && field != "row");
+        }
+    }
+    Ok(selections)
+}
+
+/// The rows of a drive that does not answer at all.
+fn unreachable(address: u8, selections: &[Selection], family: &Family, lang: Lang, failure: &Failure) -> Vec<Value> {
+    let rows =
+        selections.iter().flat_map(|selection| selection.sets.wire().into_iter().map(move |set| (selection, set)));
+    rows.map(|(selection, set)| Value {
+        drive: "unknown".to_owned(),
+        ..describe::unread(address, family, &selection.param, set, lang, failure)
+    })
+    .collect()
+}

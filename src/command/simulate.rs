@@ -1,0 +1,46 @@
+//! `simulate`: the built-in bench in real time, for any Modbus master.
+
+use super::Context;
+use crate::args::parse_span;
+use crate::drive::bench;
+use crate::failure::Failure;
+use crate::outcome::{Data, Outcome};
+use crate::tick::Span;
+use clap::Args as ClapArgs;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+/// Serves simulated drives in real time on a pseudo terminal or a TCP port.
+///
+/// Any Modbus master may talk to them, one after the other: this program from another window, mbpoll, pymodbus, a PLC
+/// programming tool. A drive stays silent when baud rate, parity or width do not fit its own, as a real one does.
+/// Ends on Ctrl-C with counts.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// Bench file that sets up the drives [default: an ACT at 1 and an ACU at 2]
+    #[arg(value_name = "BENCH.toml")]
+    pub bench: Option<PathBuf>,
+
+    /// Name the pseudo terminal with this symbolic link
+    #[arg(long, value_name = "PATH", conflicts_with = "tcp")]
+    pub link: Option<PathBuf>,
+
+    /// Serve on this loopback address instead of a pseudo terminal, such as 127.0.0.1:5020
+    #[arg(long, value_name = "ADDR:PORT")]
+    pub tcp: Option<SocketAddr>,
+
+    /// End after this time
+    #[arg(long = "for", value_name = "TIME", value_parser = parse_span)]
+    pub duration: Option<Span>,
+}
+
+/// Serves until Ctrl-C.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let mut drives = bench::load(args.bench.as_deref(), context.registry)?;
+    let place = match args.tcp {
+        Some(address) => bench::Place::Tcp { addr: address },
+        None => bench::Place::Pty { link: args.link.clone() },
+    };
+    let served = bench::serve(&mut drives, place, args.duration, &context.interrupt, context.observe).await?;
+    Ok(Outcome::of(Data::Simulate(served)))
+}

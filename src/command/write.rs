@@ -1,0 +1,408 @@
+//! `write`: set parameters, with proof.
+
+use super::read::select_failure;
+use super::{Context, Reader, addresses_to_write, connect, is_over, offline_family, summary, target};
+use crate::args::Settings;
+use crate::drive::{RegisterAddress, Session, Target, WriteFate, describe, request_telegram};
+use crate::failure::{Class, Failure};
+use crate::gate::{self, Denied, Hazard, Permit, Question};
+use crate::outcome::{Data, ErrorDoc, Outcome, Warning, Write, WriteResult, Written};
+use crate::profile::value::{self, ValueError, format_decimal};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Selector, Store, Type};
+use clap::Args as ClapArgs;
+
+/// Writes parameters.
+///
+/// A value may carry its unit and a decimal point or comma: 376@4=1.5kW, 480=-12,5, 395=rtu, 410=0x0F. @N picks a data
+/// set, @ram and @2ram write to RAM only, which is lost at power-off but does not wear the EEPROM. Without @ the value
+/// goes to data set 0, which sets all four sets of a switchable parameter.
+///
+/// Everything is checked before anything is sent. Then old and new values are shown and you are asked; every write is
+/// read back. What the drive has already is not sent again.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// What to write: PARAMETER[@SET]=VALUE, such as 376@4=1.5kW
+    #[arg(value_name = "PARAMETER=VALUE", required = true)]
+    pub assignments: Vec<String>,
+
+    /// Write with this type, whatever the catalogue says: uint, int, word, long
+    #[arg(long = "type", value_name = "TYPE")]
+    pub kind: Option<Type>,
+
+    /// Take the value with this many decimals, whatever the catalogue says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
+    pub decimals: Option<u8>,
+
+    /// Send also what the catalogue forbids or what would change nothing, and let the drive judge
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// A value for one parameter in one data set.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) param: Param,
+    pub(super) set: u8,
+    pub(super) raw: i64,
+    pub(super) kind: Option<Type>,
+}
+
+/// Writes to every drive that was named.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let addresses = addresses_to_write(context.settings)?;
+    let family = offline_family(context.settings, context.registry)?;
+    let offline = steps(args, &family)?;
+    if context.settings.dry_run {
+        return plan_only(args, context, &addresses, &family, &offline);
+    }
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut jobs = Vec::new();
+    for address in addresses {
+        let mut target = match address {
+            0 => Target::new(0, family.clone()),
+            _ => target(&mut session, settings, registry, address).await?,
+        };
+        let steps = steps(args, &target.family)?;
+        let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
+        jobs.push(Job { target, steps, rows });
+    }
+    let Some(permit) = permit(*ask, &jobs)? else { return Ok(done(jobs, Vec::new(), settings)) };
+    let mut failures = Vec::new();
+    for job in &mut jobs {
+        if carry_out(&mut session, job, settings, &permit, &mut failures).await {
+            break;
+        }
+    }
+    Ok(done(jobs, failures, settings))
+}
+
+/// What is to be written to one drive.
+#[derive(Debug)]
+pub(super) struct Job {
+    pub(super) target: Target,
+    pub(super) steps: Vec<Step>,
+    pub(super) rows: Vec<Written>,
+}
+
+/// Reads the assignments; nothing is sent until all of them make sense.
+fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
+    let mut steps = Vec::new();
+    for text in &args.assignments {
+        let (who, what) = text.split_once('=').ok_or_else(|| {
+            Failure::new(Class::Usage, "usage.assignment", format!("expected PARAMETER=VALUE, got '{text}'"))
+                .hint("for example 376@4=1.5kW")
+        })?;
+        let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
+        for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
+            let mut param = selection.param;
+            param.decimals = args.decimals.or(param.decimals);
+            let kind = args.kind.or(param.kind);
+            let raw = check(&param, family, what, kind, args.force)?;
+            let sets = selection.sets.wire();
+            steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
+        }
+    }
+    Ok(steps)
+}
+
+/// The raw value, if everything that the catalogue knows allows it.
+fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: bool) -> Result<i64, Failure> {
+    let bad = |code: &str, error: &ValueError| {
+        let message = format!("parameter {} ({}): {error}", param.id, param.slug);
+        Failure::new(Class::Data, code, message).with("param", param.id)
+    };
+    if !param.access.writes() && !force {
+        let message = format!("parameter {} ({}) is read-only", param.id, param.slug);
+        return Err(Failure::new(Class::Data, "data.read_only", message)
+            .hint("--force sends it and lets the drive judge")
+            .with("param", param.id));
+    }
+    if kind == Some(Type::String) {
+        let message = format!("parameter {} ({}) is a text; Modbus carries numbers only", param.id, param.slug);
+        return Err(Failure::new(Class::Data, "data.string", message).with("param", param.id));
+    }
+    let raw = value::parse(text, param, &family.choices(param)).map_err(|error| bad("data.value", &error))?;
+    if !force {
+        value::check_range(raw, param)
+            .map_err(|error| bad("data.range", &error).hint("--force sends it and lets the drive judge"))?;
+    }
+    if let Some(kind) = kind {
+        value::check_width(raw, kind, param.decimals_or_zero()).map_err(|error| bad("data.width", &error))?;
+    }
+    Ok(raw)
+}
+
+/// Shows what would be sent, without opening anything.
+fn plan_only(
+    args: &Args,
+    context: &Context<'_>,
+    addresses: &[u8],
+    family: &Family,
+    steps: &[Step],
+) -> Result<Outcome, Failure> {
+    let settings = context.settings;
+    let mut values = Vec::new();
+    for &address in addresses {
+        for step in steps {
+            let kind = step.kind.ok_or_else(|| {
+                let message =
+                    format!("parameter {}: no source tells its width, and a dry run asks nobody", step.param.id);
+                Failure::new(Class::Data, "data.width", message).hint("name it with --type uint, int, word or long")
+            })?;
+            let mut row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
+            row.telegram = telegram(settings, address, step, kind);
+            values.push(row);
+        }
+    }
+    let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
+    if settings.drive.is_none() {
+        outcome.warnings.push(Warning {
+            code: "dry_run.family".to_owned(),
+            message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive),
+        });
+    }
+    if args.force {
+        let message = "--force: limits of the catalogue were not applied".to_owned();
+        outcome.warnings.push(Warning { code: "force".to_owned(), message });
+    }
+    Ok(outcome)
+}
+
+fn telegram(settings: &Settings, address: u8, step: &Step, kind: Type) -> Option<String> {
+    let at = RegisterAddress::new(step.param.id, step.set)?;
+    let bits = value::to_wire(step.raw, kind).ok()?;
+    Some(request_telegram(settings.framing, address, at, kind, bits))
+}
+
+/// Reads the old values and says what there is to do.
+pub(super) async fn prepare(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    settings: &Settings,
+    steps: &[Step],
+    force: bool,
+) -> Result<Vec<Written>, Failure> {
+    let mut rows = Vec::new();
+    for step in steps {
+        let (address, lang) = (target.address, settings.lang);
+        let mut row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
+        if let Some(kind) = step.kind {
+            target.set_width(step.param.id, kind);
+        }
+        if address != 0 && step.param.access.reads() {
+            let mut reader = Reader::new(session, target, settings);
+            let old = reader.rows(&step.param, wire_sets(step.set)).await?;
+            if let [old] = old.as_slice() {
+                (row.old_raw, row.old) = (old.raw, old.value);
+            }
+            if let Some(failure) = reader.failures.iter().find(|failure| failure.class != Class::Refused) {
+                return Err(failure.clone());
+            }
+        }
+        if row.old_raw == Some(step.raw) && !force {
+            row.result = WriteResult::Unchanged;
+        }
+        let kind = step.kind.or(target.known_width(step.param.id));
+        row.telegram = kind.and_then(|kind| telegram(settings, address, step, kind));
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+fn wire_sets(set: u8) -> DataSets {
+    let (set, store) = describe::place(set);
+    DataSets::One(set, store)
+}
+
+/// Asks for permission for everything that is left to do; `None` if that is nothing.
+pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job]) -> Result<Option<Permit>, Failure> {
+    let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows));
+    let todo: Vec<_> = todo.filter(|(_, row)| row.result == WriteResult::Planned).collect();
+    if todo.is_empty() {
+        return Ok(None);
+    }
+    let mut hazards = vec![Hazard::Write];
+    let mut details = Vec::new();
+    for (step, row) in &todo {
+        hazards.extend(hazards_of(step));
+        details.push(describe_step(row));
+    }
+    hazards.sort_unstable();
+    hazards.dedup();
+    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard)).map(str::to_owned));
+    let title = match todo.len() {
+        1 => "write 1 value".to_owned(),
+        count => format!("write {count} values"),
+    };
+    gate::ask(ask, &Question { hazards, title, details }).map(Some).map_err(denied)
+}
+
+/// The failure to show when there is no permit.
+pub(super) fn denied(denied: Denied) -> Failure {
+    match denied {
+        Denied::Refused => Failure::new(Class::Forbidden, "forbidden.not_confirmed", "not confirmed, nothing was sent"),
+        Denied::Nobody => Failure::new(
+            Class::Forbidden,
+            "forbidden.no_terminal",
+            "there is no terminal to ask for confirmation, nothing was sent",
+        )
+        .hint("--yes answers the question; --dry-run shows what would be sent"),
+    }
+}
+
+fn hazards_of(step: &Step) -> Vec<Hazard> {
+    let (_, store) = describe::place(step.set);
+    let mut hazards = Vec::new();
+    if store == Store::Eeprom && !step.param.volatile {
+        hazards.push(Hazard::Wear);
+    }
+    hazards.extend(step.param.hazard.map(|hazard| match hazard {
+        HazardKind::Motion => Hazard::Motion,
+        HazardKind::Line => Hazard::Line,
+        HazardKind::Reset => Hazard::Reset,
+    }));
+    hazards
+}
+
+fn consequence(hazard: Hazard) -> Option<&'static str> {
+    match hazard {
+        Hazard::Write => None,
+        Hazard::Wear => Some("EEPROM: each of these writes wears it a little; @ram does not"),
+        Hazard::Motion => Some("MOTION: this can start the shaft or change how it turns"),
+        Hazard::Line => Some("LINE: this can cut the line to the drive; the old setting is shown above"),
+        Hazard::Reset => Some("RESET: the drive restarts or its faults are reset"),
+    }
+}
+
+fn describe_step(row: &Written) -> String {
+    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
+    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
+    let new = format_decimal(row.raw, row.value.decimals);
+    let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
+    let who =
+        if row.address == 0 { "every drive".to_owned() } else { format!("drive {} ({})", row.address, row.drive) };
+    format!("{who}: P.{}@{} {}: {old} -> {new}{unit}{text}, {}", row.param, row.data_set, row.name, row.store)
+}
+
+/// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.
+pub(super) async fn carry_out(
+    session: &mut Session<'_>,
+    job: &mut Job,
+    settings: &Settings,
+    permit: &Permit,
+    failures: &mut Vec<Failure>,
+) -> bool {
+    let (address, lang) = (job.target.address, settings.lang);
+    let mut stopped = false;
+    let mut over = false;
+    for (step, row) in job.steps.iter().zip(&mut job.rows) {
+        if row.result != WriteResult::Planned {
+            continue;
+        }
+        if stopped {
+            row.result = WriteResult::Skipped;
+            continue;
+        }
+        let fate = match job.target.width(session, &step.param, step.set).await {
+            Ok(kind) => {
+                row.telegram = telegram(settings, address, step, kind);
+                job.target.write(session, &step.param, step.set, step.raw, kind, reads_back(&step.param), permit).await
+            }
+            Err(error) => Err(error),
+        };
+        let failure = match fate {
+            Ok(fate) => {
+                row.result = result(&fate);
+                unproven(&fate, &job.target, row, settings)
+            }
+            Err(error) => {
+                row.result = if error.is_refused() { WriteResult::Refused } else { WriteResult::Unknown };
+                Some(error.failure(address, Some(&job.target.family), lang))
+            }
+        };
+        if let Some(failure) = failure {
+            let failure = failure.with("param", step.param.id);
+            row.error = Some(ErrorDoc::from(&failure));
+            over = is_over(&failure);
+            stopped = true;
+            failures.push(failure);
+        }
+    }
+    over
+}
+
+/// Whether reading back proves anything: not where the line or the drive is gone at once.
+fn reads_back(param: &Param) -> bool {
+    let cuts = match param.hazard {
+        Some(HazardKind::Line) => param.effective == Effective::AtOnce,
+        Some(HazardKind::Reset) => true,
+        Some(HazardKind::Motion) | None => false,
+    };
+    param.access.reads() && !cuts
+}
+
+fn result(fate: &WriteFate) -> WriteResult {
+    match fate {
+        WriteFate::Verified => WriteResult::Verified,
+        WriteFate::Written => WriteResult::Written,
+        WriteFate::Differs(_) => WriteResult::Differs,
+        WriteFate::Unknown(_) => WriteResult::Unknown,
+        WriteFate::Broadcast => WriteResult::Broadcast,
+    }
+}
+
+fn unproven(fate: &WriteFate, target: &Target, row: &Written, settings: &Settings) -> Option<Failure> {
+    let address = target.address;
+    match fate {
+        WriteFate::Verified | WriteFate::Written | WriteFate::Broadcast => None,
+        WriteFate::Differs(raw) => {
+            let read = format_decimal(*raw, row.value.decimals);
+            let message = format!("drive {address} took the telegram, but P.{} reads back as {read}", row.param);
+            Some(
+                Failure::new(Class::Refused, "refused.reads_back_differently", message)
+                    .hint("the drive limits the value, or something else writes it too"),
+            )
+        }
+        WriteFate::Unknown(error) => {
+            let mut failure = error.failure(address, Some(&target.family), settings.lang);
+            failure.message = format!("whether P.{} was written is unknown: {}", row.param, failure.message);
+            Some(failure)
+        }
+    }
+}
+
+/// Puts the rows of all drives together.
+fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome {
+    let mut warnings = Vec::new();
+    for job in &jobs {
+        for (step, row) in job.steps.iter().zip(&job.rows) {
+            warnings.extend(way_back(step, row, settings));
+        }
+    }
+    let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
+    let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
+    let failure = summary(failures, succeeded);
+    Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
+}
+
+/// How to get back to a drive whose line settings were changed.
+fn way_back(step: &Step, row: &Written, settings: &Settings) -> Option<Warning> {
+    let sent = matches!(row.result, WriteResult::Verified | WriteResult::Written | WriteResult::Unknown);
+    if !sent || step.param.hazard != Some(HazardKind::Line) {
+        return None;
+    }
+    let when = if step.param.effective == Effective::Reset { "after the next reset" } else { "from now on" };
+    let old = row.old.map_or_else(|| "its old value".to_owned(), |old| format_decimal(old.raw, old.decimals));
+    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
+    Some(Warning {
+        code: "line.changed".to_owned(),
+        message: format!(
+            "P.{} is {new}: {when} the drive is no longer reached with address {} at {} {}; the way back is to write {old} with the new setting",
+            row.param,
+            row.address,
+            settings.line,
+            settings.framing.name()
+        ),
+    })
+}

@@ -1,0 +1,77 @@
+//! The built-in bench: loaded from its file, or the standard one.
+
+use super::Interrupt;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Event, Simulate};
+use crate::profile::Registry;
+use crate::simulator::Bench;
+use crate::tick::Span;
+use crate::transport::serve::{Note, Server};
+use std::path::Path;
+
+pub use crate::transport::serve::Place;
+
+/// The bench that a file describes, or the standard one: an ACT at 1, an ACU at 2.
+pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
+    let Some(file) = file else { return Ok(Bench::standard(registry)) };
+    let path = file.display().to_string();
+    let text = std::fs::read_to_string(file).map_err(|error| {
+        Failure::new(Class::Data, "data.bench", format!("bench file {path}: {error}"))
+            .hint("the format is described in `antrieb help simulate`")
+    })?;
+    Bench::from_toml(&path, &text, registry).map_err(|error| {
+        Failure::new(Class::Data, "data.bench", error.to_string())
+            .hint("the format is described in `antrieb help simulate`")
+    })
+}
+
+/// Serves a bench in real time until the interrupt is raised or the time is over, and counts.
+pub async fn serve(
+    bench: &mut Bench,
+    place: Place,
+    duration: Option<Span>,
+    interrupt: &Interrupt,
+    observe: &mut dyn FnMut(Event),
+) -> Result<Simulate, Failure> {
+    let failure = |error: &dyn std::fmt::Display| Failure::new(Class::Port, "port.serve", error.to_string());
+    let mut server = Server::open(place).map_err(|error| failure(&error))?;
+    let port = server.name();
+    for drive in bench.drives() {
+        let (address, model, line, framing) = (
+            drive.address(),
+            drive.model(),
+            drive.line(),
+            drive.framing().map_or("silent on Modbus", crate::protocol::modbus::Framing::name),
+        );
+        observe(Event::Note(format!("{model} at address {address}, {line}, {framing}")));
+    }
+    observe(Event::Note(format!("serving on {port}; Ctrl-C ends it")));
+    let mut clients = 0;
+    let stop = async {
+        match duration {
+            Some(duration) => tokio::select! {
+                () = interrupt.raised() => {}
+                () = Server::pause(duration) => {}
+            },
+            None => interrupt.raised().await,
+        }
+    };
+    let served = server
+        .run(bench, stop, |note| {
+            clients += u64::from(note == Note::Connected);
+            let text = if note == Note::Connected { "a client connected" } else { "the client left" };
+            observe(Event::Note(text.to_owned()));
+        })
+        .await;
+    served.map_err(|error| failure(&error))?;
+    let totals = bench.totals();
+    Ok(Simulate {
+        port,
+        clients,
+        received: totals.received,
+        answered: totals.answered,
+        exceptions: totals.exceptions,
+        eeprom_writes: totals.eeprom_writes,
+        remarks: bench.remarks().iter().map(ToString::to_string).collect(),
+    })
+}

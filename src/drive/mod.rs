@@ -1,0 +1,25 @@
+//! Use-cases on connected drives: open a line, identify, read, write, scan, diagnose.
+//!
+//! This room turns parameters into questions and answers into [`crate::outcome`] types. It asks nobody for permission
+//! (that is `gate`, held by `command`) and prints nothing.
+
+pub mod bench;
+pub mod decode;
+pub mod describe;
+mod diag;
+mod family;
+mod pump;
+mod route;
+mod scan;
+mod session;
+mod transfer;
+
+pub use diag::{clear_counters, counters, link_test};
+pub use family::{Finding, recognise};
+pub use pump::Interrupt;
+pub use route::{RegisterAddress, request_telegram};
+pub use scan::{ScanPlan, scan};
+pub use session::{AccessError, Opening, Refusal, Session, open_port};
+pub use transfer::{Reading, Target, WriteFate};
+
+pub use crate::protocol::modbus::LAST_STATION;

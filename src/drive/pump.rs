@@ -1,0 +1,72 @@
+//! Carries out a conversation on a link: the only loop between `exchange` and `transport`.
+
+use crate::exchange::Step;
+use crate::exchange::modbus::{Answer, ExchangeError, Master};
+use crate::transport::{Link, LinkError, Wake};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use tokio::sync::Notify;
+
+/// A request to stop, from Ctrl-C or another signal, that every wait on the line listens to.
+#[derive(Clone, Debug, Default)]
+pub struct Interrupt {
+    inner: Arc<(AtomicBool, Notify)>,
+}
+
+impl Interrupt {
+    /// Asks everything that waits on the line to stop.
+    pub fn raise(&self) {
+        self.inner.0.store(true, Ordering::Relaxed);
+        self.inner.1.notify_waiters();
+    }
+
+    /// Whether somebody asked to stop.
+    pub fn is_raised(&self) -> bool {
+        self.inner.0.load(Ordering::Relaxed)
+    }
+
+    /// Resolves when somebody asks to stop.
+    pub async fn raised(&self) {
+        let notified = self.inner.1.notified();
+        if !self.is_raised() {
+            notified.await;
+        }
+    }
+}
+
+/// Why a conversation did not come to its end.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum PumpError {
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    #[error("interrupted")]
+    Interrupted,
+}
+
+/// Runs the master's present question to its end.
+pub(super) async fn run(
+    master: &mut Master,
+    link: &mut Link,
+    interrupt: &Interrupt,
+) -> Result<Result<Answer, ExchangeError>, PumpError> {
+    loop {
+        // Gives the signal handlers a turn, also on the bench, where nothing ever waits.
+        tokio::task::yield_now().await;
+        if interrupt.is_raised() {
+            return Err(PumpError::Interrupted);
+        }
+        match master.step(link.now()) {
+            Step::Done(outcome) => return Ok(outcome),
+            Step::Send(bytes) => link.send(&bytes).await?,
+            Step::Wait(until) => {
+                let wake = tokio::select! {
+                    wake = link.wait(until) => wake?,
+                    () = interrupt.raised() => return Err(PumpError::Interrupted),
+                };
+                if let Wake::Bytes(bytes) = wake {
+                    master.feed(link.now(), &bytes);
+                }
+            }
+        }
+    }
+}

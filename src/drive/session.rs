@@ -1,0 +1,338 @@
+//! An open line: asks questions, tells what goes over it, and turns what goes wrong into failures with a hint.
+
+use super::pump::{self, Interrupt, PumpError};
+use super::{decode, route::RegisterAddress};
+use crate::exchange::modbus::{Answer, ExchangeError, Limits, Master};
+use crate::exchange::{Record, Tally, Verdict};
+use crate::failure::{Class, Failure};
+use crate::outcome::Event;
+use crate::profile::{Family, Lang, Registry, Type};
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::{Exception, Reply, Request};
+use crate::protocol::modbus::{Framing, Hex};
+use crate::simulator::Bench;
+use crate::tick::Span;
+use crate::transport::{Link, LinkError, Port, Trace, list_ports};
+use std::path::Path;
+
+/// Number of the error register of the ACTIVE family; reading clears it (CM-485 manual 6.6).
+pub(super) const ERROR_REGISTER: u32 = 11;
+
+/// How to open a line.
+#[derive(Debug)]
+pub struct Opening<'a> {
+    /// Where the drives are.
+    pub port: &'a Port,
+    /// Speed and character format.
+    pub line: LineSetting,
+    /// RTU or ASCII.
+    pub framing: Framing,
+    /// How long to wait for a reply; `None` for the manual's time.
+    pub timeout: Option<Span>,
+    /// How often to repeat a question; `None` for the usual number.
+    pub retries: Option<u8>,
+    /// File to record the line to.
+    pub trace: Option<&'a Path>,
+    /// Whether every telegram is told as an event.
+    pub verbose: bool,
+    /// Language of what is told.
+    pub lang: Lang,
+}
+
+/// An open line.
+pub struct Session<'a> {
+    link: Link,
+    master: Master,
+    observe: &'a mut dyn FnMut(Event),
+    interrupt: Interrupt,
+    verbose: bool,
+    lang: Lang,
+}
+
+impl std::fmt::Debug for Session<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Session").field("link", &self.link).field("master", &self.master).finish_non_exhaustive()
+    }
+}
+
+/// The drive understood the question and said no.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// Exception code of the reply.
+    pub exception: Exception,
+    /// The cause, read back from the error register at once (P.11).
+    pub cause: Option<u16>,
+}
+
+/// Why a question brought no value.
+#[derive(Debug, thiserror::Error)]
+pub enum AccessError {
+    /// The drive said no.
+    #[error("refused: {}", .0.exception)]
+    Refused(Refusal),
+    /// No valid reply.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
+    /// The port is gone.
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    /// Somebody pressed Ctrl-C.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl<'a> Session<'a> {
+    /// Opens the line.
+    pub fn open(
+        opening: Opening<'_>,
+        registry: &Registry,
+        interrupt: Interrupt,
+        observe: &'a mut dyn FnMut(Event),
+    ) -> Result<Self, Failure> {
+        let Opening { port, line, framing, timeout, retries, trace, verbose, lang } = opening;
+        let usual = Limits::default();
+        let limits = Limits {
+            reply_timeout: timeout.unwrap_or(usual.reply_timeout),
+            retries: retries.unwrap_or(usual.retries),
+            ..usual
+        };
+        let mut link = match port {
+            Port::Serial(name) => Link::open_serial(name, line).map_err(|error| link_failure(&error))?,
+            Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
+        };
+        if let Some(path) = trace {
+            link.record_to(open_trace(path, &format!("{line}, {}", framing.name()))?);
+        }
+        for deviation in link.deviations() {
+            observe(Event::Note(format!("{port}: {deviation}")));
+        }
+        Ok(Session { link, master: Master::new(framing, line, limits), observe, interrupt, verbose, lang })
+    }
+
+    /// Asks a station and waits for the answer.
+    pub async fn ask(&mut self, station: u8, request: Request) -> Result<Answer, AccessError> {
+        self.master.ask(station, request, self.link.now());
+        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
+        let records = self.master.take_records();
+        if self.verbose {
+            for record in records {
+                (self.observe)(telegram_event(self.master.framing(), self.lang, &record));
+            }
+        }
+        match outcome {
+            Ok(Ok(answer)) => Ok(answer),
+            Ok(Err(error)) => Err(error.into()),
+            Err(PumpError::Link(error)) => Err(error.into()),
+            Err(PumpError::Interrupted) => Err(AccessError::Interrupted),
+        }
+    }
+
+    /// Asks a station for a reply that is no exception; after a refusal reads the cause back from the error register,
+    /// at once, because anything else could read it away.
+    pub async fn demand(&mut self, station: u8, request: Request) -> Result<(Reply, Span), AccessError> {
+        match self.ask(station, request.clone()).await? {
+            Answer::Broadcast => Ok((Reply::Registers(Vec::new()), Span::ZERO)),
+            Answer::Reply { reply: Reply::Exception { code, .. }, .. } => {
+                let tells = matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress);
+                let cause = if tells { self.error_register(station).await? } else { None };
+                Err(AccessError::Refused(Refusal { exception: code, cause }))
+            }
+            Answer::Reply { reply, after } => Ok((reply, after)),
+        }
+    }
+
+    /// Reads, and so clears, the error register; `None` if the station does not answer it with a value.
+    pub async fn error_register(&mut self, station: u8) -> Result<Option<u16>, AccessError> {
+        let Some(at) = RegisterAddress::new(ERROR_REGISTER, 0) else { return Ok(None) };
+        match self.ask(station, super::route::read(at, Type::Uint)).await {
+            Ok(Answer::Reply { reply: Reply::Registers(values), .. }) => Ok(values.first().copied()),
+            Ok(_) | Err(AccessError::Exchange(_)) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Tells an event to whoever watches.
+    pub fn tell(&mut self, event: Event) {
+        (self.observe)(event);
+    }
+
+    /// Counts of what happened on the line.
+    pub fn tally(&self) -> Tally {
+        self.master.tally()
+    }
+
+    /// Telegrams of other stations since the last question; only kept while nothing is told verbosely.
+    pub(super) fn take_records(&mut self) -> Vec<Record> {
+        self.master.take_records()
+    }
+
+    /// Time limits.
+    pub fn limits(&self) -> Limits {
+        self.master.limits()
+    }
+
+    /// Other time limits from now on.
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.master.set_limits(limits);
+    }
+
+    /// How telegrams are framed.
+    pub fn framing(&self) -> Framing {
+        self.master.framing()
+    }
+
+    /// Setting of the line.
+    pub fn line(&self) -> LineSetting {
+        self.master.line()
+    }
+
+    /// The bench behind the line, if it is the simulator.
+    pub fn bench(&mut self) -> Option<&mut Bench> {
+        self.link.bench()
+    }
+}
+
+/// The port that was named, or the one USB serial adapter that is plugged in, which is said.
+pub fn open_port(named: Option<&Port>, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
+    if let Some(port) = named {
+        return Ok(port.clone());
+    }
+    let ports = list_ports();
+    let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
+    if let [only] = adapters.as_slice() {
+        observe(Event::Note(format!("no port given, taking {} ({})", only.name, only.about)));
+        return Ok(Port::Serial(only.name.clone()));
+    }
+    let found: Vec<_> = ports.iter().map(|port| format!("{} {}", port.name, port.about).trim().to_owned()).collect();
+    let message = match adapters.len() {
+        0 => "no port given, and no USB serial adapter is plugged in",
+        _ => "no port given, and more than one USB serial adapter is plugged in",
+    };
+    let found =
+        if found.is_empty() { "no serial port was found".to_owned() } else { format!("found: {}", found.join(", ")) };
+    Err(Failure::new(Class::Port, "port.none", message)
+        .hint(format!("name it with -p; {found}; `-p sim` is the built-in bench")))
+}
+
+fn open_trace(path: &Path, about: &str) -> Result<Trace, Failure> {
+    let file = std::fs::File::create(path).and_then(|file| Trace::new(Box::new(file), about));
+    file.map_err(|error| Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display())))
+}
+
+fn telegram_event(framing: Framing, lang: Lang, record: &Record) -> Event {
+    let (direction, is_request) = match record.verdict {
+        Verdict::Request | Verdict::Fence => ('>', Some(true)),
+        Verdict::Reply => ('<', Some(false)),
+        Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
+    };
+    let reader = decode::Reader { framing, family: None, lang };
+    let told = reader.telegram(&record.bytes, is_request);
+    let meaning = match record.verdict {
+        Verdict::Fence => format!("fence: {}", told.meaning),
+        Verdict::Stray { station } => format!("not the answer, from address {station}: {}", told.meaning),
+        _ => told.meaning,
+    };
+    Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
+}
+
+impl AccessError {
+    /// Whether the whole session is over, not just this question.
+    pub fn is_fatal(&self) -> bool {
+        matches!(self, AccessError::Link(_) | AccessError::Interrupted)
+    }
+
+    /// Whether the drive said no.
+    pub fn is_refused(&self) -> bool {
+        matches!(self, AccessError::Refused(_))
+    }
+
+    /// The failure to show for a question to `address`. `family` knows the texts of the error register.
+    pub fn failure(&self, address: u8, family: Option<&Family>, lang: Lang) -> Failure {
+        match self {
+            AccessError::Refused(refusal) => refusal.failure(address, family, lang),
+            AccessError::Exchange(error) => exchange_failure(error, address),
+            AccessError::Link(error) => link_failure(error),
+            AccessError::Interrupted => {
+                Failure::new(Class::Interrupted, "interrupted", "interrupted before the answer came")
+            }
+        }
+        .with("address", address)
+    }
+}
+
+impl Refusal {
+    fn failure(&self, address: u8, family: Option<&Family>, lang: Lang) -> Failure {
+        let row = self.cause.and_then(|code| family?.error(code.into()));
+        let (code, cause) = match (self.cause, row) {
+            (Some(0) | None, _) => (self.exception_slug(), String::new()),
+            (Some(code), Some(row)) => (row.slug.clone(), format!(", P.11 = {code}: {}", row.name(lang))),
+            (Some(code), None) => (format!("error_{code}"), format!(", P.11 = {code} (unknown code)")),
+        };
+        let message = format!("drive {address} refused: exception {}{cause}", self.exception);
+        let failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message)
+            .with("exception", self.exception.code());
+        let failure = match self.cause {
+            Some(cause) => failure.with("p11", cause),
+            None => failure,
+        };
+        match row {
+            Some(row) => failure.hint(row.hint.get(lang)),
+            None => failure.hint("the drive gave no cause; check the function code, the parameter and the value"),
+        }
+    }
+
+    fn exception_slug(&self) -> String {
+        self.exception.name().replace(' ', "_")
+    }
+}
+
+fn exchange_failure(error: &ExchangeError, address: u8) -> Failure {
+    match error {
+        ExchangeError::Silence { .. } => {
+            Failure::new(Class::Silence, "silence.no_reply", format!("address {address}: {error}")).hint(
+                "check address, baud rate, parity and protocol (P.395; a drive leaves the factory speaking VABus, not \
+                 Modbus), whether A and B are swapped, termination, and whether another master is on the bus; \
+                 `antrieb scan` asks every address",
+            )
+        }
+        ExchangeError::Garbled { bytes, .. } => {
+            Failure::new(Class::Garbled, "garbled.no_valid_reply", format!("address {address}: {error}"))
+                .hint("check baud rate and parity, two drives with the same address, termination and shielding")
+                .with("bytes", Hex(bytes))
+        }
+        ExchangeError::Stray { station } => {
+            Failure::new(Class::Garbled, "garbled.wrong_responder", format!("address {address}: {error}"))
+                .hint("is another master on the bus?")
+                .with("responder", station)
+        }
+        ExchangeError::BroadcastRead => Failure::new(Class::Usage, "usage.broadcast_read", error.to_string())
+            .hint("address 0 is everybody; name one drive to read from"),
+    }
+}
+
+/// The failure to show when a port cannot be used.
+pub(super) fn link_failure(error: &LinkError) -> Failure {
+    let message = error.to_string();
+    match error {
+        LinkError::NotFound(_) => {
+            let ports: Vec<_> = list_ports().into_iter().map(|port| port.name).collect();
+            let found = if ports.is_empty() {
+                "no serial port was found".to_owned()
+            } else {
+                format!("found: {}", ports.join(", "))
+            };
+            Failure::new(Class::Port, "port.not_found", message)
+                .hint(format!("{found}; `--port sim` is the built-in bench"))
+        }
+        LinkError::Busy(_) => Failure::new(Class::Port, "port.busy", message)
+            .hint("another program has it open; ModemManager and brltty grab adapters on Linux (`fuser -v PORT`)"),
+        LinkError::Permission(_) => Failure::new(Class::Port, "port.permission", message).hint(
+            "add yourself to the group that owns the port, usually `sudo usermod -aG dialout $USER`, and log in again",
+        ),
+        LinkError::Setting { .. } => {
+            Failure::new(Class::Port, "port.setting", message).hint("is it a serial port, and can it do this speed?")
+        }
+        LinkError::Lost(_) => Failure::new(Class::Port, "port.lost", message)
+            .hint("plug the adapter in again; under /dev/serial/by-id it keeps its name"),
+    }
+}

@@ -1,0 +1,99 @@
+//! Failures of the program: classified once, with a stable code, a message and a hint that can be acted on.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt;
+
+/// How the program ends (CONTRACT: exit codes).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Class {
+    /// 1: the answer is no.
+    No,
+    /// 2: the command line is wrong.
+    Usage,
+    /// 3: the port cannot be opened, is busy, or was lost.
+    Port,
+    /// 4: no reply in time.
+    Silence,
+    /// 5: checksum, framing, wrong responder.
+    Garbled,
+    /// 6: refused by the drive.
+    Refused,
+    /// 7: bad data: catalogue, file, value, unknown parameter.
+    Data,
+    /// 8: not confirmed, or an interlock forbids it.
+    Forbidden,
+    /// 9: partly done.
+    Partial,
+    /// 70: a bug of ours.
+    Bug,
+    /// 130: interrupted.
+    Interrupted,
+}
+
+impl Class {
+    /// Every class with its exit code and what it means; the help text and the man page print it.
+    pub const TABLE: [(Class, u8, &'static str); 11] = [
+        (Class::No, 1, "the answer is no: nothing found, differences, a fault is present under --check"),
+        (Class::Usage, 2, "usage"),
+        (Class::Port, 3, "port: cannot open, busy, lost"),
+        (Class::Silence, 4, "silence: no reply in time"),
+        (Class::Garbled, 5, "garbled: checksum, framing, wrong responder"),
+        (Class::Refused, 6, "refused by the drive, with the cause read back"),
+        (Class::Data, 7, "bad data: catalogue, parameter file, value out of range, unknown parameter"),
+        (Class::Forbidden, 8, "not confirmed, or an interlock forbids it"),
+        (Class::Partial, 9, "partly done; the rows say which"),
+        (Class::Bug, 70, "a bug of ours"),
+        (Class::Interrupted, 130, "interrupted"),
+    ];
+
+    /// The exit code of the process.
+    pub fn exit(self) -> u8 {
+        Self::TABLE.iter().find(|row| row.0 == self).map_or(70, |row| row.1)
+    }
+}
+
+/// Why the program could not do what it was asked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Decides the exit code.
+    pub class: Class,
+    /// Stable and dotted: `refused.unknown_parameter`.
+    pub code: String,
+    /// What was expected and what came.
+    pub message: String,
+    /// What to do next.
+    pub hint: Option<String>,
+    /// Facts for machines: address, parameter, bytes …
+    pub context: Vec<(&'static str, String)>,
+}
+
+impl Failure {
+    /// A failure without hint and context.
+    pub fn new(class: Class, code: impl Into<String>, message: impl Into<String>) -> Self {
+        Failure { class, code: code.into(), message: message.into(), hint: None, context: Vec::new() }
+    }
+
+    /// The same with something to do next.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+
+    /// The same with one more fact for machines.
+    #[must_use]
+    pub fn with(mut self, key: &'static str, value: impl fmt::Display) -> Self {
+        self.context.push((key, value.to_string()));
+        self
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Failure {}

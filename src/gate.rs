@@ -1,0 +1,70 @@
+//! The gate before everything that can move a shaft, wear the EEPROM, or cut the line.
+//!
+//! Functions that do such things take a [`Permit`]; only [`ask`] makes one, so forgetting to ask does not compile.
+
+/// What can happen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Hazard {
+    /// A value in the drive changes.
+    Write,
+    /// The EEPROM wears.
+    Wear,
+    /// The shaft may turn.
+    Motion,
+    /// The line to the drive may be cut.
+    Line,
+    /// The drive restarts, or its faults are reset.
+    Reset,
+}
+
+/// Proof that the user agreed to something. Cannot be made but by [`ask`].
+#[derive(Debug)]
+pub struct Permit {
+    _private: (),
+}
+
+/// What the user is asked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// What can happen.
+    pub hazards: Vec<Hazard>,
+    /// One line that says what is going to be done.
+    pub title: String,
+    /// What exactly: old and new values, where they go.
+    pub details: Vec<String>,
+}
+
+/// What came back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Go on.
+    Yes,
+    /// Do not.
+    No,
+    /// There is nobody to ask: no terminal, and no `--yes`.
+    Nobody,
+}
+
+/// Somebody who can be asked: the terminal, `--yes`, or a test.
+pub trait Ask {
+    /// Puts the question and waits for the answer.
+    fn ask(&mut self, question: &Question) -> Answer;
+}
+
+/// Why there is no permit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Denied {
+    /// The user said no.
+    Refused,
+    /// There was nobody to ask.
+    Nobody,
+}
+
+/// Asks, and hands out the key if the answer is yes.
+pub fn ask(somebody: &mut dyn Ask, question: &Question) -> Result<Permit, Denied> {
+    match somebody.ask(question) {
+        Answer::Yes => Ok(Permit { _private: () }),
+        Answer::No => Err(Denied::Refused),
+        Answer::Nobody => Err(Denied::Nobody),
+    }
+}

@@ -1,0 +1,129 @@
+//! stderr: notes, telegrams, progress; shared by everybody who has something to say.
+
+use super::clean;
+use crate::outcome::Event;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::cell::RefCell;
+use std::io::{BufRead, Write};
+use std::rc::Rc;
+
+/// Where a run reads and writes; real for the program, made up for tests.
+pub struct Streams {
+    /// Data.
+    pub out: Box<dyn Write>,
+    /// Everything else.
+    pub err: Box<dyn Write>,
+    /// Answers to questions.
+    pub input: Box<dyn BufRead>,
+    /// stdout is a terminal.
+    pub out_is_terminal: bool,
+    /// stderr is a terminal.
+    pub err_is_terminal: bool,
+    /// stdin is a terminal.
+    pub input_is_terminal: bool,
+    /// Columns of the terminal.
+    pub width: Option<u16>,
+}
+
+impl std::fmt::Debug for Streams {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Streams").field("width", &self.width).finish_non_exhaustive()
+    }
+}
+
+/// stderr with a progress bar that gives way to lines.
+#[derive(Clone)]
+pub struct Console {
+    inner: Rc<RefCell<Inner>>,
+}
+
+impl std::fmt::Debug for Console {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Console").finish_non_exhaustive()
+    }
+}
+
+struct Inner {
+    err: Box<dyn Write>,
+    quiet: bool,
+    progress: bool,
+    bar: Option<ProgressBar>,
+}
+
+impl Console {
+    /// stderr; a bar is only drawn on a terminal.
+    pub fn new(err: Box<dyn Write>, quiet: bool, progress: bool) -> Self {
+        Console { inner: Rc::new(RefCell::new(Inner { err, quiet, progress, bar: None })) }
+    }
+
+    /// Shows what happens on the way.
+    pub fn observe(&self, event: Event) {
+        let mut inner = self.inner.borrow_mut();
+        match event {
+            Event::Telegram { at_us, direction, hex, meaning } => {
+                let at = format!("{}.{:03}", at_us / 1_000, at_us % 1_000);
+                inner.line(&format!("{at:>10} ms {direction} {hex}  {meaning}"));
+            }
+            Event::Progress { done, total, what } => inner.progress(done, total, what),
+            Event::Found(drive) => {
+                if !inner.quiet {
+                    inner.line(&format!("found {} at {}: {}", drive.drive, drive.address, drive.title));
+                }
+            }
+            Event::Note(text) => {
+                if !inner.quiet {
+                    inner.line(&format!("note: {text}"));
+                }
+            }
+        }
+    }
+
+    /// A line on stderr, above the bar.
+    pub fn line(&self, text: &str) {
+        self.inner.borrow_mut().line(text);
+    }
+
+    /// Part of a line on stderr, for a question.
+    pub fn prompt(&self, text: &str) {
+        let mut inner = self.inner.borrow_mut();
+        let _closed = write!(inner.err, "{text}").and_then(|()| inner.err.flush());
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        if let Some(bar) = self.inner.borrow_mut().bar.take() {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Inner {
+    fn line(&mut self, text: &str) {
+        let text = clean(text);
+        // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
+        let Inner { err, bar, .. } = self;
+        let mut write = || {
+            let _closed = writeln!(err, "{text}");
+        };
+        match bar {
+            Some(bar) => bar.suspend(write),
+            None => write(),
+        }
+    }
+
+    fn progress(&mut self, done: u64, total: u64, what: String) {
+        if !self.progress {
+            return;
+        }
+        let bar = self.bar.get_or_insert_with(|| {
+            let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
+            if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} {eta}") {
+                bar.set_style(style);
+            }
+            bar
+        });
+        bar.set_length(total);
+        bar.set_position(done);
+        bar.set_message(what);
+    }
+}

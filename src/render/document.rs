@@ -1,0 +1,149 @@
+//! Puts an outcome into the form that was asked for.
+
+use super::{Console, Format, rows, table};
+use crate::failure::Failure;
+use crate::outcome::{Data, ErrorDoc, Outcome, SCHEMA_VERSION, Warning};
+use crate::profile::Lang;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// The JSON document around every result.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Envelope<'a, D> {
+    /// Version of this shape.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'a str,
+    /// Whether all that was asked for was done.
+    pub ok: bool,
+    /// What was found; also partly, beside an error.
+    pub data: Option<D>,
+    /// Remarks.
+    pub warnings: &'a [Warning],
+    /// Why it is not all that was asked for.
+    pub error: Option<ErrorDoc>,
+}
+
+/// Prints an outcome: data to `out`, remarks and failures to the console (in JSON they are in the document too).
+pub fn print(
+    outcome: &Outcome,
+    command: &str,
+    format: Format,
+    lang: Lang,
+    width: Option<u16>,
+    out: &mut dyn Write,
+    console: &Console,
+) -> io::Result<()> {
+    console.finish();
+    match format {
+        Format::Table => {
+            if let Some(data) = &outcome.data {
+                out.write_all(table::render(data, lang, width).as_bytes())?;
+            }
+        }
+        Format::Json => json(outcome, command, out)?,
+        Format::Ndjson => ndjson(outcome, command, out)?,
+        Format::Csv => csv(outcome, out)?,
+    }
+    out.flush()?;
+    for warning in &outcome.warnings {
+        console.line(&format!("warning: {}", warning.message));
+    }
+    if let Some(failure) = &outcome.failure {
+        print_failure(failure, console);
+    }
+    Ok(())
+}
+
+/// Says on the console what went wrong and what to do.
+pub fn print_failure(failure: &Failure, console: &Console) {
+    console.line(&format!("error: {}", failure.message));
+    if let Some(hint) = &failure.hint {
+        console.line(&format!("hint: {hint}"));
+    }
+}
+
+fn envelope<'a, D>(outcome: &'a Outcome, command: &'a str, data: Option<D>) -> Envelope<'a, D> {
+    Envelope {
+        schema: SCHEMA_VERSION,
+        tool: "antrieb",
+        command,
+        ok: outcome.failure.is_none(),
+        data,
+        warnings: &outcome.warnings,
+        error: outcome.failure.as_ref().map(ErrorDoc::from),
+    }
+}
+
+fn json(outcome: &Outcome, command: &str, out: &mut dyn Write) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, &envelope(outcome, command, outcome.data.as_ref()))?;
+    writeln!(out)
+}
+
+/// One object a line: the rows, then the envelope without data as the last.
+fn ndjson(outcome: &Outcome, command: &str, out: &mut dyn Write) -> io::Result<()> {
+    let tagged = |kind: &str, fields: serde_json::Map<String, serde_json::Value>| {
+        let mut line = serde_json::Map::new();
+        line.insert("type".to_owned(), kind.into());
+        line.extend(
+            fields.into_iter().map(|(key, value)| (if key == "type" { "data_type".to_owned() } else { key }, value)),
+        );
+        line
+    };
+    for row in outcome.data.iter().flat_map(rows::rows) {
+        serde_json::to_writer(&mut *out, &tagged(row.kind, row.fields))?;
+        writeln!(out)?;
+    }
+    if let serde_json::Value::Object(mut fields) = serde_json::to_value(envelope(outcome, command, None::<()>))? {
+        fields.remove("data");
+        serde_json::to_writer(&mut *out, &tagged("end", fields))?;
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// The rows with the fields of the first as head line; lists and objects as JSON in a cell.
+fn csv(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
+    let rows: Vec<_> = outcome.data.iter().flat_map(rows::rows).collect();
+    let Some(first) = rows.first() else { return Ok(()) };
+    let columns: Vec<String> = first.fields.keys().cloned().collect();
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(&columns)?;
+    for row in &rows {
+        writer.write_record(columns.iter().map(|column| match row.fields.get(column) {
+            None | Some(serde_json::Value::Null) => String::new(),
+            Some(serde_json::Value::String(text)) => super::clean(text),
+            Some(other) => other.to_string(),
+        }))?;
+    }
+    writer.flush()
+}
+
+/// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.
+pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
+    use crate::outcome as o;
+    macro_rules! of {
+        ($data:ty) => {
+            schemars::schema_for!(Envelope<'static, $data>)
+        };
+    }
+    let schema = match verb {
+        None => of!(Data),
+        Some("scan") => of!(o::Scan),
+        Some("identify") => of!(o::Identify),
+        Some("read") => of!(o::Read),
+        Some("write") => of!(o::Write),
+        Some("dataset") => of!(o::Dataset),
+        Some("diag") => of!(o::Diag),
+        Some("statemachine") => of!(o::Statemachine),
+        Some("sollwert") => of!(o::Sollwert),
+        Some("params") => of!(o::Params),
+        Some("decode") => of!(o::Decode),
+        Some("simulate") => of!(o::Simulate),
+        Some(_) => return None,
+    };
+    Some(schema.to_value())
+}

@@ -1,0 +1,531 @@
+//! Tables for people: aligned, without borders, one row a line when piped.
+
+use super::clean;
+use super::words::word;
+use crate::outcome::{
+    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, ParamDoc, Scan, SetpointReport,
+    StateReport, TelegramDoc, Value, Word, WriteResult, Written,
+};
+use crate::profile::Lang;
+use crate::profile::value::format_decimal;
+use comfy_table::{CellAlignment, ContentArrangement, Table};
+
+/// The result as text; `width` is the width of the terminal, if it is one.
+pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
+    let page = Page { lang, width };
+    match data {
+        Data::Scan(scan) => page.scan(scan),
+        Data::Identify(identify) => page.each(&identify.drives, Page::identity),
+        Data::Read(read) => page.values(&read.values),
+        Data::Write(write) => page.written(&write.values),
+        Data::Dataset(dataset) => page.dataset(dataset),
+        Data::Diag(diag) => page.each(&diag.drives, Page::diagnosis),
+        Data::Statemachine(report) => page.each(&report.drives, Page::state),
+        Data::Sollwert(report) => page.each(&report.drives, Page::setpoints),
+        Data::Params(params) => match params.params.as_slice() {
+            [only] => page.param(only),
+            several => page.params(several),
+        },
+        Data::Decode(decode) => page.decode(decode),
+        Data::Simulate(served) => {
+            let mut text = format!(
+                "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} remarks\n",
+                served.port,
+                served.clients,
+                served.received,
+                served.answered,
+                served.exceptions,
+                served.eeprom_writes,
+                served.remarks.len()
+            );
+            served.remarks.iter().for_each(|remark| text += &format!("remark: {}\n", clean(remark)));
+            text
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Page {
+    lang: Lang,
+    width: Option<u16>,
+}
+
+impl Page {
+    fn word(self, english: &'static str) -> &'static str {
+        word(self.lang, english)
+    }
+
+    fn each<T>(self, items: &[T], one: impl Fn(Page, &T) -> String) -> String {
+        items.iter().map(|item| one(self, item)).collect::<Vec<_>>().join("\n")
+    }
+
+    /// A table; columns whose name starts with `>` are aligned to the right.
+    fn table(self, head: &[&'static str], rows: Vec<Vec<String>>) -> String {
+        if rows.is_empty() {
+            return String::new();
+        }
+        let mut table = Table::new();
+        table.load_style(comfy_table::presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
+        if let Some(width) = self.width {
+            table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
+        }
+        let names: Vec<_> = head.iter().map(|name| self.word(name.trim_start_matches('>'))).collect();
+        if names.iter().any(|name| !name.is_empty()) {
+            table.set_header(names);
+        }
+        for row in rows {
+            table.add_row(row.iter().map(|cell| clean(cell)));
+        }
+        for (index, column) in table.column_iter_mut().enumerate() {
+            column.set_padding((0, 2));
+            if head.get(index).is_some_and(|name| name.starts_with('>')) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+        }
+        let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
+        let indent =
+            lines.iter().filter(|line| !line.is_empty()).map(|line| line.len() - line.trim_start().len()).min();
+        let indent = indent.unwrap_or(0);
+        lines.iter().map(|line| format!("{}\n", line.get(indent..).unwrap_or(""))).collect()
+    }
+
+    /// Names at the left, what belongs to them at the right.
+    fn pairs(self, rows: Vec<(&'static str, String)>) -> String {
+        self.table(&["", ""], rows.into_iter().map(|(name, text)| vec![self.word(name).to_owned(), text]).collect())
+    }
+
+    fn heading(self, address: u8, drive: &str) -> String {
+        format!("{} {address} ({})\n", self.word("drive"), clean(drive))
+    }
+
+    fn scan(self, scan: &Scan) -> String {
+        let row = |drive: &FoundDrive| {
+            let told = drive.evidence.last().map_or_else(String::new, |row| format!("{}: {}", row.asked, row.answered));
+            vec![
+                drive.address.to_string(),
+                drive.drive.clone(),
+                drive.title.clone(),
+                drive.state.as_ref().map_or_else(String::new, |state| state.name.clone()),
+                drive.fault.clone().unwrap_or_else(|| "-".to_owned()),
+                told,
+            ]
+        };
+        let rows = scan.drives.iter().map(row).collect();
+        self.table(&[">addr", "drive", "name", "state", "fault", "evidence"], rows)
+    }
+
+    fn identity(self, identity: &Identity) -> String {
+        let mut text = self.heading(identity.address, &identity.drive);
+        if let Some(error) = &identity.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        text += &format!("{}\n\n", clean(&identity.title));
+        text += &self.values(&identity.values);
+        let rows = identity.modules.iter().map(|module| {
+            let present = if module.present { "present" } else { "not fitted" };
+            vec![module.name.clone(), self.word(present).to_owned(), module.evidence.clone()]
+        });
+        text += "\n";
+        text += &self.table(&["module", "", "evidence"], rows.collect());
+        let rows = identity.evidence.iter();
+        let rows = rows.map(|row| vec![row.asked.clone(), row.answered.clone(), row.tells.clone()]).collect();
+        text + "\n" + &self.table(&["asked", "value", "tells"], rows)
+    }
+
+    /// One row a value; the address only if there are several drives.
+    fn values(self, values: &[Value]) -> String {
+        let several = values.iter().any(|value| Some(value.address) != values.first().map(|first| first.address));
+        let rows = values.iter().map(|value| {
+            let mut row = if several { vec![value.address.to_string()] } else { Vec::new() };
+            row.extend([
+                value.param.to_string(),
+                set_name(value.data_set, value.store, value.kind),
+                value.name.clone(),
+                value.value.map_or_else(|| "-".to_owned(), |number| shown(number, value.hex)),
+                value.unit.clone().unwrap_or_default(),
+                self.meaning(value),
+            ]);
+            row
+        });
+        let head: &[&str] = if several {
+            &[">addr", ">param", "set", "name", ">value", "unit", "meaning"]
+        } else {
+            &[">param", "set", "name", ">value", "unit", "meaning"]
+        };
+        self.table(head, rows.collect())
+    }
+
+    /// What a value stands for: the error, the text, the state and set bits.
+    fn meaning(self, value: &Value) -> String {
+        if let Some(error) = &value.error {
+            return error.message.clone();
+        }
+        let mut parts = Vec::new();
+        parts.extend(value.text.clone());
+        if let Some(word) = &value.word {
+            parts.extend(word.state.as_ref().map(|state| state.name.clone()));
+            let set = word.bits.iter().filter(|bit| bit.set);
+            let set: Vec<_> = set
+                .map(|bit| bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit)))
+                .collect();
+            parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
+        }
+        if value.unconfirmed.iter().any(|field| field == "row") {
+            parts.push(format!("({})", self.word("unconfirmed")));
+        }
+        parts.join(": ")
+    }
+
+    fn written(self, values: &[Written]) -> String {
+        let rows = values.iter().map(|row| {
+            let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
+            let mut remark = row.error.as_ref().map(|error| error.message.clone());
+            remark = remark.or_else(|| row.text.clone());
+            let mut remark = remark.into_iter().chain(row.note.clone()).collect::<Vec<_>>();
+            if row.result == WriteResult::Planned {
+                remark.extend(row.telegram.clone());
+            }
+            vec![
+                row.address.to_string(),
+                row.param.to_string(),
+                set_name(row.data_set, row.store, None),
+                row.store.to_owned(),
+                row.name.clone(),
+                old,
+                shown(row.value, false),
+                row.unit.clone().unwrap_or_default(),
+                self.word(result(row.result)).to_owned(),
+                remark.join("; "),
+            ]
+        });
+        let head = [">addr", ">param", "set", "store", "name", ">old", ">new", "unit", "result", "meaning"];
+        self.table(&head, rows.collect())
+    }
+
+    fn dataset(self, dataset: &Dataset) -> String {
+        let mut text = self.heading(dataset.address, &dataset.drive);
+        let active = dataset.active.map_or_else(|| "?".to_owned(), |set| set.to_string());
+        let selection = dataset.selection.as_ref().map_or_else(String::new, |value| {
+            let number = value.value.map_or_else(|| "?".to_owned(), |number| shown(number, false));
+            format!("{number} {}", value.text.clone().unwrap_or_default())
+        });
+        text += &self.pairs(vec![("active set", active), ("selection", selection)]);
+        let sets = dataset.rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
+        if sets > 0 {
+            let first = dataset.rows.iter().find(|row| row.values.len() == sets);
+            let names: Vec<String> =
+                first.iter().flat_map(|row| &row.values).map(|value| format!("@{}", value.data_set)).collect();
+            let mut head: Vec<&'static str> = vec![">param", "name"];
+            head.extend(names.iter().map(|name| match name.as_str() {
+                "@1" => ">@1",
+                "@2" => ">@2",
+                "@3" => ">@3",
+                "@4" => ">@4",
+                _ => ">value",
+            }));
+            head.extend(["unit", "equal"]);
+            let rows = dataset.rows.iter().map(|row| {
+                let mut cells = vec![row.param.to_string(), row.name.clone()];
+                cells.extend(row.values.iter().map(|value| match (&value.error, value.value) {
+                    (None, Some(number)) => shown(number, value.hex),
+                    (Some(error), _) => error.code.clone(),
+                    (None, None) => "-".to_owned(),
+                }));
+                cells.push(row.unit.clone().unwrap_or_default());
+                cells.push(self.word(if row.equal { "yes" } else { "no" }).to_owned());
+                cells
+            });
+            text += "\n";
+            text += &self.table(&head, rows.collect());
+        }
+        if !dataset.written.is_empty() {
+            text += "\n";
+            text += &self.written(&dataset.written);
+        }
+        text
+    }
+
+    fn diagnosis(self, report: &Diagnosis) -> String {
+        let mut text = self.heading(report.address, &report.drive);
+        if let Some(error) = &report.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        let mut rows = Vec::new();
+        if let Some(status) = &report.status {
+            let state = status.state.as_ref().map_or_else(String::new, |state| state.name.clone());
+            rows.push(("state", format!("{state} ({})", status.hex)));
+        }
+        match &report.fault {
+            Some(fault) => rows.extend(self.fault(fault)),
+            None => rows.push(("fault", self.word("none").to_owned())),
+        }
+        if let Some(warnings) = &report.warnings {
+            let set: Vec<_> = warnings.bits.iter().filter(|bit| bit.set).collect();
+            if set.is_empty() {
+                rows.push(("warnings", self.word("none").to_owned()));
+            }
+            for (index, bit) in set.iter().enumerate() {
+                let name = bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit));
+                let help = bit.help.as_ref().map_or_else(String::new, |help| format!(": {help}"));
+                rows.push((if index == 0 { "warnings" } else { "" }, format!("{name}{help}")));
+            }
+        }
+        if let Some(register) = &report.error_register {
+            let hint = register.hint.as_ref().filter(|_| register.code != 0);
+            let hint = hint.map_or_else(String::new, |hint| format!(": {hint}"));
+            rows.push(("error register", format!("{} {}{hint}", register.code, register.name)));
+        }
+        if report.counters_cleared {
+            rows.push(("counters cleared", self.word("yes").to_owned()));
+        }
+        if let Some(link) = &report.link {
+            rows.extend(self.link(link));
+        }
+        text += &self.pairs(rows);
+        let rows = report.counters.iter().map(|counter| {
+            let count = counter.count.map_or_else(|| "-".to_owned(), |count| count.to_string());
+            vec![count, counter.name.clone(), counter.help.clone()]
+        });
+        text + "\n" + &self.table(&[">count", "name", "meaning"], rows.collect())
+    }
+
+    fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {
+        let mut rows = vec![("fault", format!("{} {}", fault.key, fault.name))];
+        rows.extend(fault.group.iter().map(|group| ("group", group.clone())));
+        rows.extend(fault.node.iter().map(|node| ("module", format!("node {node}"))));
+        rows.extend(fault.cause.iter().map(|cause| ("cause", cause.clone())));
+        rows.extend(fault.remedy.iter().map(|remedy| ("remedy", remedy.clone())));
+        rows
+    }
+
+    fn link(self, link: &LinkTest) -> Vec<(&'static str, String)> {
+        let millis =
+            |us: Option<u64>| us.map_or_else(|| "-".to_owned(), |us| format!("{} ms", format_decimal(us as i64, 3)));
+        vec![
+            (
+                "link test",
+                format!(
+                    "{} {}, {} {}, {} {}, {} {}, {} {}",
+                    link.asked,
+                    self.word("asked"),
+                    link.replies,
+                    self.word("replies"),
+                    link.silent,
+                    self.word("silent"),
+                    link.garbled,
+                    self.word("garbled"),
+                    link.strays,
+                    self.word("strays")
+                ),
+            ),
+            ("error rate", format!("{} %", link.error_rate_percent)),
+            (
+                "reply times",
+                format!(
+                    "{} … {}, {} {}, 95 % {}",
+                    millis(link.fastest_us),
+                    millis(link.slowest_us),
+                    self.word("median"),
+                    millis(link.median_us),
+                    millis(link.p95_us)
+                ),
+            ),
+        ]
+    }
+
+    fn state(self, report: &StateReport) -> String {
+        let mut text = self.heading(report.address, &report.drive);
+        if let Some(error) = &report.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        let mut rows = Vec::new();
+        rows.extend(report.state.iter().map(|state| ("state", state.name.clone())));
+        if let Some(mode) = &report.control_mode {
+            rows.push((
+                "control mode",
+                format!("P.{} = {} {}", mode.param, number(mode), mode.text.clone().unwrap_or_default()),
+            ));
+        }
+        match &report.fault {
+            Some(fault) => rows.extend(self.fault(fault)),
+            None => rows.push(("fault", self.word("none").to_owned())),
+        }
+        text += &self.pairs(rows);
+        for (name, bits) in [("status word", &report.status), ("control word", &report.control)] {
+            if let Some(bits) = bits {
+                text += &format!("\n{} {}\n", self.word(name), bits.hex);
+                text += &self.bits(bits);
+            }
+        }
+        text
+    }
+
+    fn bits(self, bits: &Word) -> String {
+        let rows = bits.bits.iter().map(|bit| {
+            let unknown = || self.word("unknown").to_owned();
+            vec![bit.bit.to_string(), u8::from(bit.set).to_string(), bit.name.clone().unwrap_or_else(unknown)]
+        });
+        self.table(&[">bit", ">value", "name"], rows.collect())
+    }
+
+    fn setpoints(self, report: &SetpointReport) -> String {
+        let mut text = self.heading(report.address, &report.drive);
+        if let Some(error) = &report.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        for (name, values) in
+            [("setpoints", &report.setpoints), ("actual values", &report.actual), ("sources", &report.sources)]
+        {
+            text += &format!("\n{}\n", self.word(name));
+            text += &self.values(values);
+        }
+        text
+    }
+
+    fn params(self, params: &[ParamDoc]) -> String {
+        let rows = params.iter().map(|param| {
+            vec![
+                param.param.to_string(),
+                param.slug.clone(),
+                param.name.clone(),
+                param.unit.clone().unwrap_or_default(),
+                range(param),
+                param.access.to_owned(),
+                param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string()),
+            ]
+        });
+        self.table(&[">param", "slug", "name", "unit", "range", "access", "data sets"], rows.collect())
+    }
+
+    fn param(self, param: &ParamDoc) -> String {
+        let mut rows = vec![
+            ("param", param.param.to_string()),
+            ("slug", param.slug.clone()),
+            ("name", param.name.clone()),
+            ("type", param.kind.unwrap_or("?").to_owned()),
+            ("access", param.access.to_owned()),
+            ("data sets", param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string())),
+        ];
+        rows.extend(param.decimals.map(|decimals| ("decimals", decimals.to_string())));
+        rows.extend(param.unit.iter().map(|unit| ("unit", unit.clone())));
+        if param.min.is_some() || param.max.is_some() {
+            rows.push(("range", range(param)));
+        }
+        rows.extend(param.default.map(|default| ("default", shown(default, false))));
+        rows.extend(param.hazard.map(|hazard| ("hazard", hazard.to_owned())));
+        rows.extend(param.module.iter().map(|module| ("module", module.clone())));
+        if param.volatile {
+            rows.push(("volatile", self.word("yes").to_owned()));
+        }
+        if param.after_reset {
+            rows.push(("note", self.word("after a reset").to_owned()));
+        }
+        for (index, choice) in param.values.iter().enumerate() {
+            rows.push((if index == 0 { "values" } else { "" }, format!("{} = {}", choice.raw, choice.text)));
+        }
+        for (index, bit) in param.bits.iter().enumerate() {
+            rows.push((
+                if index == 0 { "bits" } else { "" },
+                format!("{} {}", bit.bit, bit.name.clone().unwrap_or_default()),
+            ));
+        }
+        rows.extend(param.note.iter().map(|note| ("note", note.clone())));
+        if !param.unconfirmed.is_empty() {
+            rows.push(("unconfirmed", param.unconfirmed.join(", ")));
+        }
+        rows.push(("source", format!("{} ({})", param.source, param.origin)));
+        self.pairs(rows)
+    }
+
+    fn decode(self, decode: &Decode) -> String {
+        let mut text = String::new();
+        match decode.telegrams.as_slice() {
+            [] => {}
+            [only] => text += &self.telegram(only),
+            several => {
+                let rows = several.iter().map(|doc| {
+                    let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
+                    let sent = if doc.direction == Some("request") { ">" } else { "<" };
+                    vec![at, sent.to_owned(), doc.hex.clone(), doc.meaning.clone()]
+                });
+                text += &self.table(&[">ms", "", "telegram", "meaning"], rows.collect());
+            }
+        }
+        if let Some(bits) = &decode.word {
+            text += &format!("{}", clean(&bits.hex));
+            text += &bits.state.as_ref().map_or_else(String::new, |state| format!(" {}", state.name));
+            text += "\n";
+            text += &self.bits(bits);
+            let help = bits.bits.iter().filter(|bit| bit.set && bit.help.is_some());
+            let rows: Vec<_> = help
+                .map(|bit| vec![bit.name.clone().unwrap_or_default(), bit.help.clone().unwrap_or_default()])
+                .collect();
+            if !rows.is_empty() {
+                text += "\n";
+                text += &self.table(&["", ""], rows);
+            }
+        }
+        match (&decode.fault, decode.kind) {
+            (Some(fault), _) => text += &self.pairs(self.fault(fault)),
+            (None, "fault") => text += &self.pairs(vec![("fault", self.word("none").to_owned())]),
+            _ => {}
+        }
+        if let Some(register) = &decode.register {
+            let mut rows = vec![("error register", format!("{} {}", register.code, register.name))];
+            rows.extend(register.hint.iter().map(|hint| ("hint", hint.clone())));
+            text += &self.pairs(rows);
+        }
+        text
+    }
+
+    fn telegram(self, doc: &TelegramDoc) -> String {
+        let mut text = format!("{}\n{}\n", doc.hex, clean(&doc.meaning));
+        let rows = doc.fields.iter().map(|field| vec![field.hex.clone(), field.name.clone(), field.value.clone()]);
+        let rows: Vec<_> = rows.collect();
+        if !rows.is_empty() {
+            text += "\n";
+            text += &self.table(&["", "field", "value"], rows);
+        }
+        text
+    }
+}
+
+fn shown(number: Decimal, hex: bool) -> String {
+    if hex && (0..=0xFFFF).contains(&number.raw) {
+        return format!("0x{:04X}", number.raw);
+    }
+    format_decimal(number.raw, number.decimals)
+}
+
+fn number(value: &Value) -> String {
+    value.value.map_or_else(|| "?".to_owned(), |number| shown(number, value.hex))
+}
+
+/// `2`, or `2ram`; volatile parameters have no EEPROM set.
+fn set_name(set: u8, store: &str, _kind: Option<&str>) -> String {
+    if store == "ram" && set > 0 { format!("{set}ram") } else { set.to_string() }
+}
+
+fn range(param: &ParamDoc) -> String {
+    match (param.min, param.max) {
+        (None, None) => String::new(),
+        (min, max) => {
+            let limit = |limit: Option<Decimal>| limit.map_or_else(|| "?".to_owned(), |limit| shown(limit, false));
+            format!("{} … {}", limit(min), limit(max))
+        }
+    }
+}
+
+fn result(result: WriteResult) -> &'static str {
+    match result {
+        WriteResult::Verified => "verified",
+        WriteResult::Written => "written",
+        WriteResult::Unchanged => "unchanged",
+        WriteResult::Planned => "planned",
+        WriteResult::Refused => "refused",
+        WriteResult::Unknown => "unknown",
+        WriteResult::Differs => "differs",
+        WriteResult::Broadcast => "broadcast",
+        WriteResult::Skipped => "skipped",
+    }
+}

@@ -1,0 +1,174 @@
+//! Faults of the line, by script: what happens to a reply on its way to the master.
+
+use super::dice::Dice;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::Framing;
+use crate::tick::{Span, Tick};
+
+/// What is done to a reply.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// It comes later than the drive sent it.
+    Late(Span),
+    /// It does not come.
+    Lost,
+    /// One bit of one byte is flipped.
+    Garbled,
+    /// Its last third does not come.
+    Truncated,
+    /// A byte comes right before it.
+    Noise(u8),
+    /// The master hears its own request: concerns the request, not the reply.
+    Echo,
+    /// It comes twice.
+    Doubled,
+    /// A reply of the next station comes in its place.
+    Foreign,
+}
+
+/// Which reply is hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum When {
+    /// Every n-th one.
+    Every(u64),
+    /// Only the n-th one.
+    Once(u64),
+    /// The first one from this time on.
+    From(Tick),
+}
+
+/// One line of the script.
+#[derive(Clone, Debug)]
+pub(super) struct Rule {
+    pub(super) when: When,
+    pub(super) kind: Kind,
+    /// Only replies of this station; `None` for all.
+    pub(super) station: Option<u8>,
+    seen: u64,
+    done: bool,
+}
+
+impl Rule {
+    pub(super) fn new(when: When, kind: Kind, station: Option<u8>) -> Self {
+        Rule { when, kind, station, seen: 0, done: false }
+    }
+
+    fn strikes(&mut self, now: Tick, station: u8) -> bool {
+        if self.station.is_some_and(|only| only != station) {
+            return false;
+        }
+        self.seen = self.seen.saturating_add(1);
+        match self.when {
+            When::Every(n) => n > 0 && self.seen.is_multiple_of(n),
+            When::Once(n) => self.seen == n,
+            When::From(at) => now >= at && !std::mem::replace(&mut self.done, true),
+        }
+    }
+}
+
+/// A reply as a drive sends it.
+#[derive(Clone, Debug)]
+pub(super) struct Outgoing {
+    pub(super) station: u8,
+    pub(super) framing: Framing,
+    pub(super) line: LineSetting,
+    pub(super) frame: Vec<u8>,
+}
+
+/// The script and its chance.
+#[derive(Clone, Debug)]
+pub(super) struct Disturber {
+    rules: Vec<Rule>,
+    /// An adapter that always hears itself.
+    echo: bool,
+    dice: Dice,
+}
+
+impl Disturber {
+    pub(super) fn new(rules: Vec<Rule>, echo: bool, seed: u64) -> Self {
+        Disturber { rules, echo, dice: Dice::new(seed) }
+    }
+
+    /// Whether the master hears the telegram that it sends now.
+    pub(super) fn echoes(&mut self, now: Tick, station: u8) -> bool {
+        let echoing = self.rules.iter_mut().filter(|rule| rule.kind == Kind::Echo);
+        // Every rule counts every telegram, also when another has struck already.
+        echoing.fold(self.echo, |echo, rule| rule.strikes(now, station) || echo)
+    }
+
+    /// What comes of a reply that starts now: telegrams with the time at which they start.
+    pub(super) fn pass(&mut self, now: Tick, reply: &Outgoing) -> Vec<(Tick, Vec<u8>)> {
+        let mut out = vec![(now, reply.frame.clone())];
+        for rule in self.rules.iter_mut().filter(|rule| rule.kind != Kind::Echo) {
+            if !rule.strikes(now, reply.station) {
+                continue;
+            }
+            match rule.kind {
+                Kind::Late(by) => out.iter_mut().for_each(|(at, _)| *at += by),
+                Kind::Lost => out.clear(),
+                Kind::Garbled => out.iter_mut().for_each(|(_, frame)| flip(frame, &mut self.dice)),
+                Kind::Truncated => {
+                    out.iter_mut().for_each(|(_, frame)| frame.truncate(frame.len() - frame.len().div_ceil(3)));
+                }
+                Kind::Noise(byte) => out.iter_mut().for_each(|(_, frame)| frame.insert(0, byte)),
+                Kind::Doubled => {
+                    let pause = reply.line.t35() + reply.line.chars(1);
+                    let again: Vec<_> = out
+                        .iter()
+                        .map(|(at, frame)| (*at + reply.line.chars(frame.len() as u64) + pause, frame.clone()))
+                        .collect();
+                    out.extend(again);
+                }
+                Kind::Foreign => {
+                    for (_, frame) in &mut out {
+                        if let Ok(adu) = reply.framing.decode(frame) {
+                            *frame = reply.framing.encode(adu.station % 247 + 1, &adu.pdu);
+                        }
+                    }
+                }
+                Kind::Echo => {}
+            }
+        }
+        out
+    }
+}
+
+fn flip(frame: &mut [u8], dice: &mut Dice) {
+    let (place, bit) = (dice.below(frame.len() as u64), dice.below(7));
+    if let Some(byte) = usize::try_from(place).ok().and_then(|place| frame.get_mut(place)) {
+        *byte ^= 1 << bit;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+
+    fn pass(rules: Vec<Rule>, replies: usize) -> Vec<Vec<(Tick, Vec<u8>)>> {
+        let mut disturber = Disturber::new(rules, false, 1);
+        let line = LineSetting::rtu(19_200, Parity::Even);
+        let frame = Framing::Rtu.encode(1, &[3, 2, 5, 0x6E]);
+        let reply = Outgoing { station: 1, framing: Framing::Rtu, line, frame };
+        (0..replies).map(|_| disturber.pass(Tick::ZERO, &reply)).collect()
+    }
+
+    #[test]
+    fn every_third_reply_is_lost() {
+        let passed = pass(vec![Rule::new(When::Every(3), Kind::Lost, None)], 6);
+        assert_eq!(passed.iter().map(Vec::len).collect::<Vec<_>>(), [1, 1, 0, 1, 1, 0]);
+    }
+
+    #[test]
+    fn what_comes_of_a_reply() {
+        let once = |kind| pass(vec![Rule::new(When::Once(1), kind, None)], 1).remove(0);
+        assert_eq!(once(Kind::Late(Span::from_millis(150)))[0].0, Tick::from_micros(150_000));
+        assert_eq!(once(Kind::Truncated)[0].1, [1, 3, 2, 5]);
+        assert_eq!(once(Kind::Noise(0))[0].1[..3], [0, 1, 3]);
+        assert_eq!(once(Kind::Doubled).len(), 2);
+        assert_eq!(Framing::Rtu.decode(&once(Kind::Foreign)[0].1).unwrap().station, 2);
+        assert!(Framing::Rtu.decode(&once(Kind::Garbled)[0].1).is_err());
+        let other = Rule::new(When::Every(1), Kind::Lost, Some(2));
+        assert_eq!(pass(vec![other], 1)[0].len(), 1);
+    }
+}

@@ -1,0 +1,324 @@
+//! Drives that answer: the judge of the tests, the newcomer's first drive, the trainer's bench.
+//!
+//! A [`Bench`] is a bus with drives on it, in time that somebody else tells ([`Tick`]). It is written from the manuals
+//! and never from our own master: it answers as CM-485 manual chapters 5 to 12 say, and it notes every timing or
+//! framing sin of the master as a [`Remark`]. It reads no clock, does no I/O, and never panics on any input.
+//!
+//! What a file of the bench may say is told in [`file`].
+
+mod active;
+mod dice;
+mod disturb;
+mod drive;
+pub mod file;
+mod foreign;
+mod judge;
+mod machine;
+mod setup;
+mod shaft;
+mod slave;
+mod spec;
+mod store;
+#[cfg(test)]
+mod tests;
+mod wire;
+
+pub use drive::Drive;
+pub use file::BenchError;
+pub use judge::{Remark, Sin};
+
+use crate::profile::Registry;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::Request;
+use crate::protocol::modbus::{BROADCAST, Framing, LAST_STATION};
+use crate::tick::{Span, Tick};
+use disturb::{Disturber, Outgoing};
+use judge::{Judge, Telegram, wrong_format};
+use std::collections::VecDeque;
+use wire::{Sender, Slot, Wire, fits};
+
+/// Events at one and the same time after which the bench moves on whatever happens.
+const MOST_AT_ONCE: u32 = 10_000;
+
+/// A bus with drives, and its judge.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    now: Tick,
+    drives: Vec<Drive>,
+    wire: Wire,
+    /// Telegrams that the line holds back.
+    delayed: Vec<Delayed>,
+    disturber: Disturber,
+    judge: Judge,
+    /// Setting of the master's last telegram.
+    master: Option<LineSetting>,
+    /// What the master hears, in order of time.
+    heard: VecDeque<(Tick, u8)>,
+    totals: Totals,
+}
+
+#[derive(Clone, Debug)]
+struct Delayed {
+    at: Tick,
+    drive: usize,
+    line: LineSetting,
+    frame: Vec<u8>,
+}
+
+/// Closing counts of a bench.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Totals {
+    /// Telegrams of the master, whole or not.
+    pub received: u64,
+    /// Broadcasts that drives obey.
+    pub broadcasts: u64,
+    /// Replies that drives sent, exceptions included.
+    pub answered: u64,
+    /// Exception replies among them.
+    pub exceptions: u64,
+    /// Telegrams that nobody answers.
+    pub ignored: Ignored,
+    /// EEPROM cells written, all drives together.
+    pub eeprom_writes: u64,
+    /// Remarks of the judge.
+    pub remarks: u64,
+}
+
+/// Why telegrams were ignored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ignored {
+    /// Wrong check value, torn, or no telegram at all.
+    pub malformed: u64,
+    /// No drive has this address.
+    pub no_station: u64,
+    /// The drive listens with another speed, parity or width.
+    pub wrong_line: u64,
+    /// The drive speaks another protocol, or the other framing.
+    pub wrong_protocol: u64,
+    /// The drive is off the bus: reset, power or script.
+    pub away: u64,
+    /// Broadcasts that are no write.
+    pub broadcast_reads: u64,
+}
+
+impl Bench {
+    /// An ACT at address 1 and an ACU with EM-RES-03 at address 2, both Modbus RTU, 19200 8E1.
+    pub fn standard(registry: &Registry) -> Bench {
+        file::standard(registry)
+    }
+
+    /// The bench of a file. `path` is only for the messages; see [`file`] for the format.
+    pub fn from_toml(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
+        file::read(path, text, registry)
+    }
+
+    fn new(drives: Vec<Drive>, disturber: Disturber) -> Bench {
+        Bench {
+            now: Tick::ZERO,
+            drives,
+            wire: Wire::default(),
+            delayed: Vec::new(),
+            disturber,
+            judge: Judge::default(),
+            master: None,
+            heard: VecDeque::new(),
+            totals: Totals::default(),
+        }
+    }
+
+    /// The master puts `bytes` on the wire, back to back; the first start bit begins at `at`.
+    ///
+    /// `at` never lies before that of an earlier call, or before a time that the bench was advanced to: an earlier
+    /// one is taken as that time. If somebody is sending already, both telegrams are spoilt.
+    pub fn master_sends(&mut self, at: Tick, line: LineSetting, bytes: &[u8]) {
+        let at = at.max(self.now);
+        self.run_to(at);
+        if bytes.is_empty() || line.baud == 0 {
+            return;
+        }
+        if let Some(telegram) = self.judge.before(at) {
+            self.classify(&telegram);
+        }
+        self.judge.sends(at, line, bytes);
+        self.master = Some(line);
+        self.wire.put(Sender::Master, line, at, bytes);
+        let station = bytes.first().copied().unwrap_or(0);
+        if self.disturber.echoes(at, station) {
+            let echo = (1..).zip(bytes).map(|(count, &byte)| (at + line.chars(count), byte));
+            self.heard.extend(echo);
+        }
+    }
+
+    /// The next moment at which something may change if the master stays silent.
+    pub fn next_event(&self) -> Option<Tick> {
+        let drives = self.drives.iter().filter_map(Drive::next_event);
+        let delayed = self.delayed.iter().map(|delayed| delayed.at);
+        let heard = self.heard.front().map(|heard| heard.0);
+        drives.chain(delayed).chain(self.wire.next()).chain(heard).min()
+    }
+
+    /// Runs until `to`, inclusive; returns every byte that came to the master since the last call, each with the time
+    /// at which its last bit was on the wire.
+    pub fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
+        self.run_to(to);
+        self.heard.make_contiguous().sort_by_key(|heard| heard.0);
+        let due = self.heard.partition_point(|heard| heard.0 <= self.now);
+        self.heard.drain(..due).collect()
+    }
+
+    /// What the judge noted about the master, the first thousand.
+    pub fn remarks(&self) -> &[Remark] {
+        self.judge.remarks()
+    }
+
+    /// Everything that stands on the bench.
+    pub fn drives(&self) -> impl Iterator<Item = &Drive> {
+        self.drives.iter()
+    }
+
+    /// The first drive with this address.
+    pub fn drive(&self, address: u8) -> Option<&Drive> {
+        self.drives.iter().find(|drive| drive.address() == address)
+    }
+
+    /// The first drive with this address.
+    pub fn drive_mut(&mut self, address: u8) -> Option<&mut Drive> {
+        self.drives.iter_mut().find(|drive| drive.address() == address)
+    }
+
+    /// Closing counts.
+    pub fn totals(&self) -> Totals {
+        Totals {
+            answered: self.drives.iter().map(|drive| drive.answered).sum(),
+            exceptions: self.drives.iter().map(|drive| drive.exceptions).sum(),
+            eeprom_writes: self.drives.iter().map(Drive::eeprom_writes).sum(),
+            remarks: self.judge.count(),
+            ..self.totals
+        }
+    }
+
+    fn run_to(&mut self, to: Tick) {
+        let mut at_once = 0;
+        while let Some(next) = self.next_inside().filter(|&next| next <= to) {
+            at_once = if next > self.now { 0 } else { at_once + 1 };
+            if at_once > MOST_AT_ONCE {
+                break;
+            }
+            self.now = self.now.max(next);
+            self.step();
+        }
+        self.now = self.now.max(to);
+        self.step();
+    }
+
+    /// Like [`Bench::next_event`], without what only waits to be fetched.
+    fn next_inside(&self) -> Option<Tick> {
+        let drives = self.drives.iter().filter_map(Drive::next_event);
+        drives.chain(self.delayed.iter().map(|delayed| delayed.at)).chain(self.wire.next()).min()
+    }
+
+    /// Everything that is due now: first what was on the wire, then what the drives do about it.
+    fn step(&mut self) {
+        let now = self.now;
+        while let Some(slot) = self.wire.take(now) {
+            self.deliver(&slot);
+        }
+        if let Some(telegram) = self.judge.settle(now) {
+            self.classify(&telegram);
+        }
+        while let Some(place) = self.delayed.iter().position(|delayed| delayed.at <= now) {
+            let delayed = self.delayed.remove(place);
+            self.put(delayed);
+        }
+        for index in 0..self.drives.len() {
+            while let Some(reply) = self.drives.get_mut(index).and_then(|drive| drive.run(now)) {
+                self.send(index, &reply);
+            }
+        }
+    }
+
+    fn deliver(&mut self, slot: &Slot) {
+        if let Sender::Drive(index) = slot.sender {
+            // The master may have changed its setting meanwhile; then it reads something else.
+            let readable = self.master.is_none_or(|master| fits(master, slot.line));
+            self.heard.push_back((slot.end, if readable { slot.byte } else { !slot.byte }));
+            let framing = self.drives.get(index).and_then(Drive::framing);
+            let rest = if framing == Some(Framing::Ascii) { Span::ZERO } else { slot.line.t35() };
+            self.judge.heard(slot.end, rest);
+        }
+        for (index, drive) in self.drives.iter_mut().enumerate() {
+            if slot.sender != Sender::Drive(index) {
+                drive.hear(slot);
+            }
+        }
+    }
+
+    fn send(&mut self, drive: usize, reply: &Outgoing) {
+        let now = self.now;
+        for (at, frame) in self.disturber.pass(now, reply) {
+            let delayed = Delayed { at, drive, line: reply.line, frame };
+            if at <= now { self.put(delayed) } else { self.delayed.push(delayed) }
+        }
+    }
+
+    fn put(&mut self, telegram: Delayed) {
+        let (end, _) = self.wire.put(Sender::Drive(telegram.drive), telegram.line, self.now, &telegram.frame);
+        let station = self.drives.get(telegram.drive).map_or(BROADCAST, Drive::address);
+        self.judge.answers(station, end);
+    }
+
+    /// Says what will become of a telegram of the master that is over.
+    fn classify(&mut self, telegram: &Telegram) {
+        self.totals.received += 1;
+        let adu = match telegram.decode() {
+            Ok(adu) => adu,
+            Err(error) => {
+                self.totals.ignored.malformed += 1;
+                let text = wrong_format(telegram).unwrap_or_else(|| error.to_string());
+                return self.judge.remark(telegram.start, Sin::Malformed, text);
+            }
+        };
+        if let Some(text) = wrong_format(telegram) {
+            self.judge.remark(telegram.start, Sin::Malformed, text);
+        }
+        if telegram.torn {
+            self.totals.ignored.malformed += 1;
+            return;
+        }
+        if adu.station == BROADCAST {
+            if Request::decode(&adu.pdu).is_ok_and(|request| request.is_write()) {
+                self.totals.broadcasts += 1;
+            } else {
+                self.totals.ignored.broadcast_reads += 1;
+                let text = "a broadcast can only write, nobody answers it".to_owned();
+                self.judge.remark(telegram.start, Sin::BroadcastRead, text);
+            }
+            return;
+        }
+        if adu.station > LAST_STATION {
+            let text = format!("address {} is none: stations have 1 to {LAST_STATION}", adu.station);
+            self.judge.remark(telegram.start, Sin::Malformed, text);
+        }
+        let taken = self.who_takes(telegram, adu.station);
+        self.judge.asked(telegram.end, adu.station, taken);
+    }
+
+    /// Whether a drive answers; if none does, the best reason is counted.
+    fn who_takes(&mut self, telegram: &Telegram, station: u8) -> bool {
+        let ignored = &mut self.totals.ignored;
+        let mut reason = &mut ignored.no_station;
+        for drive in self.drives.iter().filter(|drive| drive.address() == station) {
+            if !drive.awake() {
+                reason = &mut ignored.away;
+            } else if drive.framing() != Some(telegram.framing) {
+                reason = &mut ignored.wrong_protocol;
+            } else if !fits(drive.line(), telegram.line) {
+                reason = &mut ignored.wrong_line;
+            } else {
+                return true;
+            }
+        }
+        *reason += 1;
+        false
+    }
+}

@@ -1,0 +1,81 @@
+//! Everything that makes a station before it is switched on, and the script of its life.
+
+use super::active::Contacts;
+use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::modbus::Framing;
+use crate::tick::{Span, Tick};
+use std::collections::BTreeMap;
+
+/// P.10 and what it means (CM-485 manual 5.2.1).
+pub(super) const BAUD_RATES: [(i64, u32); 6] =
+    [(1, 2_400), (2, 4_800), (3, 9_600), (4, 19_200), (5, 57_600), (6, 115_200)];
+/// P.1375 and what it means (CM-485 manual 5.2.1).
+pub(super) const PARITIES: [(i64, Parity); 3] = [(0, Parity::Even), (1, Parity::Odd), (2, Parity::None)];
+
+/// What stands on the bench.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Model {
+    Act,
+    Acu,
+    Foreign,
+}
+
+impl Model {
+    pub(super) const NAMES: [(&'static str, Model); 3] =
+        [("act", Model::Act), ("acu", Model::Acu), ("foreign", Model::Foreign)];
+
+    pub(super) fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|row| row.1 == self).map_or("", |row| row.0)
+    }
+}
+
+/// Everything that makes a station.
+#[derive(Clone, Debug)]
+pub(super) struct Setup {
+    pub(super) model: Model,
+    pub(super) address: u8,
+    /// Framing, or `None` for the maker's own protocol: silent on Modbus.
+    pub(super) framing: Option<Framing>,
+    pub(super) line: LineSetting,
+    pub(super) delay: Span,
+    pub(super) jitter: Span,
+    pub(super) strict_silence: bool,
+    pub(super) contacts: Contacts,
+    pub(super) modules: Vec<String>,
+    /// Number, data set (0 for all), raw value.
+    pub(super) values: Vec<(u32, u8, i64)>,
+    pub(super) registers: BTreeMap<u16, u16>,
+    pub(super) script: Vec<Event>,
+    pub(super) seed: u64,
+}
+
+/// Something that the script lets happen.
+#[derive(Clone, Debug)]
+pub(super) struct Event {
+    pub(super) at: Tick,
+    pub(super) action: Action,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Action {
+    Fault(u16),
+    Warning(u16),
+    PowerCycle,
+    Silent(Span),
+    Mains(bool),
+    Enable(bool),
+    StartRight(bool),
+    StartLeft(bool),
+}
+
+/// The parameters that hold the settings of the line.
+pub(super) fn settings(framing: Option<Framing>, line: LineSetting, address: u8) -> Vec<(u32, u8, i64)> {
+    let protocol = match framing {
+        None => 0,
+        Some(Framing::Rtu) => 2,
+        Some(Framing::Ascii) => 3,
+    };
+    let baud = BAUD_RATES.iter().find(|row| row.1 == line.baud).map_or(4, |row| row.0);
+    let parity = PARITIES.iter().find(|row| row.1 == line.parity).map_or(0, |row| row.0);
+    vec![(10, 0, baud), (1375, 0, parity), (395, 0, protocol), (1376, 0, address.into())]
+}

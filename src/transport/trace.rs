@@ -1,0 +1,99 @@
+//! A recording of a line as text: one chunk of bytes a line, with direction and time.
+//!
+//! ```text
+//! # antrieb trace 1, 19200 8E1, rtu
+//! 2006 > 01 03 21 74 00 01 CE 2C
+//! 20590 < 01 03 02 05 6E 3A F8
+//! ```
+//!
+//! The number is microseconds since the port was opened; `>` is what we sent, `<` what came.
+
+use crate::tick::Tick;
+use std::fmt;
+use std::io::{self, Write};
+
+/// Writes a recording.
+pub struct Trace {
+    sink: Box<dyn Write>,
+    broken: Option<io::Error>,
+}
+
+impl fmt::Debug for Trace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Trace").field("broken", &self.broken).finish_non_exhaustive()
+    }
+}
+
+impl Trace {
+    /// A recording that goes to `sink`; `about` says what line it is of.
+    pub fn new(mut sink: Box<dyn Write>, about: &str) -> io::Result<Self> {
+        writeln!(sink, "# antrieb trace 1, {about}")?;
+        Ok(Trace { sink, broken: None })
+    }
+
+    pub(super) fn sent(&mut self, at: Tick, bytes: &[u8]) {
+        self.line(at, '>', bytes);
+    }
+
+    pub(super) fn received(&mut self, at: Tick, bytes: &[u8]) {
+        self.line(at, '<', bytes);
+    }
+
+    /// A disk that is full must not stop a drive from being stopped: the first error ends the recording only.
+    fn line(&mut self, at: Tick, direction: char, bytes: &[u8]) {
+        if self.broken.is_some() {
+            return;
+        }
+        let digits: String = bytes.iter().map(|byte| format!(" {byte:02X}")).collect();
+        let written = writeln!(self.sink, "{} {direction}{digits}", at.as_micros()).and_then(|()| self.sink.flush());
+        self.broken = written.err();
+    }
+}
+
+/// A line of a recording.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TraceLine {
+    /// Microseconds since the port was opened.
+    pub at_us: u64,
+    /// We sent it; otherwise it came.
+    pub sent: bool,
+    /// The bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// Reads a recording; the error names the line.
+pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, String> {
+    let mut lines = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let bad = || format!("line {}: expected MICROSECONDS > or < HEX BYTES, got '{line}'", number + 1);
+        let mut words = line.split_whitespace();
+        let at_us = words.next().and_then(|word| word.parse().ok()).ok_or_else(bad)?;
+        let sent = match words.next() {
+            Some(">") => true,
+            Some("<") => false,
+            _ => return Err(bad()),
+        };
+        let byte = |word: &str| (word.len() == 2).then(|| u8::from_str_radix(word, 16).ok()).flatten();
+        let bytes = words.map(byte).collect::<Option<Vec<u8>>>().ok_or_else(bad)?;
+        lines.push(TraceLine { at_us, sent, bytes });
+    }
+    Ok(lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn recordings_read_back() {
+        let text = "# antrieb trace 1, 19200 8E1\n2006 > 01 03\n\n20590 < 01 83 02\n";
+        let lines = read_trace(text).unwrap();
+        assert_eq!(lines[1], TraceLine { at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
+        assert!(read_trace("x > 01").unwrap_err().starts_with("line 1:"));
+        assert!(read_trace("5 > 1").unwrap_err().contains("5 > 1"));
+    }
+}
