@@ -5,7 +5,6 @@ use antrieb::render::Streams;
 use std::io::{self, BufReader, IsTerminal};
 use std::process::ExitCode;
 
-#[expect(clippy::disallowed_methods, reason = "the environment is read once, here")]
 fn main() -> ExitCode {
     let environment = Environment {
         variables: std::env::vars_os()

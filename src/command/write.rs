@@ -3,7 +3,7 @@
 use super::read::select_failure;
 use super::{Context, Reader, addresses_to_write, connect, is_over, offline_family, summary, target};
 use crate::args::Settings;
-use crate::drive::{RegisterAddress, Session, Target, WriteFate, describe, request_telegram};
+use crate::drive::{Order, RegisterAddress, Session, Target, WriteFate, describe, request_telegram};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Denied, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, Warning, Write, WriteResult, Written};
@@ -307,7 +307,10 @@ pub(super) async fn carry_out(
         let fate = match job.target.width(session, &step.param, step.set).await {
             Ok(kind) => {
                 row.telegram = telegram(settings, address, step, kind);
-                job.target.write(session, &step.param, step.set, step.raw, kind, reads_back(&step.param), permit).await
+                {
+                    let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
+                    job.target.write(session, &step.param, order, permit).await
+                }
             }
             Err(error) => Err(error),
         };

@@ -41,7 +41,7 @@ pub async fn serve(
             drive.address(),
             drive.model(),
             drive.line(),
-            drive.framing().map_or("silent on Modbus", crate::protocol::modbus::Framing::name),
+            drive.framing().map_or("silent on Modbus", |framing| framing.name()),
         );
         observe(Event::Note(format!("{model} at address {address}, {line}, {framing}")));
     }

@@ -183,7 +183,7 @@ pub fn register(family: &Family, code: u32, lang: Lang) -> Register {
 pub fn param_doc(family: &Family, param: &Param, lang: Lang) -> ParamDoc {
     let decimal = |raw: Option<i64>| raw.map(|raw| Decimal { raw, decimals: param.decimals_or_zero() });
     let index = usize::from(lang == Lang::De);
-    let named = family.word(param, u32::MAX, &|_| None);
+    let named = family.word(param, u32::MAX, |_| None);
     ParamDoc {
         param: param.id,
         slug: param.slug.clone(),

@@ -44,7 +44,7 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
     let limits = session.limits();
     session.set_limits(Limits { retries: 0, ..limits });
     let strays = session.tally().strays;
-    let (mut times, mut silent, mut garbled, mut asked) = (Vec::new(), 0, 0, 0);
+    let (mut times, mut silent, mut garbled, mut asked) = (Vec::new(), 0u64, 0u64, 0u64);
     let mut cut = None;
     for done in 0..count {
         session.tell(Event::Progress { done, total: count, what: format!("link test, address {}", target.address) });
@@ -74,7 +74,7 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
         silent,
         garbled,
         strays: session.tally().strays - strays,
-        error_rate_percent: if asked == 0 { 0.0 } else { (failed * 10_000 / asked) as f64 / 100.0 },
+        error_rate_percent: (failed * 10_000u64).checked_div(asked).unwrap_or(0) as f64 / 100.0,
         fastest_us: times.first().copied(),
         median_us: rank(50),
         p95_us: rank(95),

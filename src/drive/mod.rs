@@ -20,6 +20,6 @@ pub use pump::Interrupt;
 pub use route::{RegisterAddress, request_telegram};
 pub use scan::{ScanPlan, scan};
 pub use session::{AccessError, Opening, Refusal, Session, open_port};
-pub use transfer::{Reading, Target, WriteFate};
+pub use transfer::{Order, Reading, Target, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;

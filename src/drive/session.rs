@@ -161,11 +161,6 @@ impl<'a> Session<'a> {
         self.master.tally()
     }
 
-    /// Telegrams of other stations since the last question; only kept while nothing is told verbosely.
-    pub(super) fn take_records(&mut self) -> Vec<Record> {
-        self.master.take_records()
-    }
-
     /// Time limits.
     pub fn limits(&self) -> Limits {
         self.master.limits()

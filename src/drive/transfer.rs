@@ -40,6 +40,19 @@ pub struct Reading {
     pub corrected: bool,
 }
 
+/// A value to write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Order {
+    /// Data set on the wire, 0-9.
+    pub set: u8,
+    /// The value without its decimal point.
+    pub raw: i64,
+    /// Its type.
+    pub kind: Type,
+    /// Read it back; not where the line or the drive is gone at once.
+    pub read_back: bool,
+}
+
 /// What became of a write.
 #[derive(Debug)]
 pub enum WriteFate {
@@ -170,19 +183,17 @@ impl Target {
         self.widths.insert(param, kind);
     }
 
-    /// Writes a parameter in one data set, given as on the wire (0-9), and proves it.
+    /// Writes a parameter in one data set and proves it.
     ///
     /// A missing echo is settled by reading back, never by guessing. The permit says that somebody agreed.
     pub async fn write(
         &mut self,
         session: &mut Session<'_>,
         param: &Param,
-        set: u8,
-        raw: i64,
-        kind: Type,
-        read_back: bool,
+        order: Order,
         _permit: &Permit,
     ) -> Result<WriteFate, AccessError> {
+        let Order { set, raw, kind, read_back } = order;
         let refused = || AccessError::Refused(Refusal { exception: Exception::IllegalDataValue, cause: None });
         let at = RegisterAddress::new(param.id, set).ok_or_else(refused)?;
         let bits = value::to_wire(raw, kind).map_err(|_| refused())?;

@@ -208,7 +208,8 @@ impl Master {
             Phase::Turnaround { until } if now < *until => Step::Wait(*until),
             Phase::Turnaround { .. } => self.finish(Ok(Answer::Broadcast)),
             Phase::Reply { deadline, buffer, last, .. } => {
-                let until = if buffer.is_empty() { *deadline } else { *last + STRAGGLE };
+                let pause = if self.framing == Framing::Ascii { ascii::MAX_PAUSE } else { STRAGGLE };
+                let until = if buffer.is_empty() { *deadline } else { *last + pause };
                 if now < until { Step::Wait(until) } else { self.give_up(now) }
             }
             Phase::Done(outcome) => {
@@ -362,4 +363,234 @@ fn ascii_frame(rest: &[u8]) -> Option<crate::protocol::modbus::Adu> {
     }
     let end = masked.windows(2).position(|pair| pair == ascii::END)? + ascii::END.len();
     ascii::decode(masked.get(..end)?).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+    use crate::protocol::modbus::pdu::Exception;
+
+    /// A line on which bytes come at set times after the end of each request.
+    struct Line {
+        master: Master,
+        now: Tick,
+        /// Still to come.
+        coming: Vec<(Tick, Vec<u8>)>,
+        sent: Vec<Vec<u8>>,
+    }
+
+    impl Line {
+        fn new(framing: Framing) -> Self {
+            let line = LineSetting::rtu(19_200, Parity::Even);
+            let master = Master::new(framing, line, Limits::default());
+            Line { master, now: Tick::ZERO, coming: Vec::new(), sent: Vec::new() }
+        }
+
+        /// Asks; `replies` holds what comes after each telegram that we send, with milliseconds from its end.
+        fn ask(&mut self, station: u8, request: Request, replies: &[&[(u64, Vec<u8>)]]) -> Outcome {
+            self.master.ask(station, request, self.now);
+            let mut replies = replies.iter();
+            loop {
+                match self.master.step(self.now) {
+                    Step::Done(outcome) => return outcome,
+                    Step::Send(bytes) => {
+                        let end = self.now + self.master.line.chars(bytes.len() as u64);
+                        let chunks = replies.next().copied().unwrap_or_default();
+                        self.coming.extend(chunks.iter().map(|(ms, b)| (end + Span::from_millis(*ms), b.clone())));
+                        self.coming.sort_by_key(|chunk| chunk.0);
+                        self.sent.push(bytes);
+                    }
+                    Step::Wait(until) => match self.coming.first() {
+                        Some((at, _)) if *at <= until => {
+                            let (at, bytes) = self.coming.remove(0);
+                            self.now = at.max(self.now);
+                            self.master.feed(self.now, &bytes);
+                        }
+                        _ => self.now = until,
+                    },
+                }
+            }
+        }
+
+        fn verdicts(&mut self) -> Vec<Verdict> {
+            self.master.take_records().into_iter().map(|record| record.verdict).collect()
+        }
+    }
+
+    const READ: Request = Request::ReadRegisters { start: 0x2174, count: 1 };
+    const OTHER: Request = Request::ReadRegisters { start: 0x0101, count: 1 };
+
+    fn frame(station: u8, reply: &Reply) -> Vec<u8> {
+        rtu::encode(station, &reply.encode())
+    }
+
+    fn value(value: u16) -> Vec<u8> {
+        frame(1, &Reply::Registers(vec![value]))
+    }
+
+    fn fence_reply(sub: u16) -> Vec<u8> {
+        frame(1, &Reply::Diagnostics { sub, data: 0 })
+    }
+
+    fn taken(outcome: Outcome) -> Reply {
+        match outcome {
+            Ok(Answer::Reply { reply, .. }) => reply,
+            other => panic!("no reply: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_reply_is_taken_the_moment_it_is_complete() {
+        let mut line = Line::new(Framing::Rtu);
+        let outcome = line.ask(1, READ, &[&[(10, value(1390))]]);
+        assert!(matches!(outcome, Ok(Answer::Reply { after, .. }) if after == Span::from_millis(10)), "{outcome:?}");
+        assert_eq!(line.sent, [[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C]]);
+    }
+
+    #[test]
+    fn a_reply_in_pieces_is_put_together() {
+        let bytes = value(1390);
+        for split in 1..bytes.len() {
+            let mut line = Line::new(Framing::Rtu);
+            let (head, tail) = bytes.split_at(split);
+            let pieces = [(10, head.to_vec()), (26, tail.to_vec())];
+            assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
+        }
+    }
+
+    #[test]
+    fn silence_is_given_up_after_the_time_of_the_manual_and_repeated() {
+        let mut line = Line::new(Framing::Rtu);
+        let outcome = line.ask(1, READ, &[]);
+        assert_eq!(outcome, Err(ExchangeError::Silence { timeout: Span::from_millis(500), asked: 3 }));
+        assert_eq!(line.sent.len(), 3);
+        assert!(line.now >= Tick::from_micros(3 * 500_000));
+    }
+
+    #[test]
+    fn a_late_reply_is_never_credited_to_the_next_question() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        // The reply to READ comes 700 ms after it was asked, in the middle of the next question.
+        assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+        let outcome = line.ask(1, OTHER, &[&[(210, fence_reply(0x12))], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        let verdicts = line.verdicts();
+        assert!(verdicts.contains(&Verdict::Fence), "{verdicts:?}");
+        assert!(verdicts.contains(&Verdict::Stray { station: 1 }), "{verdicts:?}");
+        // Behind the fence there is no doubt any more.
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, value(1390))]])), Reply::Registers(vec![1390]));
+        assert_eq!(line.master.tally().fences, 1);
+    }
+
+    #[test]
+    fn a_fence_is_never_one_of_the_missing_questions() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let counter = Request::Diagnostics { sub: 0x12, data: 0 };
+        assert!(line.ask(1, counter, &[]).is_err());
+        let late = frame(1, &Reply::Diagnostics { sub: 0x12, data: 99 });
+        let outcome = line.ask(1, OTHER, &[&[(10, late), (60, fence_reply(0x11))], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn another_station_is_asked_without_a_fence() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        assert!(line.ask(1, READ, &[]).is_err());
+        let own = frame(2, &Reply::Registers(vec![5]));
+        let outcome = line.ask(2, OTHER, &[&[(5, value(1390)), (30, own)]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![5]));
+        assert_eq!(line.master.tally().fences, 0);
+    }
+
+    #[test]
+    fn garbage_noise_and_foreign_telegrams_are_named() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let mut broken = value(1390);
+        broken[4] ^= 0x10;
+        let outcome = line.ask(1, READ, &[&[(10, broken)]]);
+        assert!(matches!(outcome, Err(ExchangeError::Garbled { asked: 1, .. })), "{outcome:?}");
+        let mut noisy = vec![0x00, 0xFF];
+        noisy.extend(value(1390));
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, noisy)]])), Reply::Registers(vec![1390]));
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let foreign = frame(9, &Reply::Registers(vec![1]));
+        assert_eq!(line.ask(1, READ, &[&[(10, foreign)]]), Err(ExchangeError::Stray { station: 9 }));
+    }
+
+    #[test]
+    fn truncated_replies_are_never_believed() {
+        let whole = value(1390);
+        for length in 1..whole.len() {
+            let mut line = Line::new(Framing::Rtu);
+            line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+            assert!(line.ask(1, READ, &[&[(10, whole[..length].to_vec())]]).is_err(), "{length}");
+        }
+    }
+
+    #[test]
+    fn single_flipped_bits_are_never_believed() {
+        let whole = value(1390);
+        for bit in 0..whole.len() * 8 {
+            let mut line = Line::new(Framing::Rtu);
+            line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+            let mut flipped = whole.clone();
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            assert!(line.ask(1, READ, &[&[(10, flipped)]]).is_err(), "{bit}");
+        }
+    }
+
+    #[test]
+    fn an_exception_is_an_answer() {
+        let mut line = Line::new(Framing::Rtu);
+        let refused = Reply::Exception { function: 3, code: Exception::DeviceFailure };
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, frame(1, &refused))]])), refused);
+        assert_eq!(line.master.tally().exceptions, 1);
+    }
+
+    #[test]
+    fn a_write_is_answered_by_its_own_echo_only() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let write = Request::WriteRegister { address: 0x4178, value: 15 };
+        let other = Reply::RegisterWritten { address: 0x4178, value: 16 };
+        let echo = Reply::RegisterWritten { address: 0x4178, value: 15 };
+        let outcome = line.ask(1, write, &[&[(10, frame(1, &other)), (40, frame(1, &echo))]]);
+        assert_eq!(taken(outcome), echo);
+    }
+
+    #[test]
+    fn broadcasts_write_and_wait_for_nobody() {
+        let mut line = Line::new(Framing::Rtu);
+        assert_eq!(line.ask(0, READ, &[]), Err(ExchangeError::BroadcastRead));
+        let write = Request::WriteRegister { address: 0x019A, value: 0 };
+        assert_eq!(line.ask(0, write, &[]), Ok(Answer::Broadcast));
+        assert!(line.now > Tick::from_micros(100_000));
+    }
+
+    #[test]
+    fn the_next_telegram_waits_for_the_pause_of_the_manual() {
+        let mut line = Line::new(Framing::Rtu);
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        let replied = line.now;
+        line.master.ask(1, OTHER, line.now);
+        let Step::Wait(until) = line.master.step(line.now) else { panic!("sends at once") };
+        assert_eq!(until.since(replied), line.master.line.t35());
+        assert!(until.since(replied) >= Span::from_millis(2));
+    }
+
+    #[test]
+    fn ascii_replies_may_dawdle() {
+        let mut line = Line::new(Framing::Ascii);
+        let reply = b":010302056E87\r\n";
+        let (head, tail) = reply.split_at(5);
+        let pieces = [(10, head.to_vec()), (40, tail.to_vec())];
+        assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
+        assert_eq!(line.sent, [b":010321740001 66\r\n".iter().copied().filter(|&b| b != b' ').collect::<Vec<_>>()]);
+    }
 }

@@ -452,7 +452,7 @@ impl Page {
             }
         }
         if let Some(bits) = &decode.word {
-            text += &format!("{}", clean(&bits.hex));
+            text += &clean(&bits.hex);
             text += &bits.state.as_ref().map_or_else(String::new, |state| format!(" {}", state.name));
             text += "\n";
             text += &self.bits(bits);

@@ -162,7 +162,7 @@ impl Bench {
     pub fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
         self.run_to(to);
         self.heard.make_contiguous().sort_by_key(|heard| heard.0);
-        let due = self.heard.partition_point(|heard| heard.0 <= self.now);
+        let due = self.heard.partition_point(|heard| heard.0 <= to);
         self.heard.drain(..due).collect()
     }
 

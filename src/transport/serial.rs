@@ -56,6 +56,7 @@ const THREAD_SLEEPS_FROM: Span = Span::from_millis(3);
 const SPIN_FROM: Duration = Duration::from_micros(150);
 
 impl SerialLink {
+    #[expect(clippy::disallowed_methods, reason = "the serial link is the room that owns the real clock")]
     pub(super) fn open(name: &str, line: LineSetting) -> Result<Self, LinkError> {
         let builder = tokio_serial::new(name, line.baud)
             .data_bits(if line.data_bits == 7 { DataBits::Seven } else { DataBits::Eight })

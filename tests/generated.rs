@@ -1,0 +1,90 @@
+//! Completions and man pages are committed; this keeps them true. `UPDATE=1 cargo test --test generated` writes them.
+
+use antrieb::args::Environment;
+use antrieb::render::Streams;
+use std::cell::RefCell;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+const VERBS: &[&str] = &[
+    "scan", "identify", "read", "write", "dataset", "diag", "statemachine", "sollwert", "params", "decode", "simulate",
+    "schema",
+];
+const SHELLS: &[(&str, &str)] =
+    &[("bash", "antrieb.bash"), ("zsh", "_antrieb"), ("fish", "antrieb.fish"), ("powershell", "antrieb.ps1")];
+
+#[test]
+fn completions_are_up_to_date() {
+    for (shell, file) in SHELLS {
+        check(&["completions", shell], &root().join("completions").join(file));
+    }
+}
+
+#[test]
+fn man_pages_are_up_to_date() {
+    check(&["man"], &root().join("man/antrieb.1"));
+    for verb in VERBS {
+        check(&["man", verb], &root().join(format!("man/antrieb-{verb}.1")));
+    }
+}
+
+#[test]
+fn every_verb_of_the_help_has_a_man_page() {
+    let help = printed(&["--help"]);
+    let verbs = help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1).take_while(|line| !line.is_empty());
+    let verbs: Vec<&str> = verbs.filter(|line| line.starts_with("  ") && !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect();
+    assert_eq!(verbs, VERBS);
+}
+
+#[test]
+fn the_man_page_lists_every_exit_code() {
+    let page = printed(&["man"]);
+    for (_, code, meaning) in antrieb::failure::Class::TABLE {
+        let start = meaning.split([':', ',']).next().unwrap();
+        assert!(page.contains(&format!("{code}  {start}")), "{code} {meaning}");
+    }
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn check(arguments: &[&str], file: &Path) {
+    let text = printed(arguments);
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, text).unwrap();
+        return;
+    }
+    let committed = std::fs::read_to_string(file).unwrap_or_default();
+    assert!(committed == text, "{} is out of date; run UPDATE=1 cargo test --test generated", file.display());
+}
+
+/// What the program prints, in process.
+fn printed(arguments: &[&str]) -> String {
+    let out = Rc::new(RefCell::new(Vec::new()));
+    let streams = Streams {
+        out: Box::new(Shared(out.clone())),
+        err: Box::new(io::sink()),
+        input: Box::new(io::empty()),
+        out_is_terminal: false,
+        err_is_terminal: false,
+        input_is_terminal: false,
+        width: None,
+    };
+    let arguments: Vec<_> = std::iter::once("antrieb").chain(arguments.iter().copied()).map(Into::into).collect();
+    assert_eq!(antrieb::run(&arguments, &Environment::default(), streams), 0, "{arguments:?}");
+    String::from_utf8(out.take()).unwrap()
+}
+
+struct Shared(Rc<RefCell<Vec<u8>>>);
+
+impl Write for Shared {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().write(bytes)
+    }
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
