@@ -19,6 +19,7 @@ use crate::gate::Ask;
 use crate::outcome::{Event, Outcome, Value, Warning};
 use crate::profile::{DataSets, Family, Param, Registry};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// What every verb works with.
 pub struct Context<'a> {
@@ -112,7 +113,7 @@ async fn target(
 }
 
 /// The family that `--drive` names.
-fn named_family(registry: &Registry, name: &str) -> Result<Family, Failure> {
+fn named_family(registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> {
     registry.family(name).ok_or_else(|| {
         let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
         let message = format!("unknown drive '{name}' (expected: auto, {})", known.join(", "));
@@ -121,7 +122,7 @@ fn named_family(registry: &Registry, name: &str) -> Result<Family, Failure> {
 }
 
 /// The family for work without a line: the one that was named, or the one with the larger catalogue.
-fn offline_family(settings: &Settings, registry: &Registry) -> Result<Family, Failure> {
+fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>, Failure> {
     named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
 }
 

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 /// programming tool. A drive stays silent when baud rate, parity or width do not fit its own, as a real one does.
 /// Ends on Ctrl-C with counts.
 #[derive(Clone, Debug, ClapArgs)]
+#[command(after_long_help = bench::FILE_HELP)]
 pub struct Args {
     /// Bench file that sets up the drives [default: an ACT at 1 and an ACU at 2]
     #[arg(value_name = "BENCH.toml")]

@@ -11,17 +11,20 @@ use std::path::Path;
 
 pub use crate::transport::serve::Place;
 
+/// The format of a bench file, by example.
+pub const FILE_HELP: &str = concat!("A bench file, by example:\n\n", include_str!("../simulator/bench.toml"));
+
 /// The bench that a file describes, or the standard one: an ACT at 1, an ACU at 2.
 pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
     let Some(file) = file else { return Ok(Bench::standard(registry)) };
     let path = file.display().to_string();
     let text = std::fs::read_to_string(file).map_err(|error| {
         Failure::new(Class::Data, "data.bench", format!("bench file {path}: {error}"))
-            .hint("the format is described in `antrieb help simulate`")
+            .hint("the format is described in `antrieb simulate --help`")
     })?;
     Bench::from_toml(&path, &text, registry).map_err(|error| {
         Failure::new(Class::Data, "data.bench", error.to_string())
-            .hint("the format is described in `antrieb help simulate`")
+            .hint("the format is described in `antrieb simulate --help`")
     })
 }
 

@@ -6,6 +6,7 @@ use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Type, value};
 use crate::protocol::modbus::pdu::{Exception, Reply};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
 const SETS_DIFFER: u16 = 9;
@@ -20,7 +21,7 @@ pub struct Target {
     /// Address of the drive; 0 is everybody.
     pub address: u8,
     /// What it is.
-    pub family: Family,
+    pub family: Rc<Family>,
     /// Widths that were found out by asking, for this run.
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
@@ -70,7 +71,7 @@ pub enum WriteFate {
 
 impl Target {
     /// A drive of a known family.
-    pub fn new(address: u8, family: Family) -> Self {
+    pub fn new(address: u8, family: Rc<Family>) -> Self {
         Target { address, family, widths: BTreeMap::new(), kept_register: None }
     }
 

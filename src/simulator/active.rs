@@ -3,6 +3,9 @@
 //! Order of the checks of an access, where the manual names none: parameter (11), data set (2), width (10, 14),
 //! direction (3, 4), running (8), value (1). Only a refusal with exception 4 leaves its cause in P.11
 //! (CM-485 manual 6.6).
+//!
+//! All frequencies have two decimals, also those of which no source says it (217, 241): so do all that are printed
+//! (CM-485 manual 10.2.3). Percentages likewise.
 
 use super::machine::{Control, Inputs, Machine, State};
 use super::shaft::Ramps;
@@ -411,7 +414,7 @@ impl Active {
         let inputs = self.inputs();
         let reference = self.reference();
         // P.549 in percent of P.419 - P.418 (facts B).
-        let band = (self.value(419) - self.value(418)).abs() * self.value(549) / 10_000;
+        let band = (self.value(419) - self.value(418)).abs().saturating_mul(self.value(549)) / 10_000;
         let reached = (reference - self.machine.shaft.speed()).abs() <= band;
         let remote_contacts = self.value(412) == 2 && self.contacts.enable;
         self.machine.status(&inputs, reached, reference != inputs.goal)

@@ -169,7 +169,7 @@ pub(super) fn standard(registry: &Registry) -> Bench {
             modules: modules.iter().map(|&module| module.to_owned()).collect(),
             ..plain(model, address, LineSetting::rtu(19_200, Parity::Even))
         };
-        Drive::new(setup, registry.family(model.name()).as_ref())
+        Drive::new(setup, registry.family(model.name()).as_deref())
     };
     let drives = vec![drive(Model::Act, 1, &[]), drive(Model::Acu, 2, &["EM-RES-03"])];
     Bench::new(drives, Disturber::new(Vec::new(), false, 0))
@@ -255,7 +255,8 @@ impl Reader<'_> {
         let model = self.word("model", &row.model, &Model::NAMES)?;
         let address = row.address.as_ref().map_or(Ok(1), |got| self.station(got))?;
         let protocols = [("rtu", Some(Framing::Rtu)), ("ascii", Some(Framing::Ascii)), ("vabus", None)];
-        let framing = row.protocol.as_ref().map_or(Ok(protocols[0].1), |got| self.word("protocol", got, &protocols))?;
+        let framing =
+            row.protocol.as_ref().map_or(Ok(Some(Framing::Rtu)), |got| self.word("protocol", got, &protocols))?;
         let family = self.registry.family(model.name());
         if family.is_none() && model != Model::Foreign {
             return Err(self.error(row.model.span(), format!("no catalogue describes model '{}'", model.name())));
@@ -277,10 +278,10 @@ impl Reader<'_> {
         setup.seed = seed.wrapping_mul(256).wrapping_add(address.into());
         setup.modules = row.modules.iter().map(|module| module.get_ref().clone()).collect();
         for module in &row.modules {
-            self.check_module(module, family.as_ref())?;
+            self.check_module(module, family.as_deref())?;
         }
         for (key, value) in &row.set {
-            setup.values.push(self.value(key, value, family.as_ref(), &setup.modules)?);
+            setup.values.push(self.value(key, value, family.as_deref(), &setup.modules)?);
         }
         for (key, value) in &row.registers {
             let fits = |number: i64| u16::try_from(number).ok();
@@ -292,7 +293,7 @@ impl Reader<'_> {
         for event in &row.event {
             self.event(event, &mut setup.script)?;
         }
-        Ok(Drive::new(setup, family.as_ref()))
+        Ok(Drive::new(setup, family.as_deref()))
     }
 
     fn line(&self, row: &DriveTable, framing: Option<Framing>) -> Result<LineSetting, BenchError> {

@@ -107,6 +107,12 @@ impl Bench {
         file::standard(registry)
     }
 
+    /// The standard bench with the built-in catalogue, for the tests of rooms that know no catalogue.
+    #[cfg(test)]
+    pub(crate) fn built_in() -> Bench {
+        Bench::standard(&Registry::open(&[]).unwrap())
+    }
+
     /// The bench of a file. `path` is only for the messages; see [`file`] for the format.
     pub fn from_toml(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
         file::read(path, text, registry)
