@@ -85,6 +85,13 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     if !name.is_empty() {
         return match printed {
             Ok(None) => 0,
+            Ok(Some(failure)) if cli.globals.json => {
+                let code = failure.class.exit();
+                match render::print(&failure.into(), name, Format::Json, Lang::En, None, out.as_mut(), &console) {
+                    Ok(()) => code,
+                    Err(error) => closed(&error, &console),
+                }
+            }
             Ok(Some(failure)) => {
                 render::print_failure(&failure, &console);
                 failure.class.exit()
@@ -132,10 +139,13 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
             .windows(2)
             .any(|pair| pair.first().is_some_and(|w| w == "--format") && pair.last().is_some_and(|w| w == "json"));
     if wants_json {
-        let message = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+        let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+        let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
+        let message = told.join(" ").trim_start_matches("error: ").to_owned();
         let failure = Failure::new(Class::Usage, "usage.arguments", message).hint("antrieb --help");
-        let outcome = Outcome::from(failure);
-        let _closed = render::print(&outcome, "", Format::Json, Lang::En, None, out, &console);
+        let root = Cli::command();
+        let verb = words.iter().skip(1).find_map(|word| root.find_subcommand(word.as_ref())).map_or("", |verb| verb.get_name());
+        let _closed = render::print(&Outcome::from(failure), verb, Format::Json, Lang::En, None, out, &console);
     } else {
         text.lines().for_each(|line| console.line(line));
     }
@@ -229,7 +239,9 @@ async fn raise_on_signal(interrupt: Interrupt) {
 }
 
 fn print_schema(verb: Option<&str>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
-    let Some(schema) = render::schema(verb) else {
+    let root = Cli::command();
+    let name = verb.map(|verb| root.find_subcommand(verb).map_or(verb, |found| found.get_name()));
+    let Some(schema) = render::schema(name) else {
         let message = format!("'{}' has no JSON output", verb.unwrap_or_default());
         return Ok(Some(Failure::new(Class::Usage, "usage.schema", message)));
     };

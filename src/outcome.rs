@@ -459,7 +459,9 @@ pub struct Diagnosis {
     pub healthy: bool,
     /// Status word with its state.
     pub status: Option<Word>,
-    /// Active fault; null if there is none.
+    /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
+    pub fault_code: Option<i64>,
+    /// Active fault; null if there is none, or if it could not be read.
     pub fault: Option<Fault>,
     /// Warning word.
     pub warnings: Option<Word>,
@@ -569,7 +571,9 @@ pub struct StateReport {
     pub control: Option<Word>,
     /// How the drive is controlled (P.412).
     pub control_mode: Option<Value>,
-    /// Active fault; null if there is none.
+    /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
+    pub fault_code: Option<i64>,
+    /// Active fault; null if there is none, or if it could not be read.
     pub fault: Option<Fault>,
     /// Why it could not be read.
     pub error: Option<ErrorDoc>,

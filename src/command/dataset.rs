@@ -86,7 +86,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return Err(Failure::new(Class::Usage, "usage.data_set", "expected two different data sets"));
     }
     let mut session = connect(settings, registry, interrupt, *observe)?;
-    let mut work = Work { target: target(&mut session, settings, registry, address).await?, settings };
+    let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
     let session = &mut session;
     match &args.action {
         Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,

@@ -1,6 +1,6 @@
 //! `diag`: what ails the drive, or the line to it?
 
-use super::{Context, Reader, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, target};
 use crate::args::Settings;
 use crate::drive::{AccessError, Session, clear_counters, counters, describe, link_test};
 use crate::failure::{Class, Failure};
@@ -65,6 +65,7 @@ fn blank(address: u8) -> Diagnosis {
         healthy: false,
         status: None,
         fault: None,
+        fault_code: None,
         warnings: None,
         error_register: None,
         counters: Vec::new(),
@@ -81,21 +82,22 @@ async fn diagnose(
     address: u8,
     args: &Args,
     permit: Option<&Permit>,
-) -> Result<(Diagnosis, Vec<Failure>), Failure> {
+) -> Result<Row<Diagnosis>, Failure> {
     let lang = settings.lang;
-    let mut target = target(session, settings, registry, address).await?;
+    let mut target = target(session, settings, registry, address, true).await?;
     let mut reader = Reader::new(session, &mut target, settings);
     // First of all: any refused question would overwrite it.
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
-    let status = reader.role("status-word").await?.and_then(|value| value.word);
-    let fault = reader.role("fault").await?.and_then(|value| value.raw);
-    let warnings = reader.role("warnings").await?.and_then(|value| value.word);
-    let mut failures = std::mem::take(&mut reader.failures);
+    let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
+    let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
+    let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
+    let (mut failures, good) = reader.into_failures();
     let family = &target.family;
     let mut report = Diagnosis {
         drive: family.drive.clone(),
         healthy: fault == Some(0) && warnings.as_ref().is_some_and(|word| word.raw == 0),
         status,
+        fault_code: fault,
         fault: fault.and_then(|code| describe::fault(family, code as u32, lang)),
         warnings,
         error_register: register.map(|code| describe::register(family, code as u32, lang)),
@@ -113,5 +115,5 @@ async fn diagnose(
     if let Some(permit) = permit {
         report.counters_cleared = clear_counters(session, &target, permit).await.map_err(failed)?;
     }
-    Ok((report, failures))
+    Ok((report, failures, good))
 }

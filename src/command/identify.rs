@@ -1,6 +1,6 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
-use super::{Context, Reader, each_drive, finish};
+use super::{Context, Reader, Row, each_drive, finish};
 use crate::args::Settings;
 use crate::drive::{AccessError, Session, Target, recognise};
 use crate::failure::Failure;
@@ -54,7 +54,7 @@ async fn identify(
     settings: &Settings,
     registry: &Registry,
     address: u8,
-) -> Result<(Identity, Vec<Failure>), Failure> {
+) -> Result<Row<Identity>, Failure> {
     let lang = settings.lang;
     let (target, evidence) = match &settings.drive {
         Some(name) => {
@@ -67,7 +67,7 @@ async fn identify(
         }
         None => {
             let finding =
-                recognise(session, address, lang).await.map_err(|error| error.failure(address, None, lang))?;
+                recognise(session, address, lang, false).await.map_err(|error| error.failure(address, None, lang))?;
             (finding.target(address, registry), finding.evidence)
         }
     };
@@ -85,7 +85,7 @@ async fn identify(
             values: Vec::new(),
             error: None,
         };
-        return Ok((identity, Vec::new()));
+        return Ok((identity, Vec::new(), 1));
     };
     let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
     let title = title.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
@@ -96,8 +96,8 @@ async fn identify(
     }
     let modules = modules(&mut reader, lang).await?;
     let drive = reader.target.family.drive.clone();
-    let failures = std::mem::take(&mut reader.failures);
-    Ok((Identity { address, drive, title, evidence, modules, values, error: None }, failures))
+    let (failures, good) = reader.into_failures();
+    Ok((Identity { address, drive, title, evidence, modules, values, error: None }, failures, good))
 }
 
 /// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.

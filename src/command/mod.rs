@@ -90,17 +90,19 @@ fn addresses_to_write(settings: &Settings) -> Result<Vec<u8>, Failure> {
     }
 }
 
-/// The drive at an address: of the family that was named, or asked.
+/// The drive at an address: of the family that was named, or asked. `shows_register`: the verb is going to read the error
+/// register, so asking must not lose it.
 async fn target(
     session: &mut Session<'_>,
     settings: &Settings,
     registry: &Registry,
     address: u8,
+    shows_register: bool,
 ) -> Result<Target, Failure> {
     if let Some(name) = &settings.drive {
         return Ok(Target::new(address, named_family(registry, name)?));
     }
-    let finding = recognise(session, address, settings.lang)
+    let finding = recognise(session, address, settings.lang, shows_register)
         .await
         .map_err(|error| error.failure(address, None, settings.lang))?;
     finding.target(address, registry).ok_or_else(|| {
@@ -134,8 +136,13 @@ struct Reader<'t, 's, 'o> {
     modes: BTreeMap<u32, i64>,
     /// Not every drive has everything: what it does not know is a row with an error, but no failure of the verb.
     lenient: bool,
+    /// Values that were read.
+    good: usize,
+    /// Refusals that are no failures, unless nothing else came.
+    forgiven: Vec<Failure>,
     failures: Vec<Failure>,
     warnings: Vec<Warning>,
+    asked_widths: Vec<u32>,
 }
 
 impl<'t, 's, 'o> Reader<'t, 's, 'o> {
@@ -146,15 +153,33 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
             settings,
             modes: BTreeMap::new(),
             lenient: false,
+            good: 0,
+            forgiven: Vec::new(),
             failures: Vec::new(),
             warnings: Vec::new(),
+            asked_widths: Vec::new(),
         }
+    }
+
+    /// What failed. Refusals of single parameters are forgiven, but not if the drive refused everything.
+    fn into_failures(mut self) -> (Vec<Failure>, usize) {
+        if self.good == 0 && self.failures.is_empty() {
+            self.failures.extend(self.forgiven.into_iter().next());
+        }
+        (self.failures, self.good)
     }
 
     /// The parameter that plays a role, read in its own data set; `None` if the family has none.
     async fn role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
         self.lenient = true;
+        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
+    }
+
+    /// Like [`Reader::role`], but a refusal is a failure: the verb is about this value.
+    async fn vital_role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
+        self.lenient = false;
         Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
     }
 
@@ -172,6 +197,13 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
         let (address, lang) = (self.target.address, self.settings.lang);
         match result {
             Ok(reading) => {
+                self.good += 1;
+                if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
+                    self.asked_widths.push(param.id);
+                    let bits = reading.kind.bits().unwrap_or(0);
+                    let found = format!("parameter {}: {bits} bits wide, found out by asking", param.id);
+                    self.session.tell(Event::Note(found));
+                }
                 if reading.corrected {
                     self.warnings.push(Warning {
                         code: "catalogue.width".to_owned(),
@@ -192,8 +224,9 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
                     return Err(failure);
                 }
                 let row = describe::unread(address, &self.target.family, param, set, lang, &failure);
-                let not_there = failure.class == Class::Refused && self.lenient;
-                if !not_there {
+                if failure.class == Class::Refused && self.lenient {
+                    self.forgiven.push(failure);
+                } else {
                     self.failures.push(failure);
                 }
                 Ok(row)
@@ -241,13 +274,16 @@ fn finish(data: crate::outcome::Data, failures: Vec<Failure>, succeeded: usize, 
     Outcome { data: Some(data), warnings, failure: summary(failures, succeeded) }
 }
 
-/// Rows of a verb that goes over several drives, what failed, and how many drives were done.
+/// A row of a verb that goes over several drives, what failed on the way to it, and how many values were read.
+type Row<R> = (R, Vec<Failure>, usize);
+
+/// Rows of a verb that goes over several drives, what failed, and how many values were read.
 type Rows<R> = (Vec<R>, Vec<Failure>, usize);
 
 /// Runs a verb's work on every drive and collects what fails. Ends early only if the session is over.
 async fn each_drive<R>(
     context: &mut Context<'_>,
-    mut work: impl AsyncFnMut(&mut Session<'_>, &Settings, &Registry, u8) -> Result<(R, Vec<Failure>), Failure>,
+    mut work: impl AsyncFnMut(&mut Session<'_>, &Settings, &Registry, u8) -> Result<Row<R>, Failure>,
     failed: impl Fn(u8, &Failure) -> R,
 ) -> Result<Rows<R>, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
@@ -256,10 +292,10 @@ async fn each_drive<R>(
     let (mut rows, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
     for address in addresses {
         match work(&mut session, settings, registry, address).await {
-            Ok((row, row_failures)) => {
+            Ok((row, row_failures, good)) => {
                 rows.push(row);
                 failures.extend(row_failures);
-                succeeded += 1;
+                succeeded += good;
             }
             Err(failure) => {
                 let over = is_over(&failure);

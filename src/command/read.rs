@@ -37,10 +37,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     // Names are checked before the port is opened; the drive may be of another family, but knows the same ones.
     let family = offline_family(settings, registry)?;
     select(&selectors, &family, args)?;
+    let shows_register = shows_register(&selectors, &family, args)?;
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
     for address in addresses {
-        let mut target = match target(&mut session, settings, registry, address).await {
+        let mut target = match target(&mut session, settings, registry, address, shows_register).await {
             Ok(target) => target,
             Err(failure) => {
                 let over = is_over(&failure);
@@ -82,8 +83,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 }
             }
         }
-        failures.append(&mut reader.failures);
         warnings.append(&mut reader.warnings);
+        failures.extend(reader.into_failures().0);
     }
     succeeded += values.iter().filter(|value| value.error.is_none()).count();
     Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings))
@@ -132,6 +133,12 @@ fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Se
         }
     }
     Ok(selections)
+}
+
+/// Whether the error register is among what is read.
+fn shows_register(selectors: &[Selector], family: &Family, args: &Args) -> Result<bool, Failure> {
+    let register = family.role("error-register").map(|param| param.id);
+    Ok(select(selectors, family, args)?.iter().any(|selection| Some(selection.param.id) == register))
 }
 
 /// The rows of a drive that does not answer at all.

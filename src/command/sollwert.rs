@@ -1,6 +1,6 @@
 //! `sollwert`: setpoints and actual values side by side.
 
-use super::{Context, Reader, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, target};
 use crate::args::Settings;
 use crate::drive::Session;
 use crate::failure::Failure;
@@ -44,8 +44,8 @@ async fn show(
     settings: &Settings,
     registry: &Registry,
     address: u8,
-) -> Result<(SetpointReport, Vec<Failure>), Failure> {
-    let mut target = target(session, settings, registry, address).await?;
+) -> Result<Row<SetpointReport>, Failure> {
+    let mut target = target(session, settings, registry, address, false).await?;
     let mut reader = Reader::new(session, &mut target, settings);
     let report = SetpointReport {
         address,
@@ -55,7 +55,8 @@ async fn show(
         sources: roles(&mut reader, &SOURCES).await?,
         error: None,
     };
-    Ok((report, reader.failures))
+    let (failures, good) = reader.into_failures();
+    Ok((report, failures, good))
 }
 
 async fn roles(reader: &mut Reader<'_, '_, '_>, roles: &[&str]) -> Result<Vec<Value>, Failure> {

@@ -1,6 +1,6 @@
 //! `statemachine`: in which state is the drive, and how is it controlled?
 
-use super::{Context, Reader, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, target};
 use crate::args::Settings;
 use crate::drive::{Session, describe};
 use crate::failure::Failure;
@@ -39,6 +39,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
             control: None,
             control_mode: None,
             fault: None,
+            fault_code: None,
             error: Some(ErrorDoc::from(failure)),
         },
     )
@@ -51,13 +52,13 @@ async fn show(
     settings: &Settings,
     registry: &Registry,
     address: u8,
-) -> Result<(StateReport, Vec<Failure>), Failure> {
-    let mut target = target(session, settings, registry, address).await?;
+) -> Result<Row<StateReport>, Failure> {
+    let mut target = target(session, settings, registry, address, false).await?;
     let mut reader = Reader::new(session, &mut target, settings);
-    let status = reader.role("status-word").await?.and_then(|value| value.word);
+    let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let control_mode = reader.role("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
-    let fault = reader.role("fault").await?.and_then(|value| value.raw);
+    let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
     let family = &reader.target.family;
     let report = StateReport {
         address,
@@ -67,7 +68,9 @@ async fn show(
         control,
         control_mode,
         fault: fault.and_then(|code| describe::fault(family, code as u32, settings.lang)),
+        fault_code: fault,
         error: None,
     };
-    Ok((report, reader.failures))
+    let (failures, good) = reader.into_failures();
+    Ok((report, failures, good))
 }

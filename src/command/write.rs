@@ -61,7 +61,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     for address in addresses {
         let mut target = match address {
             0 => Target::new(0, family.clone()),
-            _ => target(&mut session, settings, registry, address).await?,
+            _ => target(&mut session, settings, registry, address, false).await?,
         };
         let steps = steps(args, &target.family)?;
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;

@@ -44,7 +44,15 @@ impl Finding {
 }
 
 /// Asks a device what it is. Ends with an error only if it does not answer at all.
-pub async fn recognise(session: &mut Session<'_>, address: u8, lang: Lang) -> Result<Finding, AccessError> {
+///
+/// The last question may be refused, which overwrites the error register; with `keep_register` the register is read
+/// (and so cleared) before it, for a verb that shows it.
+pub async fn recognise(
+    session: &mut Session<'_>,
+    address: u8,
+    lang: Lang,
+    keep_register: bool,
+) -> Result<Finding, AccessError> {
     let text = |en: &'static str, de: &'static str| if lang == Lang::De { de } else { en };
     let mut finding = Finding::default();
     let code_100 = text("code 100, P.210", "Code 100, P.210");
@@ -92,8 +100,9 @@ pub async fn recognise(session: &mut Session<'_>, address: u8, lang: Lang) -> Re
         Ok(other) => finding.note(asked, format!("{other:?}"), text("no status word", "kein Zustandswort")),
         Err(exception) => finding.note(asked, exception.to_string(), text("no status word", "kein Zustandswort")),
     }
-    // The next question may be refused, which overwrites the error register: keep what stands there.
-    finding.kept_register = session.error_register(address).await?;
+    if keep_register {
+        finding.kept_register = session.error_register(address).await?;
+    }
     let asked = text("code 100, P.484", "Code 100, P.484");
     let Some(at) = RegisterAddress::new(SETPOINT_RAM, 0) else { return Ok(finding) };
     match session.demand(address, route::read(at, Type::Long)).await {

@@ -80,7 +80,7 @@ async fn look(
         }
         Err(error) => return Err(error),
     }
-    let finding = recognise(session, address, lang).await?;
+    let finding = recognise(session, address, lang, false).await?;
     let title = |en: &str, de: &str| if lang == Lang::De { de.to_owned() } else { en.to_owned() };
     let mut found = FoundDrive {
         address,

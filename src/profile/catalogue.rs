@@ -3,7 +3,7 @@
 //! A catalogue is refused as a whole, with file, line and column, if it has unknown keys, duplicate ids, control
 //! characters, dangling references or limits that do not fit its decimals.
 
-use super::family::{BitRow, CounterRow, ErrorRow, Family, FaultGroup, FaultRow, StateRow};
+use super::family::{BitRow, CatalogueRow, CounterRow, EnumRow, ErrorRow, Family, FaultGroup, FaultRow, StateRow};
 use super::param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 use super::text::Text;
 use super::value::parse_decimal;
@@ -139,23 +139,23 @@ struct Body {
     #[serde(default)]
     params: Vec<Spanned<ParamRow>>,
     #[serde(default)]
-    states: Vec<StateRow>,
+    states: Vec<Spanned<StateRow>>,
     #[serde(default)]
-    fault_groups: Vec<FaultGroup>,
+    fault_groups: Vec<Spanned<FaultGroup>>,
     #[serde(default)]
     faults: Vec<Spanned<FaultRow>>,
     #[serde(default)]
-    errors: Vec<ErrorRow>,
+    errors: Vec<Spanned<ErrorRow>>,
     #[serde(default)]
-    counters: Vec<CounterRow>,
+    counters: Vec<Spanned<CounterRow>>,
     #[serde(default)]
     roles: BTreeMap<String, u32>,
     #[serde(default)]
     groups: BTreeMap<String, Vec<u32>>,
     #[serde(default)]
-    enums: BTreeMap<String, BTreeMap<String, Text>>,
+    enums: BTreeMap<String, BTreeMap<String, Spanned<EnumRow>>>,
     #[serde(default)]
-    bits: BTreeMap<String, BTreeMap<String, BitRow>>,
+    bits: BTreeMap<String, BTreeMap<String, Spanned<BitRow>>>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -273,17 +273,16 @@ impl Catalogue {
     fn pour(&self, family: &mut Family) -> Result<(), CatalogueError> {
         let origin = &self.path;
         for (name, table) in &self.body.enums {
-            let values = self.numbered(name, table)?;
-            family.enums.entry(name.clone()).or_default().extend(values);
+            let into = family.enums.entry(name.clone()).or_default();
+            for (value, row) in self.table(name, table, |value| into.contains_key(&value))? {
+                into.insert(value, Text { en: row.en, de: row.de });
+            }
         }
         for (name, table) in &self.body.bits {
-            for row in table.values() {
-                self.check_text(0, &row.en)?;
-                self.check_text(0, &row.de)?;
+            let into = family.bits.entry(name.clone()).or_default();
+            for (bit, row) in self.table(name, table, |bit| u8::try_from(bit).is_ok_and(|bit| into.contains_key(&bit)))? {
+                into.insert(bit as u8, row);
             }
-            let rows = self.numbered(name, table)?;
-            let rows = rows.into_iter().map(|(bit, row)| (bit as u8, row));
-            family.bits.entry(name.clone()).or_default().extend(rows);
         }
         let mut own = Vec::new();
         for row in &self.body.params {
@@ -314,17 +313,15 @@ impl Catalogue {
             family.params.insert(param.id, param);
         }
         for row in &self.body.faults {
-            let at = row.span().start;
-            let row = row.get_ref();
-            if row.last.is_some_and(|last| last < row.code) {
-                return Err(self.error(at, format!("fault {}: last is below code", row.key)));
+            if row.get_ref().last.is_some_and(|last| last < row.get_ref().code) {
+                return Err(self.error(row.span().start, format!("fault {}: last is below code", row.get_ref().key)));
             }
-            family.faults.push(row.clone());
         }
-        family.states.extend(self.body.states.iter().cloned());
-        family.fault_groups.extend(self.body.fault_groups.iter().cloned());
-        family.errors.extend(self.body.errors.iter().cloned());
-        family.counters.extend(self.body.counters.iter().cloned());
+        self.join(&self.body.faults, &mut family.faults)?;
+        self.join(&self.body.states, &mut family.states)?;
+        self.join(&self.body.fault_groups, &mut family.fault_groups)?;
+        self.join(&self.body.errors, &mut family.errors)?;
+        self.join(&self.body.counters, &mut family.counters)?;
         family.roles.extend(self.body.roles.iter().map(|(name, &id)| (name.clone(), id)));
         family.groups.extend(self.body.groups.iter().map(|(name, ids)| (name.clone(), ids.clone())));
         let mentioned = self.body.roles.values().chain(self.body.groups.values().flatten());
@@ -389,15 +386,47 @@ impl Catalogue {
         })
     }
 
-    /// The keys of a table as numbers.
-    fn numbered<T: Clone>(&self, name: &str, table: &BTreeMap<String, T>) -> Result<Vec<(i64, T)>, CatalogueError> {
-        let number = |key: &String| match key.strip_prefix("0x") {
-            Some(hex) => i64::from_str_radix(hex, 16).ok(),
-            None => key.parse().ok(),
-        };
-        let rows = table.iter().map(|(key, row)| number(key).map(|number| (number, row.clone())).ok_or(key));
-        rows.collect::<Result<_, _>>()
-            .map_err(|key| self.error(0, format!("table '{name}': key '{}' is no number", shorten(key))))
+    /// Adds rows to a list; the same row twice is an error unless the later one says that it replaces.
+    fn join<T: CatalogueRow>(&self, rows: &[Spanned<T>], into: &mut Vec<T>) -> Result<(), CatalogueError> {
+        for row in rows {
+            let (at, row) = (row.span().start, row.get_ref());
+            self.check_texts(at, row)?;
+            match into.iter_mut().find(|known| known.key() == row.key()) {
+                Some(known) if row.replaces() => *known = row.clone(),
+                Some(_) => return Err(self.error(at, twice(&row.key()))),
+                None => into.push(row.clone()),
+            }
+        }
+        Ok(())
+    }
+
+    /// The rows of a table with their keys as numbers.
+    fn table<T: CatalogueRow>(
+        &self,
+        name: &str,
+        table: &BTreeMap<String, Spanned<T>>,
+        is_known: impl Fn(i64) -> bool,
+    ) -> Result<Vec<(i64, T)>, CatalogueError> {
+        let mut rows = Vec::new();
+        for (key, row) in table {
+            let (at, row) = (row.span().start, row.get_ref());
+            self.check_texts(at, row)?;
+            let number = match key.strip_prefix("0x") {
+                Some(hex) => i64::from_str_radix(hex, 16).ok(),
+                None => key.parse().ok(),
+            };
+            let number = number
+                .ok_or_else(|| self.error(at, format!("table '{name}': key '{}' is no number", shorten(key))))?;
+            if is_known(number) && !row.replaces() {
+                return Err(self.error(at, twice(&format!("table '{name}', {number}"))));
+            }
+            rows.push((number, row.clone()));
+        }
+        Ok(rows)
+    }
+
+    fn check_texts<T: CatalogueRow>(&self, at: usize, row: &T) -> Result<(), CatalogueError> {
+        row.texts().into_iter().try_for_each(|text| self.check_text(at, text))
     }
 
     fn check_text(&self, at: usize, text: &str) -> Result<(), CatalogueError> {
@@ -409,6 +438,10 @@ impl Catalogue {
             None => Ok(()),
         }
     }
+}
+
+fn twice(what: &str) -> String {
+    format!("{what} is there already; add replace = true to this row if it shall take its place")
 }
 
 /// A message that may quote the file, without its control characters and not longer than a few lines.
@@ -468,6 +501,21 @@ mod tests {
             "{HEAD}params = [\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }},\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }}]"
         );
         assert!(refused(&twice).starts_with("mine.toml:5:1: parameter 1501 stands twice"));
+    }
+
+    #[test]
+    fn rows_of_other_tables_must_replace_openly_too() {
+        let fault = |rest: &str| {
+            format!(
+                "{HEAD}faults = [\n  {{ code = 0x0500, key = \"F0500\", en = \"x\", de = \"x\", cause = {{ en = \"x\", de = \"x\" }}, remedy = {{ en = \"x\", de = \"x\" }}{rest} }}]"
+            )
+        };
+        assert!(refused(&fault("")).starts_with("mine.toml:4:3: fault 0x0500 is there already"), "{}", refused(&fault("")));
+        assert_eq!(open(&fault(", replace = true")).unwrap().family("act").unwrap().fault(0x500).unwrap().en, "x");
+        let value = format!("{HEAD}[enums.modbus-parity]\n0 = {{ en = \"x\", de = \"x\" }}\n");
+        assert!(refused(&value).starts_with("mine.toml:4:5: table 'modbus-parity', 0 is there already"));
+        let bit = format!("{HEAD}[bits.mine]\n0 = {{ slug = \"x\", en = \"\\u001b\", de = \"x\" }}\n");
+        assert!(refused(&bit).starts_with("mine.toml:4:5: control character"));
     }
 
     #[test]

@@ -46,6 +46,9 @@ pub struct StateRow {
     pub en: String,
     /// German.
     pub de: String,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// Faults with the same high byte.
@@ -58,6 +61,9 @@ pub struct FaultGroup {
     pub en: String,
     /// German.
     pub de: String,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// A fault.
@@ -80,6 +86,9 @@ pub struct FaultRow {
     pub remedy: Text,
     /// Where the facts come from.
     pub source: Option<String>,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// A code of the error register (P.11).
@@ -96,6 +105,9 @@ pub struct ErrorRow {
     pub de: String,
     /// What to do.
     pub hint: Text,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// A diagnostic counter.
@@ -112,6 +124,9 @@ pub struct CounterRow {
     pub de: String,
     /// What it counts and what a high value means.
     pub help: Text,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// A bit of a word.
@@ -126,6 +141,9 @@ pub struct BitRow {
     pub de: String,
     /// What it means and what to do.
     pub help: Option<Text>,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
 }
 
 /// A bit of a decoded word.
@@ -287,6 +305,57 @@ impl Family {
     pub fn error(&self, code: u32) -> Option<&ErrorRow> {
         self.errors.iter().find(|row| row.code == code)
     }
+}
+
+/// A value of an enumeration in a catalogue.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EnumRow {
+    pub(super) en: String,
+    pub(super) de: String,
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A row of a catalogue that another catalogue may only replace openly.
+pub(super) trait CatalogueRow: Clone {
+    /// What makes two rows the same, as it is shown in errors; empty if the table's key does.
+    fn key(&self) -> String;
+    /// Takes the place of the same row of an earlier catalogue.
+    fn replaces(&self) -> bool;
+    /// Every text of the row.
+    fn texts(&self) -> Vec<&str>;
+}
+
+macro_rules! catalogue_rows {
+    ($($row:ident, |$this:ident| $key:expr, $texts:expr;)*) => {$(
+        impl CatalogueRow for $row {
+            fn key(&self) -> String {
+                let $this = self;
+                $key
+            }
+            fn replaces(&self) -> bool {
+                self.replace
+            }
+            fn texts(&self) -> Vec<&str> {
+                let $this = self;
+                let mut texts = vec![$this.en.as_str(), $this.de.as_str()];
+                texts.extend($texts);
+                texts
+            }
+        }
+    )*};
+}
+catalogue_rows! {
+    EnumRow, |_row| String::new(), None::<&str>;
+    StateRow, |row| format!("state {}", row.slug), [row.slug.as_str()];
+    FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
+    FaultRow, |row| format!("fault 0x{:04X}", row.code),
+        [&row.key, &row.cause.en, &row.cause.de, &row.remedy.en, &row.remedy.de].map(String::as_str);
+    ErrorRow, |row| format!("error {}", row.code), [&row.slug, &row.hint.en, &row.hint.de].map(String::as_str);
+    CounterRow, |row| format!("counter 0x{:02X}", row.sub), [&row.slug, &row.help.en, &row.help.de].map(String::as_str);
+    BitRow, |row| { let _ = row; String::new() },
+        row.help.iter().flat_map(|help| help.both()).chain([row.slug.as_str()]).collect::<Vec<_>>();
 }
 
 macro_rules! two_languages {

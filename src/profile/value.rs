@@ -166,15 +166,20 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     shifted(number, param.decimals_or_zero(), power)
 }
 
-/// The raw value whose text starts with `text`, if there is exactly one, or whose text it is.
+/// The raw value whose text it is; or the only one whose text starts with it or has it as a word.
 fn choice(text: &str, choices: &[(i64, [&str; 2])]) -> Option<i64> {
     let exact = choices.iter().find(|(_, names)| names.iter().any(|name| super::text::same(name, text)));
     if let Some((raw, _)) = exact {
         return Some(*raw);
     }
-    let mut starting = choices.iter().filter(|(_, names)| names.iter().any(|name| super::text::starts(name, text)));
-    let first = starting.next()?;
-    starting.next().is_none().then_some(first.0)
+    let only = |fits: &dyn Fn(&str) -> bool| {
+        let mut fitting = choices.iter().filter(|(_, names)| names.iter().any(|name| fits(name)));
+        let first = fitting.next()?;
+        fitting.next().is_none().then_some(first.0)
+    };
+    let query = super::text::fold(text);
+    let has_word = |name: &str| super::text::fold(name).split(' ').any(|word| word == query);
+    only(&|name| super::text::starts(name, text)).or_else(|| only(&has_word))
 }
 
 /// Holds a raw value against the printed range of the parameter.
@@ -279,6 +284,9 @@ mod tests {
         let parity = param("", 0);
         assert_eq!(parse("even", &parity, &choices), Ok(0));
         assert_eq!(parse("unger", &parity, &choices), Ok(1));
+        let protocols = [(2, ["Modbus RTU", "Modbus RTU"]), (3, ["Modbus ASCII", "Modbus ASCII"])];
+        assert_eq!(parse("rtu", &parity, &protocols), Ok(2));
+        assert!(parse("modbus", &parity, &protocols).is_err());
         assert_eq!(parse("19200 Bd", &parity, &choices), Ok(10));
         assert!(
             matches!(parse("mark", &parity, &choices), Err(ValueError::NotANumber { choices, .. }) if choices.len() == 3)

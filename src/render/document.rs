@@ -111,15 +111,24 @@ fn csv(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
     let Some(first) = rows.first() else { return Ok(()) };
     let columns: Vec<String> = first.fields.keys().cloned().collect();
     let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(&columns)?;
+    writer.write_record(&columns).map_err(io_error)?;
     for row in &rows {
         writer.write_record(columns.iter().map(|column| match row.fields.get(column) {
             None | Some(serde_json::Value::Null) => String::new(),
             Some(serde_json::Value::String(text)) => super::clean(text),
             Some(other) => other.to_string(),
-        }))?;
+        }))
+        .map_err(io_error)?;
     }
     writer.flush()
+}
+
+/// The I/O error inside, with its kind: a closed pipe must be known as one.
+fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 /// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.

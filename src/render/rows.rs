@@ -24,7 +24,7 @@ pub(super) fn rows(data: &Data) -> Vec<Row> {
             let mut rows = list("value", &dataset.rows.iter().flat_map(|row| &row.values).collect::<Vec<_>>());
             rows.extend(list("written", &dataset.written));
             if rows.is_empty() {
-                rows.extend(list("value", &dataset.selection.iter().collect::<Vec<_>>()));
+                rows.extend(list("dataset", &[dataset]));
             }
             rows
         }

@@ -255,9 +255,10 @@ impl Page {
             let state = status.state.as_ref().map_or_else(String::new, |state| state.name.clone());
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
-        match &report.fault {
-            Some(fault) => rows.extend(self.fault(fault)),
-            None => rows.push(("fault", self.word("none").to_owned())),
+        match (&report.fault, report.fault_code) {
+            (Some(fault), _) => rows.extend(self.fault(fault)),
+            (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
+            (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
         }
         if let Some(warnings) = &report.warnings {
             let set: Vec<_> = warnings.bits.iter().filter(|bit| bit.set).collect();
@@ -346,9 +347,10 @@ impl Page {
                 format!("P.{} = {} {}", mode.param, number(mode), mode.text.clone().unwrap_or_default()),
             ));
         }
-        match &report.fault {
-            Some(fault) => rows.extend(self.fault(fault)),
-            None => rows.push(("fault", self.word("none").to_owned())),
+        match (&report.fault, report.fault_code) {
+            (Some(fault), _) => rows.extend(self.fault(fault)),
+            (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
+            (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
         }
         text += &self.pairs(rows);
         for (name, bits) in [("status word", &report.status), ("control word", &report.control)] {

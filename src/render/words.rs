@@ -23,6 +23,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("cause", "Ursache"),
     ("control mode", "Steuerung"),
     ("control word", "Steuerwort"),
+    ("could not be read", "nicht lesbar"),
     ("count", "Anzahl"),
     ("counters cleared", "Zähler gelöscht"),
     ("data sets", "Datensätze"),

@@ -1,0 +1,32 @@
+//! Every verb in process: fine, silent, refused, partial; tables in two languages, JSON, NDJSON, CSV; on the built-in
+//! bench, in virtual time.
+//!
+//! A test says what a user types, and what must come of it: `antrieb("-p sim -a 1 read 372@2").json()`. JSON documents
+//! are held against `antrieb schema` wherever they occur. `INSTA_UPDATE=always` writes the snapshots anew.
+
+#[path = "verbs/catalogues.rs"]
+mod catalogues;
+#[path = "verbs/decoding.rs"]
+mod decoding;
+#[path = "verbs/exits.rs"]
+mod exits;
+#[path = "verbs/judge.rs"]
+mod judge;
+#[path = "verbs/line.rs"]
+mod line;
+#[path = "verbs/matrix.rs"]
+mod matrix;
+#[path = "verbs/output.rs"]
+mod output;
+#[path = "verbs/reading.rs"]
+mod reading;
+#[path = "verbs/regressions.rs"]
+mod regressions;
+#[path = "verbs/run.rs"]
+mod run;
+#[path = "verbs/settings.rs"]
+mod settings;
+#[path = "verbs/worked.rs"]
+mod worked;
+#[path = "verbs/writing.rs"]
+mod writing;

@@ -1,0 +1,276 @@
+//! `write` and the verbs that write: what is asked, what is sent, how it is proven, and what is never sent.
+
+use crate::run::{Document, antrieb};
+use serde_json::Value;
+
+fn results(document: &Document) -> Vec<String> {
+    let rows = document.value["data"].get("written").unwrap_or_else(|| document.data("/values"));
+    let row = |row: &Value| {
+        format!("{}@{} {} {}", row["param"], row["data_set"], row["store"].as_str().unwrap(), row["result"].as_str().unwrap())
+    };
+    rows.as_array().unwrap().iter().map(row).collect()
+}
+
+/// Function codes of writes among telegrams in hex.
+fn writes(telegrams: &[String]) -> Vec<&String> {
+    telegrams.iter().filter(|hex| ["06", "65"].contains(&&hex[3..5])).collect()
+}
+
+#[test]
+fn without_a_terminal_nothing_is_sent_unless_yes() {
+    let run = antrieb("-p sim -a 1 -v write 480@1=6").exits(8);
+    assert_eq!(writes(&run.sent()), [""; 0]);
+    assert!(run.err.contains("5.00 -> 6.00 Hz, eeprom"), "the question is shown: {}", run.err);
+    assert!(run.err.contains("--yes"), "{}", run.err);
+    let document = antrieb("-p sim -a 1 write 480@1=6").json().exits(8);
+    assert_eq!(document.error()["code"], "forbidden.no_terminal");
+    antrieb("-p sim -a 1 --yes write 480@1=6").exits(0);
+}
+
+#[test]
+fn a_no_is_a_no() {
+    for answer in ["n", "", "no", "maybe", "j", "yess"] {
+        let run = antrieb("-p sim -a 1 -v write 480@1=6").answered(answer).exits(8);
+        assert_eq!(writes(&run.sent()), [""; 0], "{answer}");
+        assert!(run.err.contains("go on? [y/N]"), "{}", run.err);
+        assert!(run.err.contains("not confirmed, nothing was sent"), "{}", run.err);
+    }
+    let document = antrieb("-p sim -a 1 write 480@1=6").answered("n").json().exits(8);
+    assert_eq!(document.error()["code"], "forbidden.not_confirmed");
+}
+
+#[test]
+fn a_yes_is_a_yes_in_the_language_of_the_question() {
+    for answer in ["y", "Y", "yes", " y "] {
+        let run = antrieb("-p sim -a 1 -v write 480@1=6").answered(answer).exits(0);
+        assert_eq!(writes(&run.sent()).len(), 1, "{answer}");
+    }
+    antrieb("-p sim -a 1 --lang de write 480@1=6").answered("j").exits(0);
+    antrieb("-p sim -a 1 --lang de write 480@1=6").answered("n").exits(8);
+}
+
+#[test]
+fn the_question_names_address_family_old_and_new_and_where_it_goes() {
+    let run = antrieb("-p sim -a 1 write 480@2=7,5 480@3ram=-12,5Hz").answered("y").exits(0);
+    for line in [
+        "write 2 values",
+        "  drive 1 (act): P.480@2 Fixed Frequency 1: 5.00 -> 7.50 Hz, eeprom",
+        "  drive 1 (act): P.480@3 Fixed Frequency 1: 5.00 -> -12.50 Hz, ram",
+    ] {
+        assert!(run.err.lines().any(|shown| shown == line), "{line}\n{}", run.err);
+    }
+    assert!(run.err.contains("MOTION") && run.err.contains("EEPROM"), "{}", run.err);
+}
+
+#[test]
+fn ram_is_the_tools_job() {
+    let run = antrieb("-p sim -a 1 --drive act --yes -v write 480@2ram=7.5").exits(0);
+    assert_eq!(writes(&run.sent()), ["01 65 71 E0 00 00 02 EE BE DA"]);
+    assert!(!run.err.contains("EEPROM"), "{}", run.err);
+    for (place, word) in [("ram", "51 E0"), ("@1", "11 E0"), ("@0", "01 E0")] {
+        let at = if place.starts_with('@') { place.to_owned() } else { format!("@{place}") };
+        let run = antrieb(&format!("-p sim -a 1 --drive act --yes -v write 480{at}=7.5")).exits(0);
+        assert_eq!(writes(&run.sent())[0][6..11], *word, "{at}");
+    }
+    let all = antrieb("-p sim -a 1 --yes write 480@all=7.5").json().exits(0);
+    let expected = [1, 2, 3, 4].map(|set| format!("480@{set} eeprom verified"));
+    assert_eq!(results(&all), expected);
+}
+
+#[test]
+fn what_changes_nothing_is_not_sent_and_not_asked() {
+    let run = antrieb("-p sim -a 1 -v write 480@1=5 376@4=1.5kW").exits(0);
+    assert_eq!(writes(&run.sent()), [""; 0]);
+    assert!(!run.err.contains("write "), "no question: {}", run.err);
+    let document = antrieb("-p sim -a 1 --yes write 480@1=5 480@2=6").json().exits(0);
+    assert_eq!(results(&document), ["480@1 eeprom unchanged", "480@2 eeprom verified"]);
+    let forced = antrieb("-p sim -a 1 --yes -v write 480@1=5 --force").exits(0);
+    assert_eq!(writes(&forced.sent()).len(), 1);
+}
+
+#[test]
+fn writes_are_read_back() {
+    let run = antrieb("-p sim -a 1 --drive act --yes -v write 480@2=7.5").exits(0);
+    let read = "01 64 21 E0 59 DF".to_owned();
+    let sent = run.sent();
+    assert_eq!((&sent[0], &sent[2]), (&read, &read), "old value before, proof behind: {}", run.err);
+    assert_eq!(sent.len(), 3);
+}
+
+#[test]
+fn what_cannot_be_read_is_written_on_its_echo() {
+    let document = antrieb("-p sim -a 2 --yes write 484=10Hz").json().exits(0);
+    assert_eq!(results(&document), ["484@0 ram written"]);
+    assert_eq!(document.data("/values/0/old"), &Value::Null);
+}
+
+#[test]
+fn a_lost_echo_is_settled_by_reading() {
+    // Old value, echo, proof: the echo is the second reply.
+    let lost = "[[drive]]\nmodel = \"act\"\n[[disturb]]\nonce = 2\nkind = \"lost\"\n";
+    let document = antrieb("-a 1 --drive act --yes write 480@2=7.5").on(lost).json().exits(0);
+    assert_eq!(results(&document), ["480@2 eeprom verified"]);
+    let run = antrieb("-a 1 --drive act --yes -v write 480@2=7.5").on(lost).exits(0);
+    assert_eq!(writes(&run.sent()).len(), 1, "the drive had it, so it is not sent again: {}", run.err);
+}
+
+#[test]
+fn what_cannot_be_settled_is_called_unknown() {
+    let dead = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"55ms\"\nsilent = \"1000s\"\n";
+    let document = antrieb("-a 1 --drive act --yes write 480@2=7.5 481@2=8").on(dead).json().exits(4);
+    assert_eq!(results(&document), ["480@2 eeprom unknown", "481@2 eeprom skipped"]);
+    assert!(document.error()["message"].as_str().unwrap().contains("unknown"), "{}", document.error());
+}
+
+#[test]
+fn the_first_refusal_skips_the_rest() {
+    let document = antrieb("-p sim -a 1 --yes write 480@1=6 376@2=0 481@1=7").json().exits(9);
+    assert_eq!(results(&document), ["480@1 eeprom verified", "376@2 eeprom refused", "481@1 eeprom skipped"]);
+    assert_eq!(document.error()["class"], "partial");
+    assert_eq!(document.data("/values/1/error/context/p11"), "1");
+}
+
+#[test]
+fn nothing_is_written_anywhere_if_one_of_the_drives_is_silent() {
+    let run = antrieb("-p sim -a 1,7 --yes -v write 480@1=6").exits(4);
+    assert_eq!(writes(&run.sent()), [""; 0]);
+}
+
+#[test]
+fn everybody_is_written_to_and_nobody_answers() {
+    let run = antrieb("-p sim -a 0 --yes -v write 480=7.5").exits(0);
+    assert_eq!(run.sent(), ["00 65 01 E0 00 00 02 EE 74 26"]);
+    assert_eq!(run.telegrams('<'), [""; 0]);
+    let document = antrieb("-p sim -a 0 --yes write 480=7.5").json().exits(0);
+    assert_eq!(document.data("/values/0/result"), "broadcast");
+    assert_eq!(document.data("/values/0/address"), 0);
+    let run = antrieb("-p sim -a 0 -v write 480=7.5").exits(8);
+    assert_eq!(run.sent(), [""; 0]);
+    for verb in ["read 372", "scan", "identify", "diag", "statemachine", "sollwert", "dataset active"] {
+        antrieb(&format!("-p sim -a 0 {verb}")).json().exits(2);
+    }
+    antrieb("-p sim -a 0 --yes dataset select 2").json().exits(2);
+}
+
+#[test]
+fn a_dry_run_opens_nothing_and_prints_the_telegrams() {
+    let port = "-p /dev/antrieb-has-no-such-port";
+    let run = antrieb(&format!("{port} -a 1 --dry-run write 480@2=7.5 376@4ram=1.5kW")).exits(0);
+    assert!(run.out.contains("01 65 21 E0 00 00 02 EE B2 8A"), "{}", run.out);
+    assert!(run.out.contains("01 06 91 78 00 0F"), "{}", run.out);
+    let document = antrieb(&format!("{port} -a 1,2 --dry-run write 480@2=7.5")).json().exits(0);
+    assert_eq!(document.data("/dry_run"), true);
+    assert_eq!(results(&document), ["480@2 eeprom planned", "480@2 eeprom planned"]);
+    assert_eq!(document.data("/values/1/telegram").as_str().unwrap()[..2], *"02");
+    let ascii = antrieb(&format!("{port} -a 1 --protocol ascii --dry-run write 480@2=7.5")).exits(0);
+    assert!(ascii.out.contains("3A 30 31 36 35 32 31 45 30"), "{}", ascii.out);
+    let run = antrieb(&format!("{port} -a 1 --dry-run write 212=1")).json().exits(7);
+    assert!(run.error()["hint"].as_str().unwrap().contains("--type"), "{}", run.error());
+}
+
+#[test]
+fn values_are_taken_as_technicians_type_them() {
+    for (value, raw) in [("7.5", 750), ("7,5", 750), ("7.50Hz", 750), ("'7,5 Hz'", 750), ("-120Hz", -12_000), ("0x0F", 15)] {
+        let document = antrieb(&format!("-p sim -a 1 --yes write 480@1={value}")).json().exits(0);
+        assert_eq!(document.data("/values/0/raw"), raw, "{value}");
+    }
+    for (line, raw) in [("1375=odd", 1), ("1375=Ungerade", 1), ("'10=57600 Bd'", 5), ("376@1=1600W", 16)] {
+        let document = antrieb(&format!("-p sim -a 1 --yes write {line}")).json().exits(0);
+        assert_eq!(document.data("/values/0/raw"), raw, "{line}");
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_before_anything_is_sent() {
+    for (line, code) in [
+        ("480@1=1000", "data.range"),
+        ("480@1=5A", "data.value"),
+        ("480@1=1.234", "data.value"),
+        ("480@1=fast", "data.value"),
+        ("372@1=70000", "data.width"),
+        ("1375=mark", "data.value"),
+        ("260=0", "data.read_only"),
+        ("nonsense=1", "data.unknown_parameter"),
+    ] {
+        // The port does not exist: nothing is opened.
+        let document = antrieb(&format!("-p /dev/antrieb-has-no-such-port -a 1 --yes write {line}")).json().exits(7);
+        assert_eq!(document.error()["code"], code, "{line}");
+    }
+    antrieb("-p sim -a 1 --yes write 480@1").json().exits(2);
+    antrieb("-p sim --yes write 480@1=5").json().exits(2);
+}
+
+#[test]
+fn force_lets_the_drive_judge() {
+    let document = antrieb("-p sim -a 1 --yes write 480@1=1000 --force").json().exits(6);
+    assert_eq!(document.error()["context"]["p11"], "1");
+    let document = antrieb("-p sim -a 1 --yes write 480@1=99999999 --force --type uint").json().exits(7);
+    assert_eq!(document.error()["code"], "data.width", "what no telegram can carry stays refused");
+}
+
+#[test]
+fn an_unknown_parameter_is_written_raw() {
+    let document = antrieb("-p sim -a 1 --yes write 212=1 --type uint").json().exits(6);
+    assert_eq!(document.error()["code"], "refused.unknown_parameter");
+    let document = antrieb("-p sim -a 1 --yes write 241=1 --force").json().exits(6);
+    assert_eq!(document.error()["code"], "refused.not_writable", "the width was found by reading");
+}
+
+#[test]
+fn the_way_back_is_printed_when_the_line_is_cut() {
+    let document = antrieb("-p sim -a 1 --yes write 1376=5").json().exits(0);
+    assert_eq!(document.warnings(), ["line.changed"]);
+    assert_eq!(results(&document), ["1376@0 eeprom written"]);
+    let run = antrieb("-p sim -a 1 --yes write 10=5").exits(0);
+    assert!(run.err.contains("LINE: this can cut the line"), "{}", run.err);
+    assert!(run.err.contains("after the next reset") && run.err.contains("write 4"), "{}", run.err);
+    assert!(run.out.contains("takes effect after a reset"), "{}", run.out);
+}
+
+#[test]
+fn a_reset_is_announced_and_not_read_back() {
+    let run = antrieb("-p sim -a 1 --yes -v write 34=123").exits(0);
+    assert!(run.err.contains("RESET"), "{}", run.err);
+    assert!(run.sent().last().unwrap().starts_with("01 06 00 22"), "{}", run.err);
+}
+
+#[test]
+fn data_sets_are_shown_compared_and_selected() {
+    let differing = "[[drive]]\nmodel = \"act\"\nset = { \"372@2\" = 1450, \"480@3\" = -12.5 }\n";
+    let document = antrieb("-a 1 dataset show 372 376").on(differing).json().exits(0);
+    assert_eq!(document.data("/active"), 1);
+    assert_eq!(document.data("/selection/param"), 414);
+    assert_eq!(document.data("/rows/0/equal"), false);
+    assert_eq!(document.data("/rows/0/values/1/value"), 1450);
+    assert_eq!(document.data("/rows/1/equal"), true);
+    let document = antrieb("-a 1 dataset diff 1 2").on(differing).json().exits(1);
+    assert_eq!(document.error()["code"], "no.differences");
+    assert_eq!(document.data("/rows").as_array().unwrap().len(), 1);
+    assert_eq!(document.data("/rows/0/param"), 372);
+    antrieb("-a 1 dataset diff 1 4").on(differing).json().exits(0);
+    for bad in ["diff 1 1", "diff 1 5", "diff 0 1", "copy 2 2", "select 5"] {
+        antrieb(&format!("-a 1 --yes dataset {bad}")).on(differing).json().exits(2);
+    }
+    let document = antrieb("-p sim -a 1 --yes dataset select 3").json().exits(0);
+    assert_eq!(results(&document), ["414@0 eeprom verified"]);
+    assert_eq!(document.data("/active"), 3);
+    let document = antrieb("-p sim -a 1 --yes dataset select 3 --ram").json().exits(0);
+    assert_eq!(results(&document), ["414@0 ram verified"]);
+    antrieb("-p sim -a 1 dataset select 3").json().exits(8);
+}
+
+#[test]
+fn data_sets_are_copied_as_far_as_they_differ() {
+    let differing = "[[drive]]\nmodel = \"act\"\nset = { \"372@2\" = 1450, \"480@2\" = -12.5 }\n";
+    let document = antrieb("-a 1 --yes dataset copy 2 3 372 376 480").on(differing).json().exits(0);
+    assert_eq!(results(&document), ["372@3 eeprom verified", "376@3 eeprom unchanged", "480@3 eeprom verified"]);
+    let document = antrieb("-a 1 --yes dataset copy 2 3 372 --ram").on(differing).json().exits(0);
+    assert_eq!(results(&document), ["372@3 ram verified"]);
+    let document = antrieb("-a 1 --yes dataset copy 2 3").on(differing).json().exits(0);
+    let changed: Vec<_> = results(&document).into_iter().filter(|row| !row.ends_with("unchanged")).collect();
+    assert_eq!(changed, ["372@3 eeprom verified", "480@3 eeprom verified"]);
+    let run = antrieb("-a 1 -v dataset copy 2 3 372").on(differing).answered("n").exits(8);
+    assert_eq!(writes(&run.sent()), [""; 0]);
+    let document = antrieb("-a 1 --dry-run dataset copy 2 3 372").on(differing).json().exits(0);
+    assert_eq!(results(&document), ["372@3 eeprom planned"]);
+}
