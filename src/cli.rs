@@ -144,7 +144,11 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
         let message = told.join(" ").trim_start_matches("error: ").to_owned();
         let failure = Failure::new(Class::Usage, "usage.arguments", message).hint("antrieb --help");
         let root = Cli::command();
-        let verb = words.iter().skip(1).find_map(|word| root.find_subcommand(word.as_ref())).map_or("", |verb| verb.get_name());
+        let verb = words
+            .iter()
+            .skip(1)
+            .find_map(|word| root.find_subcommand(word.as_ref()))
+            .map_or("", |verb| verb.get_name());
         let _closed = render::print(&Outcome::from(failure), verb, Format::Json, Lang::En, None, out, &console);
     } else {
         text.lines().for_each(|line| console.line(line));

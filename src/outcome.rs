@@ -71,6 +71,8 @@ pub enum Data {
     Decode(Decode),
     /// `simulate`
     Simulate(Simulate),
+    /// `--dry-run` of a verb that reads
+    Plan(Plan),
 }
 
 /// Something that happens while a verb works.
@@ -375,6 +377,8 @@ pub struct Written {
     pub result: WriteResult,
     /// The telegram that was, or would be, sent.
     pub telegram: Option<String>,
+    /// What the telegram says.
+    pub meaning: Option<String>,
     /// When it takes effect, if not at once.
     pub note: Option<String>,
     /// Why it was not written.
@@ -403,6 +407,15 @@ pub enum WriteResult {
     Broadcast,
     /// Not tried, because something before it failed.
     Skipped,
+}
+
+/// What a verb that reads would send, under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Plan {
+    /// True: nothing was opened, nothing was sent.
+    pub dry_run: bool,
+    /// The telegrams, as far as they do not depend on answers.
+    pub telegrams: Vec<TelegramDoc>,
 }
 
 /// Result of `dataset`.

@@ -8,7 +8,17 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 const VERBS: &[&str] = &[
-    "scan", "identify", "read", "write", "dataset", "diag", "statemachine", "sollwert", "params", "decode", "simulate",
+    "scan",
+    "identify",
+    "read",
+    "write",
+    "dataset",
+    "diag",
+    "statemachine",
+    "sollwert",
+    "params",
+    "decode",
+    "simulate",
     "schema",
 ];
 const SHELLS: &[(&str, &str)] =
@@ -32,8 +42,12 @@ fn man_pages_are_up_to_date() {
 #[test]
 fn every_verb_of_the_help_has_a_man_page() {
     let help = printed(&["--help"]);
-    let verbs = help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1).take_while(|line| !line.is_empty());
-    let verbs: Vec<&str> = verbs.filter(|line| line.starts_with("  ") && !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next()).collect();
+    let verbs =
+        help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1).take_while(|line| !line.is_empty());
+    let verbs: Vec<&str> = verbs
+        .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
     assert_eq!(verbs, VERBS);
 }
 

@@ -2,7 +2,10 @@
 
 use super::read::select_failure;
 use super::write::{Job, Step, carry_out, permit, prepare};
-use super::{Context, Reader, addresses_to_read, addresses_to_write, connect, summary, target};
+use super::{
+    Context, Reader, addresses_to_read, addresses_to_write, connect, offline_family, plan, read_question,
+    role_questions, summary, target,
+};
 use crate::args::Settings;
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
@@ -85,6 +88,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     {
         return Err(Failure::new(Class::Usage, "usage.data_set", "expected two different data sets"));
     }
+    if settings.dry_run {
+        return dry_run(&args.action, context, address);
+    }
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
     let session = &mut session;
@@ -92,12 +98,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,
         Action::Active => work.active(session).await,
         Action::Select { set, ram } => {
-            let param = work.target.family.role("set-selection").cloned();
-            let param =
-                param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no data set selection"))?;
-            let place = DataSets::One(0, if *ram { Store::Ram } else { Store::Eeprom });
-            let kind = param.kind;
-            let step = Step { param, set: place.wire().first().copied().unwrap_or(0), raw: (*set).into(), kind };
+            let step = work.selection(*set, *ram)?;
             work.write(session, vec![step], *ask).await
         }
         Action::Copy { from, to, params, ram } => {
@@ -108,12 +109,52 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
 }
 
+/// Shows what would be sent. Copying depends on what is read, so it cannot be shown.
+fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Outcome, Failure> {
+    let settings = context.settings;
+    let target = Target::new(address, offline_family(settings, context.registry)?);
+    let work = Work { target, settings };
+    let (params, sets): (_, &[u8]) = match action {
+        Action::Show { params } => (params, &[1, 2, 3, 4]),
+        Action::Diff { a, b, params } => (params, &[*a, *b]),
+        Action::Active => {
+            let questions = role_questions(context, &["active-set", "set-selection"])?;
+            return plan(context, &questions);
+        }
+        Action::Select { set, ram } => {
+            let step = work.selection(*set, *ram)?;
+            return super::write::plan_only(settings, &[address], &work.target.family, &[step]);
+        }
+        Action::Copy { .. } => {
+            let message = "what a copy writes depends on what it reads, and a dry run opens nothing";
+            return Err(Failure::new(Class::Usage, "usage.dry_run", message)
+                .hint("`dataset diff FROM TO` shows what a copy would change"));
+        }
+    };
+    let questions: Vec<_> = work
+        .params(params)?
+        .iter()
+        .flat_map(|param| sets.iter().filter_map(move |&set| read_question(param, set)))
+        .collect();
+    plan(context, &questions)
+}
+
 struct Work<'s> {
     target: Target,
     settings: &'s Settings,
 }
 
 impl Work<'_> {
+    /// The write that selects a data set.
+    fn selection(&self, set: u8, ram: bool) -> Result<Step, Failure> {
+        let param = self.target.family.role("set-selection").cloned();
+        let missing = || Failure::new(Class::Data, "data.role", "this drive has no data set selection");
+        let param = param.ok_or_else(missing)?;
+        let place = DataSets::One(0, if ram { Store::Ram } else { Store::Eeprom });
+        let kind = param.kind;
+        Ok(Step { param, set: place.wire().first().copied().unwrap_or(0), raw: set.into(), kind })
+    }
+
     /// The parameters that the user means, or every switchable one.
     fn params(&self, texts: &[String]) -> Result<Vec<Param>, Failure> {
         let family = &self.target.family;
@@ -125,7 +166,9 @@ impl Work<'_> {
         for text in texts {
             let selector: Selector = text.parse().map_err(|error| select_failure(&error))?;
             let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
-            params.extend(selections.into_iter().map(|selection| selection.param));
+            // Of a group only what may exist in four sets; what was named one by one is asked whatever we know.
+            let fitting = selections.into_iter().filter(|one| !one.of_group || one.param.sets == Some(Sets::Four));
+            params.extend(fitting.map(|selection| selection.param));
         }
         Ok(params)
     }
@@ -260,13 +303,11 @@ impl Work<'_> {
         let target = Target::new(self.target.address, self.target.family.clone());
         let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
         let mut failures = Vec::new();
-        if !self.settings.dry_run {
-            let jobs = [job];
-            let permit = permit(ask, &jobs)?;
-            [job] = jobs;
-            if let Some(permit) = permit {
-                carry_out(session, &mut job, self.settings, &permit, &mut failures).await;
-            }
+        let jobs = [job];
+        let permit = permit(ask, &jobs)?;
+        [job] = jobs;
+        if let Some(permit) = permit {
+            carry_out(session, &mut job, self.settings, &permit, &mut failures).await;
         }
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let mut report = self.report(session, Vec::new()).await?;

@@ -1,8 +1,8 @@
 //! `diag`: what ails the drive, or the line to it?
 
-use super::{Context, Reader, Row, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
 use crate::args::Settings;
-use crate::drive::{AccessError, Session, clear_counters, counters, describe, link_test};
+use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, link_test};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
 use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Outcome};
@@ -30,6 +30,10 @@ pub struct Args {
 
 /// Diagnoses every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        let questions = questions(args, context)?;
+        return plan(context, &questions);
+    }
     let permit = if args.clear { Some(ask_to_clear(context)?) } else { None };
     let (drives, failures, succeeded) = each_drive(
         context,
@@ -47,6 +51,15 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         outcome.failure = Some(Failure::new(Class::No, "no.fault_present", message));
     }
     Ok(outcome)
+}
+
+/// What is asked, in this order; the link test repeats one of them.
+fn questions(args: &Args, context: &Context<'_>) -> Result<Vec<Inquiry>, Failure> {
+    let mut questions = role_questions(context, &["error-register", "status-word", "fault", "warnings"])?;
+    let family = super::offline_family(context.settings, context.registry)?;
+    questions.extend(family.counters.iter().map(|row| Inquiry::Counter(row.sub)));
+    questions.extend(args.clear.then_some(Inquiry::ClearCounters));
+    Ok(questions)
 }
 
 fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit, Failure> {

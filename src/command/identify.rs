@@ -1,6 +1,6 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
-use super::{Context, Reader, Row, each_drive, finish};
+use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
 use crate::args::Settings;
 use crate::drive::{AccessError, Session, Target, recognise};
 use crate::failure::Failure;
@@ -30,6 +30,10 @@ const ROLES: [&str; 9] = [
 
 /// Identifies every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        let questions = role_questions(context, &ROLES)?;
+        return plan(context, &questions);
+    }
     let (drives, failures, succeeded) = each_drive(
         context,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {

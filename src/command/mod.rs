@@ -13,11 +13,13 @@ pub mod statemachine;
 pub mod write;
 
 use crate::args::{Addresses, Settings};
-use crate::drive::{AccessError, Interrupt, Opening, Reading, Session, Target, describe, open_port, recognise};
+use crate::drive::{
+    AccessError, Inquiry, Interrupt, Opening, Reading, RegisterAddress, Session, Target, describe, open_port, recognise,
+};
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Event, Outcome, Value, Warning};
-use crate::profile::{DataSets, Family, Param, Registry};
+use crate::outcome::{Data, Event, Outcome, Plan, Value, Warning};
+use crate::profile::{DataSets, Family, Param, Registry, Type};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -126,6 +128,40 @@ fn named_family(registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> 
 /// The family for work without a line: the one that was named, or the one with the larger catalogue.
 fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>, Failure> {
     named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
+}
+
+/// What a verb that reads would ask every drive that was named, without opening anything.
+fn plan(context: &mut Context<'_>, questions: &[Inquiry]) -> Result<Outcome, Failure> {
+    let addresses = addresses_to_read(context.settings, context.observe)?;
+    let family = offline_family(context.settings, context.registry)?;
+    let reader = telegram_reader(context.settings, &family);
+    let each = |address: u8| questions.iter().map(move |question| reader.question(address, *question));
+    let telegrams = addresses.into_iter().flat_map(each).collect();
+    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })))
+}
+
+/// The questions that read the parameters with these roles.
+fn role_questions(context: &Context<'_>, roles: &[&str]) -> Result<Vec<Inquiry>, Failure> {
+    let family = offline_family(context.settings, context.registry)?;
+    let params = roles.iter().filter_map(|role| family.role(role));
+    Ok(params.filter_map(|param| read_question(param, 0)).collect())
+}
+
+fn read_question(param: &Param, set: u8) -> Option<Inquiry> {
+    RegisterAddress::new(param.id, set).map(|at| Inquiry::Read(at, param.kind.unwrap_or(Type::Word)))
+}
+
+fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> crate::drive::decode::Reader<'f> {
+    crate::drive::decode::Reader { framing: settings.framing, family: Some(family), lang: settings.lang }
+}
+
+/// Refuses numbers that no telegram can carry.
+fn check_number(param: &Param) -> Result<(), Failure> {
+    if RegisterAddress::new(param.id, 0).is_some() {
+        return Ok(());
+    }
+    let message = format!("there is no parameter {}: expected a number from 0 to 4095", param.id);
+    Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint("the ACTIVE family knows 0 to 1599"))
 }
 
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.

@@ -1,6 +1,9 @@
 //! `read`: values of parameters.
 
-use super::{Context, Reader, addresses_to_read, connect, finish, is_over, offline_family, target};
+use super::{
+    Context, Reader, addresses_to_read, check_number, connect, finish, is_over, offline_family, plan, read_question,
+    target,
+};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Outcome, Read, Value};
@@ -36,7 +39,12 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let addresses = addresses_to_read(settings, *observe)?;
     // Names are checked before the port is opened; the drive may be of another family, but knows the same ones.
     let family = offline_family(settings, registry)?;
-    select(&selectors, &family, args)?;
+    let selections = select(&selectors, &family, args)?;
+    if settings.dry_run {
+        let sets = selections.iter().flat_map(|one| one.sets.wire().into_iter().map(move |set| (&one.param, set)));
+        let questions: Vec<_> = sets.filter_map(|(param, set)| read_question(param, set)).collect();
+        return plan(context, &questions);
+    }
     let shows_register = shows_register(&selectors, &family, args)?;
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
@@ -124,6 +132,7 @@ fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Se
         selections.extend(selector.resolve(family).map_err(|error| select_failure(&error))?);
     }
     for selection in &mut selections {
+        check_number(&selection.param)?;
         if let Some(decimals) = args.decimals {
             selection.param.decimals = Some(decimals);
         }

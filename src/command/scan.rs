@@ -4,7 +4,7 @@ use super::{Context, connect};
 use crate::args::Addresses;
 use crate::drive::{ScanPlan, open_port, scan};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Outcome, Scan, Warning};
+use crate::outcome::{Data, Outcome, Plan, Scan, Warning};
 use clap::Args as ClapArgs;
 
 /// Finds every drive on a line with a known setting.
@@ -26,6 +26,13 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
         Addresses::Named(list) => list.clone(),
         Addresses::Unnamed => (1..=crate::drive::LAST_STATION).collect(),
     };
+    if settings.dry_run {
+        let family = super::offline_family(settings, registry)?;
+        let reader = super::telegram_reader(settings, &family);
+        let probe = crate::drive::probe_question();
+        let telegrams = addresses.iter().map(|&address| reader.question(address, probe)).collect();
+        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })));
+    }
     let port = open_port(settings.port.as_ref(), *observe)?;
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let plan = ScanPlan { addresses, lang: settings.lang };

@@ -1,6 +1,6 @@
 //! `sollwert`: setpoints and actual values side by side.
 
-use super::{Context, Reader, Row, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
 use crate::args::Settings;
 use crate::drive::Session;
 use crate::failure::Failure;
@@ -21,6 +21,10 @@ const SOURCES: [&str; 3] = ["ramp-setpoint", "min-frequency", "max-frequency"];
 
 /// Shows the setpoints of every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        let questions = role_questions(context, &[&SETPOINTS[..], &ACTUAL, &SOURCES].concat())?;
+        return plan(context, &questions);
+    }
     let (drives, failures, succeeded) = each_drive(
         context,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {

@@ -1,6 +1,6 @@
 //! `statemachine`: in which state is the drive, and how is it controlled?
 
-use super::{Context, Reader, Row, each_drive, finish, target};
+use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
 use crate::args::Settings;
 use crate::drive::{Session, describe};
 use crate::failure::Failure;
@@ -24,8 +24,15 @@ enum Action {
     Show,
 }
 
+/// Roles that are read, in this order.
+const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"];
+
 /// Shows the state of every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        let questions = role_questions(context, &ROLES)?;
+        return plan(context, &questions);
+    }
     let (drives, failures, succeeded) = each_drive(
         context,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {

@@ -3,10 +3,10 @@
 use super::read::select_failure;
 use super::{Context, Reader, addresses_to_write, connect, is_over, offline_family, summary, target};
 use crate::args::Settings;
-use crate::drive::{Order, RegisterAddress, Session, Target, WriteFate, describe, request_telegram};
+use crate::drive::{Inquiry, Order, RegisterAddress, Session, Target, WriteFate, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Denied, Hazard, Permit, Question};
-use crate::outcome::{Data, ErrorDoc, Outcome, Warning, Write, WriteResult, Written};
+use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Selector, Store, Type};
 use clap::Args as ClapArgs;
@@ -53,7 +53,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let family = offline_family(context.settings, context.registry)?;
     let offline = steps(args, &family)?;
     if context.settings.dry_run {
-        return plan_only(args, context, &addresses, &family, &offline);
+        return plan_only(context.settings, &addresses, &family, &offline);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe)?;
@@ -96,6 +96,7 @@ fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
         let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             let mut param = selection.param;
+            super::check_number(&param)?;
             param.decimals = args.decimals.or(param.decimals);
             let kind = args.kind.or(param.kind);
             let raw = check(&param, family, what, kind, args.force)?;
@@ -134,14 +135,12 @@ fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: 
 }
 
 /// Shows what would be sent, without opening anything.
-fn plan_only(
-    args: &Args,
-    context: &Context<'_>,
+pub(super) fn plan_only(
+    settings: &Settings,
     addresses: &[u8],
     family: &Family,
     steps: &[Step],
 ) -> Result<Outcome, Failure> {
-    let settings = context.settings;
     let mut values = Vec::new();
     for &address in addresses {
         for step in steps {
@@ -151,7 +150,7 @@ fn plan_only(
                 Failure::new(Class::Data, "data.width", message).hint("name it with --type uint, int, word or long")
             })?;
             let mut row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
-            row.telegram = telegram(settings, address, step, kind);
+            tell(&mut row, telegram(settings, family, address, step, kind));
             values.push(row);
         }
     }
@@ -162,17 +161,14 @@ fn plan_only(
             message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive),
         });
     }
-    if args.force {
-        let message = "--force: limits of the catalogue were not applied".to_owned();
-        outcome.warnings.push(Warning { code: "force".to_owned(), message });
-    }
     Ok(outcome)
 }
 
-fn telegram(settings: &Settings, address: u8, step: &Step, kind: Type) -> Option<String> {
+/// The telegram of a step, taken apart.
+fn telegram(settings: &Settings, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
     let at = RegisterAddress::new(step.param.id, step.set)?;
     let bits = value::to_wire(step.raw, kind).ok()?;
-    Some(request_telegram(settings.framing, address, at, kind, bits))
+    Some(super::telegram_reader(settings, family).question(address, Inquiry::Write(at, kind, bits)))
 }
 
 /// Reads the old values and says what there is to do.
@@ -204,10 +200,15 @@ pub(super) async fn prepare(
             row.result = WriteResult::Unchanged;
         }
         let kind = step.kind.or(target.known_width(step.param.id));
-        row.telegram = kind.and_then(|kind| telegram(settings, address, step, kind));
+        tell(&mut row, kind.and_then(|kind| telegram(settings, &target.family, address, step, kind)));
         rows.push(row);
     }
     Ok(rows)
+}
+
+fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
+    row.meaning = telegram.as_ref().map(|doc| doc.meaning.clone());
+    row.telegram = telegram.map(|doc| doc.hex);
 }
 
 fn wire_sets(set: u8) -> DataSets {
@@ -306,7 +307,7 @@ pub(super) async fn carry_out(
         }
         let fate = match job.target.width(session, &step.param, step.set).await {
             Ok(kind) => {
-                row.telegram = telegram(settings, address, step, kind);
+                tell(row, telegram(settings, &job.target.family, address, step, kind));
                 {
                     let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
                     job.target.write(session, &step.param, order, permit).await

@@ -1,5 +1,6 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
+use super::route::Inquiry;
 use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Lang, format_value};
 use crate::protocol::modbus::pdu::{self, Exception, ParamAddress, Reply, Request};
@@ -117,6 +118,11 @@ impl Reader<'_> {
         doc.meaning = format!("{}: {meaning}", self.station(adu.station));
         doc.fields = self.frame_fields(&adu, fields);
         doc
+    }
+
+    /// A question as it would go over the line, taken apart.
+    pub fn question(&self, station: u8, question: Inquiry) -> TelegramDoc {
+        self.telegram(&self.framing.encode(station, &question.request().encode()), Some(true))
     }
 
     fn pick(&self, en: &'static str, de: &'static str) -> &'static str {

@@ -102,6 +102,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         text: family.text_of(param, raw).map(|text| text.get(lang).to_owned()),
         result: WriteResult::Planned,
         telegram: None,
+        meaning: None,
         note: (param.effective == Effective::Reset).then(|| after_reset.to_owned()),
         error: None,
     }

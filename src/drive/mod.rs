@@ -17,8 +17,8 @@ mod transfer;
 pub use diag::{clear_counters, counters, link_test};
 pub use family::{Finding, recognise};
 pub use pump::Interrupt;
-pub use route::{RegisterAddress, request_telegram};
-pub use scan::{ScanPlan, scan};
+pub use route::{Inquiry, RegisterAddress};
+pub use scan::{ScanPlan, probe_question, scan};
 pub use session::{AccessError, Opening, Refusal, Session, open_port};
 pub use transfer::{Order, Reading, Target, WriteFate};
 

@@ -1,8 +1,7 @@
 //! From a parameter to the question that reads or writes it, over the ACTIVE family's Modbus codes.
 
 use crate::profile::Type;
-use crate::protocol::modbus::pdu::{ParamAddress, Request};
-use crate::protocol::modbus::{Framing, Hex};
+use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, ParamAddress, Request};
 
 /// A parameter number and a data set as they go on the wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +41,26 @@ pub(super) fn write(at: RegisterAddress, kind: Type, bits: u32) -> Request {
     }
 }
 
-/// A write as it would go over the line, in hex, for a dry run.
-pub fn request_telegram(framing: Framing, station: u8, at: RegisterAddress, kind: Type, bits: u32) -> String {
-    Hex(&framing.encode(station, &write(at, kind, bits).encode())).to_string()
+/// A question that a verb would put, for a dry run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inquiry {
+    /// Read a parameter.
+    Read(RegisterAddress, Type),
+    /// Write these bits to a parameter.
+    Write(RegisterAddress, Type, u32),
+    /// Read a diagnostic counter.
+    Counter(u16),
+    /// Set every diagnostic counter to zero.
+    ClearCounters,
+}
+
+impl Inquiry {
+    pub(super) fn request(self) -> Request {
+        match self {
+            Inquiry::Read(at, kind) => read(at, kind),
+            Inquiry::Write(at, kind, bits) => write(at, kind, bits),
+            Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
+            Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },
+        }
+    }
 }

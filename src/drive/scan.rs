@@ -1,14 +1,14 @@
 //! Who is there? Every address is asked by the book, one after the other.
 
 use super::session::{AccessError, Session};
-use super::{describe, family::recognise, route, route::RegisterAddress};
+use super::{describe, family::recognise, route::Inquiry, route::RegisterAddress};
 use crate::exchange::modbus::Limits;
 use crate::outcome::{Event, FoundDrive};
 use crate::profile::{Lang, Registry, Type};
 
 /// Status word: every Modbus device says something when its register is read, and an ACTIVE drive answers it without
 /// touching its error register.
-const PROBE: u32 = 411;
+const PROBE: u16 = 411;
 
 /// What to search.
 #[derive(Clone, Debug)]
@@ -30,6 +30,11 @@ pub struct ScanResult {
     pub garbled: Vec<u8>,
     /// Why it ended early.
     pub cut: Option<AccessError>,
+}
+
+/// The question that every address is asked first.
+pub fn probe_question() -> Inquiry {
+    Inquiry::Read(RegisterAddress { number: PROBE, set: 0 }, Type::Uint)
 }
 
 /// Asks every address. Tells progress and finds as they come; what was found stays when it is interrupted.
@@ -66,17 +71,17 @@ async fn look(
     registry: &Registry,
 ) -> Result<Option<FoundDrive>, AccessError> {
     use crate::exchange::modbus::ExchangeError::{Silence, Stray};
-    let Some(at) = RegisterAddress::new(PROBE, 0) else { return Ok(None) };
+    let probe = probe_question().request();
     let limits = session.limits();
     session.set_limits(Limits { retries: 0, ..limits });
-    let probe = session.ask(address, route::read(at, Type::Uint)).await;
+    let answer = session.ask(address, probe.clone()).await;
     session.set_limits(limits);
-    match probe {
+    match answer {
         Ok(_) => {}
         Err(AccessError::Exchange(Silence { .. } | Stray { .. })) => return Ok(None),
         // A disturbed reply: somebody is there, so ask by the book.
         Err(AccessError::Exchange(_)) => {
-            session.ask(address, route::read(at, Type::Uint)).await?;
+            session.ask(address, probe).await?;
         }
         Err(error) => return Err(error),
     }

@@ -280,7 +280,9 @@ impl Catalogue {
         }
         for (name, table) in &self.body.bits {
             let into = family.bits.entry(name.clone()).or_default();
-            for (bit, row) in self.table(name, table, |bit| u8::try_from(bit).is_ok_and(|bit| into.contains_key(&bit)))? {
+            for (bit, row) in
+                self.table(name, table, |bit| u8::try_from(bit).is_ok_and(|bit| into.contains_key(&bit)))?
+            {
                 into.insert(bit as u8, row);
             }
         }
@@ -415,8 +417,8 @@ impl Catalogue {
                 Some(hex) => i64::from_str_radix(hex, 16).ok(),
                 None => key.parse().ok(),
             };
-            let number = number
-                .ok_or_else(|| self.error(at, format!("table '{name}': key '{}' is no number", shorten(key))))?;
+            let number =
+                number.ok_or_else(|| self.error(at, format!("table '{name}': key '{}' is no number", shorten(key))))?;
             if is_known(number) && !row.replaces() {
                 return Err(self.error(at, twice(&format!("table '{name}', {number}"))));
             }
@@ -510,7 +512,11 @@ mod tests {
                 "{HEAD}faults = [\n  {{ code = 0x0500, key = \"F0500\", en = \"x\", de = \"x\", cause = {{ en = \"x\", de = \"x\" }}, remedy = {{ en = \"x\", de = \"x\" }}{rest} }}]"
             )
         };
-        assert!(refused(&fault("")).starts_with("mine.toml:4:3: fault 0x0500 is there already"), "{}", refused(&fault("")));
+        assert!(
+            refused(&fault("")).starts_with("mine.toml:4:3: fault 0x0500 is there already"),
+            "{}",
+            refused(&fault(""))
+        );
         assert_eq!(open(&fault(", replace = true")).unwrap().family("act").unwrap().fault(0x500).unwrap().en, "x");
         let value = format!("{HEAD}[enums.modbus-parity]\n0 = {{ en = \"x\", de = \"x\" }}\n");
         assert!(refused(&value).starts_with("mine.toml:4:5: table 'modbus-parity', 0 is there already"));

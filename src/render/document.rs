@@ -113,12 +113,13 @@ fn csv(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(&columns).map_err(io_error)?;
     for row in &rows {
-        writer.write_record(columns.iter().map(|column| match row.fields.get(column) {
-            None | Some(serde_json::Value::Null) => String::new(),
-            Some(serde_json::Value::String(text)) => super::clean(text),
-            Some(other) => other.to_string(),
-        }))
-        .map_err(io_error)?;
+        writer
+            .write_record(columns.iter().map(|column| match row.fields.get(column) {
+                None | Some(serde_json::Value::Null) => String::new(),
+                Some(serde_json::Value::String(text)) => super::clean(text),
+                Some(other) => other.to_string(),
+            }))
+            .map_err(io_error)?;
     }
     writer.flush()
 }
@@ -131,6 +132,15 @@ fn io_error(error: csv::Error) -> io::Error {
     }
 }
 
+/// What a verb that reads finds, or what it would send under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum OrPlan<D> {
+    Found(D),
+    Plan(crate::outcome::Plan),
+}
+
 /// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.
 pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
     use crate::outcome as o;
@@ -141,14 +151,14 @@ pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
     }
     let schema = match verb {
         None => of!(Data),
-        Some("scan") => of!(o::Scan),
-        Some("identify") => of!(o::Identify),
-        Some("read") => of!(o::Read),
+        Some("scan") => of!(OrPlan<o::Scan>),
+        Some("identify") => of!(OrPlan<o::Identify>),
+        Some("read") => of!(OrPlan<o::Read>),
         Some("write") => of!(o::Write),
-        Some("dataset") => of!(o::Dataset),
-        Some("diag") => of!(o::Diag),
-        Some("statemachine") => of!(o::Statemachine),
-        Some("sollwert") => of!(o::Sollwert),
+        Some("dataset") => of!(OrPlan<o::Dataset>),
+        Some("diag") => of!(OrPlan<o::Diag>),
+        Some("statemachine") => of!(OrPlan<o::Statemachine>),
+        Some("sollwert") => of!(OrPlan<o::Sollwert>),
         Some("params") => of!(o::Params),
         Some("decode") => of!(o::Decode),
         Some("simulate") => of!(o::Simulate),

@@ -40,6 +40,7 @@ pub(super) fn rows(data: &Data) -> Vec<Row> {
         Data::Params(params) => list("param", &params.params),
         Data::Decode(decode) if !decode.telegrams.is_empty() => list("telegram", &decode.telegrams),
         Data::Decode(decode) => list("decoded", &[decode]),
+        Data::Plan(plan) => list("telegram", &plan.telegrams),
         Data::Simulate(simulate) => list("end", &[simulate]),
     }
 }

@@ -27,6 +27,7 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
             several => page.params(several),
         },
         Data::Decode(decode) => page.decode(decode),
+        Data::Plan(plan) => page.telegrams(&plan.telegrams),
         Data::Simulate(served) => {
             let mut text = format!(
                 "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} remarks\n",
@@ -184,6 +185,7 @@ impl Page {
             let mut remark = remark.into_iter().chain(row.note.clone()).collect::<Vec<_>>();
             if row.result == WriteResult::Planned {
                 remark.extend(row.telegram.clone());
+                remark.extend(row.meaning.clone());
             }
             vec![
                 row.address.to_string(),
@@ -444,14 +446,7 @@ impl Page {
         match decode.telegrams.as_slice() {
             [] => {}
             [only] => text += &self.telegram(only),
-            several => {
-                let rows = several.iter().map(|doc| {
-                    let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
-                    let sent = if doc.direction == Some("request") { ">" } else { "<" };
-                    vec![at, sent.to_owned(), doc.hex.clone(), doc.meaning.clone()]
-                });
-                text += &self.table(&[">ms", "", "telegram", "meaning"], rows.collect());
-            }
+            several => text += &self.telegrams(several),
         }
         if let Some(bits) = &decode.word {
             text += &clean(&bits.hex);
@@ -478,6 +473,15 @@ impl Page {
             text += &self.pairs(rows);
         }
         text
+    }
+
+    fn telegrams(self, docs: &[TelegramDoc]) -> String {
+        let rows = docs.iter().map(|doc| {
+            let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
+            let sent = if doc.direction == Some("request") { ">" } else { "<" };
+            vec![at, sent.to_owned(), doc.hex.clone(), doc.meaning.clone()]
+        });
+        self.table(&[">ms", "", "telegram", "meaning"], rows.collect())
     }
 
     fn telegram(self, doc: &TelegramDoc) -> String {

@@ -75,7 +75,7 @@ const BENCH_VALUES: &[(u32, i64)] = &[
     (372, 1_390), // CM-485 manual 8.1.1
     (373, 2),     // fits 1390 1/min at 50 Hz
     (375, 5_000),
-    (376, 15),  // CM-485 manual 8.1.2
+    (376, 8),   // a 1390 1/min motor has 0.8 kW or so; the 1.5 kW of CM-485 manual 8.1.2 is written
     (412, 44),  // ACT; printed for ACU, CM-485 manual 10
     (418, 350), // for configurations 1xx, facts B
     (424, 1_000),

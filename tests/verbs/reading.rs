@@ -26,7 +26,8 @@ fn asked(what: &str) -> Vec<String> {
 
 #[test]
 fn parameters_have_a_number_a_slug_and_two_names() {
-    for name in ["372", "P.372", "rated-speed", "'Rated Speed'", "'RATED SPEED'", "bemessungsdrehzahl", "Bemessungsdreh"]
+    for name in
+        ["372", "P.372", "rated-speed", "'Rated Speed'", "'RATED SPEED'", "bemessungsdrehzahl", "Bemessungsdreh"]
     {
         assert_eq!(read(name), ["372@0"], "{name}");
     }
@@ -44,7 +45,10 @@ fn data_sets_stand_behind_an_at() {
     assert_eq!(read("480@7"), ["480@2ram"]);
     assert_eq!(read("480-482@2"), ["480@2", "481@2", "482@2"]);
     assert_eq!(read("@motor"), ["372@0", "373@0", "375@0", "376@0"]);
-    assert_eq!(read("rated-speed@3 411 372@1"), ["372@3", "411@0ram", "372@1"].map(|name| name.replace("411@0ram", &read("411")[0])));
+    assert_eq!(
+        read("rated-speed@3 411 372@1"),
+        ["372@3", "411@0ram", "372@1"].map(|name| name.replace("411@0ram", &read("411")[0]))
+    );
 }
 
 #[test]
@@ -151,7 +155,8 @@ fn of_a_group_a_drive_need_not_have_everything() {
 
 #[test]
 fn values_come_out_exact() {
-    let bench = "[[drive]]\nmodel = \"acu\"\nset = { \"210\" = \"-120.07\", \"211\" = \"10.3\", \"480@1\" = \"0.07\" }\n";
+    let bench =
+        "[[drive]]\nmodel = \"acu\"\nset = { \"210\" = \"-120.07\", \"211\" = \"10.3\", \"480@1\" = \"0.07\" }\n";
     let run = antrieb("-a 1 read 210 211 480@1 --json").on(bench).exits(0);
     for number in ["\"value\": -120.07,", "\"value\": 10.3,", "\"value\": 0.07,", "\"raw\": -12007,"] {
         assert!(run.out.contains(number), "{number}: {}", run.out);
@@ -173,8 +178,10 @@ fn the_factory_address_is_taken_and_said() {
 fn several_drives_are_read_in_the_order_in_which_they_were_named() {
     let document = antrieb("-p sim -a 2,1 read 372 376").json().exits(0);
     let rows = document.data("/values").as_array().unwrap();
-    let order: Vec<_> =
-        rows.iter().map(|row| format!("{}{}{}", row["address"], row["drive"].as_str().unwrap(), row["param"])).collect();
+    let order: Vec<_> = rows
+        .iter()
+        .map(|row| format!("{}{}{}", row["address"], row["drive"].as_str().unwrap(), row["param"]))
+        .collect();
     assert_eq!(order, ["2acu372", "2acu376", "1act372", "1act376"]);
 }
 
@@ -184,7 +191,7 @@ fn what_names_nothing_is_told_with_what_comes_near() {
     assert_eq!(ambiguous.error()["code"], "data.ambiguous_parameter");
     assert!(ambiguous.error()["message"].as_str().unwrap().contains("218 (encoder-1-speed)"));
     let near = antrieb("-p sim -a 1 read leistung").json().exits(7);
-    assert!(near.error()["hint"].as_str().unwrap().contains("376 (rated-mech-power)"), "{}", near.error());
+    assert!(near.error()["hint"].as_str().unwrap().contains("376 (rated-mechanical-power)"), "{}", near.error());
     let unknown = antrieb("-p sim -a 1 read nonsense").json().exits(7);
     assert_eq!(unknown.error()["code"], "data.unknown_parameter");
     let group = antrieb("-p sim -a 1 read @nope").json().exits(7);

@@ -164,10 +164,7 @@ impl Output {
     /// What the user sees, for snapshots: without the place of the temporary directory.
     pub(crate) fn page(&self) -> String {
         let at = self.directory.path().display().to_string();
-        let page = format!(
-            "$ antrieb {}\n{}----- stderr\n{}----- exit {}\n",
-            self.line, self.out, self.err, self.exit
-        );
+        let page = format!("$ antrieb {}\n{}----- stderr\n{}----- exit {}\n", self.line, self.out, self.err, self.exit);
         page.replace(&at, "DIR")
     }
 

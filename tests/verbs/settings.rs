@@ -1,1 +1,133 @@
-//! Placeholder.
+//! Named drives, configuration files, environment, language: who beats whom.
+
+use crate::run::{Run, antrieb};
+
+/// What `read 372` says of the port, address and language that it worked with.
+#[track_caller]
+fn taken(run: Run) -> (String, String, String) {
+    let document = run.json().exits(0);
+    let text = |pointer: &str| document.data(pointer).to_string().trim_matches('"').to_owned();
+    (text("/values/0/drive"), text("/values/0/address"), text("/values/0/name"))
+}
+
+fn strings(expected: [&str; 3]) -> (String, String, String) {
+    let [a, b, c] = expected.map(str::to_owned);
+    (a, b, c)
+}
+
+const PUMP: &str = "port = \"sim\"\n[drives.pump]\naddress = 2\n[drives.fan]\naddress = 1\ndrive = \"act\"\n";
+
+#[test]
+fn a_named_drive_saves_typing() {
+    let run = || antrieb("-a pump read 372").file("antrieb.toml", PUMP);
+    assert_eq!(taken(run()), strings(["acu", "2", "Rated Speed"]));
+    assert_eq!(taken(antrieb("-a fan read 372").file("antrieb.toml", PUMP)), strings(["act", "1", "Rated Speed"]));
+    let own = "[drives.pump]\naddress = 2\nport = \"sim\"\nprotocol = \"rtu\"\nbaud = 19200\nparity = \"even\"\n";
+    assert_eq!(taken(antrieb("-a pump read 372").file("antrieb.toml", own)), strings(["acu", "2", "Rated Speed"]));
+}
+
+#[test]
+fn a_name_that_nobody_gave_is_told_with_those_that_are_there() {
+    let document = antrieb("-a pimp read 372").file("antrieb.toml", PUMP).json().exits(2);
+    let message = document.error()["message"].as_str().unwrap();
+    assert!(message.contains("fan, pump"), "{message}");
+}
+
+#[test]
+fn the_only_drive_of_a_project_needs_no_name() {
+    let one = "port = \"sim\"\n[drives.pump]\naddress = 2\n";
+    assert_eq!(taken(antrieb("read 372").file("antrieb.toml", one)), strings(["acu", "2", "Rated Speed"]));
+    antrieb("--yes write 480@1=6").file("antrieb.toml", one).json().exits(0);
+    antrieb("--yes write 480@1=6").file("antrieb.toml", PUMP).json().exits(2);
+}
+
+#[test]
+fn flag_beats_environment_beats_project_beats_user() {
+    let project = "port = \"sim\"\naddress = \"2\"\nlang = \"de\"\n";
+    let user = "port = \"/dev/antrieb-has-no-such-port\"\naddress = \"1\"\nlang = \"en\"\n";
+    let run = |line: &str| antrieb(line).user_file("config.toml", user).file("antrieb.toml", project);
+    assert_eq!(taken(run("read 372")), strings(["acu", "2", "Bemessungsdrehzahl"]));
+    assert_eq!(taken(run("-a 1 --lang en read 372")), strings(["act", "1", "Rated Speed"]));
+    run("read 372").variable("ANTRIEB_PORT", "/dev/antrieb-has-no-such-port").json().exits(3);
+    assert_eq!(taken(run("-p sim read 372").variable("ANTRIEB_PORT", "/dev/no")).0, "acu");
+    run("--no-config read 372").json().exits(3);
+    let only_user = antrieb("read 372").user_file("config.toml", "port = \"sim\"\naddress = \"1\"\nlang = \"de\"\n");
+    assert_eq!(taken(only_user), strings(["act", "1", "Bemessungsdrehzahl"]));
+    assert_eq!(taken(antrieb("read 372 -a 1").variable("ANTRIEB_PORT", "sim")).0, "act");
+}
+
+#[test]
+fn another_project_file_may_be_named() {
+    let run = antrieb("--config other/line.toml read 372").file("other/line.toml", "port = \"sim\"\naddress = \"2\"\n");
+    assert_eq!(taken(run).1, "2");
+    antrieb("--config none.toml read 372").json().exits(7);
+    antrieb("--config none.toml --no-config read 372").json().exits(2);
+}
+
+#[test]
+fn the_locale_chooses_the_language() {
+    let name = |variables: &[(&str, &str)]| {
+        let run =
+            variables.iter().fold(antrieb("-p sim -a 1 read 372"), |run, (name, value)| run.variable(name, value));
+        taken(run).2
+    };
+    assert_eq!(name(&[]), "Rated Speed");
+    for german in ["de_DE.UTF-8", "de_AT", "de", "de_CH@euro"] {
+        assert_eq!(name(&[("LANG", german)]), "Bemessungsdrehzahl", "{german}");
+    }
+    for other in ["C", "POSIX", "en_US.UTF-8", "fr_FR", "den_CA"] {
+        assert_eq!(name(&[("LANG", other)]), "Rated Speed", "{other}");
+    }
+    assert_eq!(name(&[("LANG", "de_DE"), ("LC_MESSAGES", "en_US")]), "Rated Speed");
+    assert_eq!(name(&[("LC_MESSAGES", "en_US"), ("LC_ALL", "de_DE")]), "Bemessungsdrehzahl");
+    assert_eq!(name(&[("LC_ALL", ""), ("LANG", "de_DE")]), "Bemessungsdrehzahl", "an empty variable is not set");
+    let help = antrieb("read --help").variable("LANG", "de_DE").exits(0).out;
+    assert!(help.contains("Reads parameters"), "help is English");
+}
+
+#[test]
+fn errors_in_configurations_name_file_line_and_column() {
+    for (text, place) in [
+        ("port = \"sim\"\nspeed = 1\n", "antrieb.toml:2:1"),
+        ("port = \"sim\"\n[drives.pump]\naddress = 999\n", "antrieb.toml:3:11"),
+        ("port = ", "antrieb.toml:1:"),
+        ("[drives.pump]\ncolour = 1\naddress = 1\n", "antrieb.toml:2:1"),
+    ] {
+        let document = antrieb("-p sim -a 1 read 372").file("antrieb.toml", text).json().exits(7);
+        let message = document.error()["message"].as_str().unwrap();
+        assert!(message.contains(place), "{place}: {message}");
+    }
+}
+
+#[test]
+fn values_in_configurations_are_held_to_the_same_rules() {
+    for (text, code) in [
+        ("baud = 5\n", "usage.baud"),
+        ("parity = \"mark\"\n", "usage.parity"),
+        ("timeout = \"soon\"\n", "usage.timeout"),
+        ("format = \"xml\"\n", "usage.format"),
+        ("lang = \"fr\"\n", "usage.lang"),
+        ("protocol = \"vabus\"\n", "usage.protocol"),
+        ("port = \"tcp://x:1\"\n", "usage.port"),
+        ("stop_bits = 3\n", "usage.stop_bits"),
+    ] {
+        let document = antrieb("-a 1 read 372").file("antrieb.toml", text).json().exits(2);
+        assert_eq!(document.error()["code"], code, "{text}");
+    }
+    let json = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"json\"\n").exits(0);
+    assert!(json.out.starts_with('{'), "{}", json.out);
+}
+
+#[test]
+fn yes_never_comes_from_a_file_or_the_environment() {
+    antrieb("-p sim -a 1 write 480@1=6").file("antrieb.toml", "yes = true\n").json().exits(7);
+    antrieb("-p sim -a 1 write 480@1=6").variable("ANTRIEB_YES", "1").json().exits(8);
+}
+
+#[test]
+fn hostile_names_in_a_project_file_are_escaped() {
+    let hostile = "[drives.\"\\u001b[31mred\"]\naddress = 1\n[drives.b]\naddress = 2\n";
+    let run = antrieb("-p sim -a nope read 372").file("antrieb.toml", hostile).exits(2);
+    assert!(!run.err.contains('\u{1b}'), "{:?}", run.err);
+    assert!(run.err.contains("\\u{1b}[31mred"), "{}", run.err);
+}

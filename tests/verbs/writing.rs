@@ -6,7 +6,13 @@ use serde_json::Value;
 fn results(document: &Document) -> Vec<String> {
     let rows = document.value["data"].get("written").unwrap_or_else(|| document.data("/values"));
     let row = |row: &Value| {
-        format!("{}@{} {} {}", row["param"], row["data_set"], row["store"].as_str().unwrap(), row["result"].as_str().unwrap())
+        format!(
+            "{}@{} {} {}",
+            row["param"],
+            row["data_set"],
+            row["store"].as_str().unwrap(),
+            row["result"].as_str().unwrap()
+        )
     };
     rows.as_array().unwrap().iter().map(row).collect()
 }
@@ -170,7 +176,9 @@ fn a_dry_run_opens_nothing_and_prints_the_telegrams() {
 
 #[test]
 fn values_are_taken_as_technicians_type_them() {
-    for (value, raw) in [("7.5", 750), ("7,5", 750), ("7.50Hz", 750), ("'7,5 Hz'", 750), ("-120Hz", -12_000), ("0x0F", 15)] {
+    for (value, raw) in
+        [("7.5", 750), ("7,5", 750), ("7.50Hz", 750), ("'7,5 Hz'", 750), ("-120Hz", -12_000), ("0x0F", 15)]
+    {
         let document = antrieb(&format!("-p sim -a 1 --yes write 480@1={value}")).json().exits(0);
         assert_eq!(document.data("/values/0/raw"), raw, "{value}");
     }
