@@ -151,10 +151,10 @@ pub struct Value {
     pub store: &'static str,
     /// The value without its decimal point; null if it could not be read.
     pub raw: Option<i64>,
-    /// The value.
+    /// The value; null if it could not be read, or if nobody knows its decimals.
     pub value: Option<Decimal>,
-    /// Places behind the point.
-    pub decimals: u8,
+    /// Places behind the point, where a source tells them.
+    pub decimals: Option<u8>,
     /// Unit.
     pub unit: Option<String>,
     /// What the value stands for, where a table says so.

@@ -19,7 +19,7 @@ use crate::drive::{
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
 use crate::outcome::{Data, Event, Outcome, Plan, Value, Warning};
-use crate::profile::{DataSets, Family, Param, Registry, Type};
+use crate::profile::{DataSets, Family, Lang, Param, Registry, Type};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -50,7 +50,7 @@ fn connect<'a>(
     interrupt: &Interrupt,
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
-    let port = open_port(settings.port.as_ref(), observe)?;
+    let port = open_port(settings.port.as_ref(), settings.lang, observe)?;
     let opening = Opening {
         port: &port,
         line: settings.line,
@@ -75,7 +75,11 @@ fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Res
         .hint("name one drive, such as -a 1")),
         Addresses::Named(list) => Ok(list.clone()),
         Addresses::Unnamed => {
-            observe(Event::Note("no address given, taking 1 (the factory setting)".to_owned()));
+            let taking = settings.lang.pick(
+                "no address given, taking 1 (the factory setting)",
+                "keine Adresse angegeben, es wird 1 genommen (Werkseinstellung)",
+            );
+            observe(Event::Note(taking.to_owned()));
             Ok(vec![1])
         }
     }
@@ -237,7 +241,10 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
                 if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
                     self.asked_widths.push(param.id);
                     let bits = reading.kind.bits().unwrap_or(0);
-                    let found = format!("parameter {}: {bits} bits wide, found out by asking", param.id);
+                    let found = match self.settings.lang {
+                        Lang::En => format!("parameter {}: {bits} bits wide, found out by asking", param.id),
+                        Lang::De => format!("Parameter {}: {bits} Bit breit, durch Fragen ermittelt", param.id),
+                    };
                     self.session.tell(Event::Note(found));
                 }
                 if reading.corrected {

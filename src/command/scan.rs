@@ -33,7 +33,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
         let telegrams = addresses.iter().map(|&address| reader.question(address, probe)).collect();
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })));
     }
-    let port = open_port(settings.port.as_ref(), *observe)?;
+    let port = open_port(settings.port.as_ref(), settings.lang, *observe)?;
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let plan = ScanPlan { addresses, lang: settings.lang };
     let found = scan(&mut session, &plan, registry).await;

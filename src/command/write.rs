@@ -8,7 +8,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{self, Denied, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Selector, Store, Type};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Selector, Store, Type};
 use clap::Args as ClapArgs;
 
 /// Writes parameters.
@@ -67,7 +67,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let Some(permit) = permit(*ask, &jobs)? else { return Ok(done(jobs, Vec::new(), settings)) };
+    let Some(permit) = permit(*ask, &jobs, settings.lang)? else { return Ok(done(jobs, Vec::new(), settings)) };
     let mut failures = Vec::new();
     for job in &mut jobs {
         if carry_out(&mut session, job, settings, &permit, &mut failures).await {
@@ -123,7 +123,11 @@ fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: 
         let message = format!("parameter {} ({}) is a text; Modbus carries numbers only", param.id, param.slug);
         return Err(Failure::new(Class::Data, "data.string", message).with("param", param.id));
     }
-    let raw = value::parse(text, param, &family.choices(param)).map_err(|error| bad("data.value", &error))?;
+    let raw = value::parse(text, param, &family.choices(param)).map_err(|error| match &error {
+        ValueError::NoScale { .. } => bad("data.no_scale", &error)
+            .hint("name the decimals with --decimals, or write the raw integer in hexadecimal (0x…)"),
+        _ => bad("data.value", &error),
+    })?;
     if !force {
         value::check_range(raw, param)
             .map_err(|error| bad("data.range", &error).hint("--force sends it and lets the drive judge"))?;
@@ -217,7 +221,7 @@ fn wire_sets(set: u8) -> DataSets {
 }
 
 /// Asks for permission for everything that is left to do; `None` if that is nothing.
-pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job]) -> Result<Option<Permit>, Failure> {
+pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job], lang: Lang) -> Result<Option<Permit>, Failure> {
     let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows));
     let todo: Vec<_> = todo.filter(|(_, row)| row.result == WriteResult::Planned).collect();
     if todo.is_empty() {
@@ -227,14 +231,16 @@ pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job]) -> Result<Option<Per
     let mut details = Vec::new();
     for (step, row) in &todo {
         hazards.extend(hazards_of(step));
-        details.push(describe_step(row));
+        details.push(describe_step(row, lang));
     }
     hazards.sort_unstable();
     hazards.dedup();
-    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard)).map(str::to_owned));
-    let title = match todo.len() {
-        1 => "write 1 value".to_owned(),
-        count => format!("write {count} values"),
+    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard, lang)).map(str::to_owned));
+    let title = match (todo.len(), lang) {
+        (1, Lang::En) => "write 1 value".to_owned(),
+        (1, Lang::De) => "1 Wert schreiben".to_owned(),
+        (count, Lang::En) => format!("write {count} values"),
+        (count, Lang::De) => format!("{count} Werte schreiben"),
     };
     gate::ask(ask, &Question { hazards, title, details }).map(Some).map_err(denied)
 }
@@ -266,23 +272,38 @@ fn hazards_of(step: &Step) -> Vec<Hazard> {
     hazards
 }
 
-fn consequence(hazard: Hazard) -> Option<&'static str> {
-    match hazard {
-        Hazard::Write => None,
-        Hazard::Wear => Some("EEPROM: each of these writes wears it a little; @ram does not"),
-        Hazard::Motion => Some("MOTION: this can start the shaft or change how it turns"),
-        Hazard::Line => Some("LINE: this can cut the line to the drive; the old setting is shown above"),
-        Hazard::Reset => Some("RESET: the drive restarts or its faults are reset"),
-    }
+fn consequence(hazard: Hazard, lang: Lang) -> Option<&'static str> {
+    let (en, de) = match hazard {
+        Hazard::Write => return None,
+        Hazard::Wear => (
+            "EEPROM: each of these writes wears it a little; @ram does not",
+            "EEPROM: jedes Schreiben nutzt es etwas ab; @ram nicht",
+        ),
+        Hazard::Motion => (
+            "MOTION: this can start the shaft or change how it turns",
+            "BEWEGUNG: das kann die Welle anlaufen lassen oder ihre Drehung ändern",
+        ),
+        Hazard::Line => (
+            "LINE: this can cut the line to the drive; the old setting is shown above",
+            "LEITUNG: das kann die Verbindung zum Antrieb kappen; die alte Einstellung steht oben",
+        ),
+        Hazard::Reset => (
+            "RESET: the drive restarts or its faults are reset",
+            "RESET: der Antrieb startet neu oder seine Störungen werden quittiert",
+        ),
+    };
+    Some(lang.pick(en, de))
 }
 
-fn describe_step(row: &Written) -> String {
+fn describe_step(row: &Written, lang: Lang) -> String {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
     let new = format_decimal(row.raw, row.value.decimals);
     let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
-    let who =
-        if row.address == 0 { "every drive".to_owned() } else { format!("drive {} ({})", row.address, row.drive) };
+    let who = match row.address {
+        0 => lang.pick("every drive", "alle Antriebe").to_owned(),
+        address => format!("{} {address} ({})", lang.pick("drive", "Antrieb"), row.drive),
+    };
     format!("{who}: P.{}@{} {}: {old} -> {new}{unit}{text}, {}", row.param, row.data_set, row.name, row.store)
 }
 

@@ -31,7 +31,7 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang
     let text = text.or_else(|| coded(family, param, reading.raw, lang));
     Value {
         raw: Some(reading.raw),
-        value: Some(Decimal { raw: reading.raw, decimals }),
+        value: param.has_scale().then_some(Decimal { raw: reading.raw, decimals }),
         text,
         word,
         kind: Some(reading.kind.name()),
@@ -67,7 +67,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
         store: store_name(store, param.volatile),
         raw: None,
         value: None,
-        decimals: param.decimals_or_zero(),
+        decimals: param.decimals,
         unit: param.unit.clone(),
         text: None,
         word: None,

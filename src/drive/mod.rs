@@ -13,6 +13,7 @@ mod route;
 mod scan;
 mod session;
 mod transfer;
+mod trouble;
 
 pub use diag::{clear_counters, counters, link_test};
 pub use family::{Finding, recognise};

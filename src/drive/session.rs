@@ -1,12 +1,12 @@
 //! An open line: asks questions, tells what goes over it, and turns what goes wrong into failures with a hint.
 
 use super::pump::{self, Interrupt, PumpError};
-use super::{decode, route::RegisterAddress};
+use super::{decode, route::RegisterAddress, trouble};
 use crate::exchange::modbus::{Answer, ExchangeError, Limits, Master};
 use crate::exchange::{Record, Tally, Verdict};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
-use crate::profile::{Family, Lang, Registry, Type};
+use crate::profile::{Lang, Registry, Type};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::{Exception, Reply, Request};
 use crate::protocol::modbus::{Framing, Hex};
@@ -97,7 +97,7 @@ impl<'a> Session<'a> {
             ..usual
         };
         let mut link = match port {
-            Port::Serial(name) => Link::open_serial(name, line).map_err(|error| link_failure(&error))?,
+            Port::Serial(name) => Link::open_serial(name, line).map_err(|error| trouble::link(&error, lang))?,
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
         };
         if let Some(path) = trace {
@@ -188,25 +188,25 @@ impl<'a> Session<'a> {
 }
 
 /// The port that was named, or the one USB serial adapter that is plugged in, which is said.
-pub fn open_port(named: Option<&Port>, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
+pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
     if let Some(port) = named {
         return Ok(port.clone());
     }
     let ports = list_ports();
     let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
     if let [only] = adapters.as_slice() {
-        observe(Event::Note(format!("no port given, taking {} ({})", only.name, only.about)));
+        let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
+        observe(Event::Note(format!("{taking} {} ({})", only.name, only.about)));
         return Ok(Port::Serial(only.name.clone()));
     }
-    let found: Vec<_> = ports.iter().map(|port| format!("{} {}", port.name, port.about).trim().to_owned()).collect();
-    let message = match adapters.len() {
-        0 => "no port given, and no USB serial adapter is plugged in",
-        _ => "no port given, and more than one USB serial adapter is plugged in",
+    let message = match (adapters.len(), lang) {
+        (0, Lang::En) => "no port given, and no USB serial adapter is plugged in",
+        (0, Lang::De) => "kein Anschluss angegeben, und kein USB-Adapter ist eingesteckt",
+        (_, Lang::En) => "no port given, and more than one USB serial adapter is plugged in",
+        (_, Lang::De) => "kein Anschluss angegeben, und mehr als ein USB-Adapter ist eingesteckt",
     };
-    let found =
-        if found.is_empty() { "no serial port was found".to_owned() } else { format!("found: {}", found.join(", ")) };
-    Err(Failure::new(Class::Port, "port.none", message)
-        .hint(format!("name it with -p; {found}; `-p sim` is the built-in bench")))
+    let hint = format!("{} -p; {}", lang.pick("name it with", "angeben mit"), trouble::found_ports(lang));
+    Err(Failure::new(Class::Port, "port.none", message).hint(hint))
 }
 
 fn open_trace(path: &Path, about: &str) -> Result<Trace, Failure> {
@@ -239,95 +239,5 @@ impl AccessError {
     /// Whether the drive said no.
     pub fn is_refused(&self) -> bool {
         matches!(self, AccessError::Refused(_))
-    }
-
-    /// The failure to show for a question to `address`. `family` knows the texts of the error register.
-    pub fn failure(&self, address: u8, family: Option<&Family>, lang: Lang) -> Failure {
-        match self {
-            AccessError::Refused(refusal) => refusal.failure(address, family, lang),
-            AccessError::Exchange(error) => exchange_failure(error, address),
-            AccessError::Link(error) => link_failure(error),
-            AccessError::Interrupted => {
-                Failure::new(Class::Interrupted, "interrupted", "interrupted before the answer came")
-            }
-        }
-        .with("address", address)
-    }
-}
-
-impl Refusal {
-    fn failure(&self, address: u8, family: Option<&Family>, lang: Lang) -> Failure {
-        let row = self.cause.and_then(|code| family?.error(code.into()));
-        let (code, cause) = match (self.cause, row) {
-            (Some(0) | None, _) => (self.exception_slug(), String::new()),
-            (Some(code), Some(row)) => (row.slug.clone(), format!(", P.11 = {code}: {}", row.name(lang))),
-            (Some(code), None) => (format!("error_{code}"), format!(", P.11 = {code} (unknown code)")),
-        };
-        let message = format!("drive {address} refused: exception {}{cause}", self.exception);
-        let failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message)
-            .with("exception", self.exception.code());
-        let failure = match self.cause {
-            Some(cause) => failure.with("p11", cause),
-            None => failure,
-        };
-        match row {
-            Some(row) => failure.hint(row.hint.get(lang)),
-            None => failure.hint("the drive gave no cause; check the function code, the parameter and the value"),
-        }
-    }
-
-    fn exception_slug(&self) -> String {
-        self.exception.name().replace(' ', "_")
-    }
-}
-
-fn exchange_failure(error: &ExchangeError, address: u8) -> Failure {
-    match error {
-        ExchangeError::Silence { .. } => {
-            Failure::new(Class::Silence, "silence.no_reply", format!("address {address}: {error}")).hint(
-                "check address, baud rate, parity and protocol (P.395; a drive leaves the factory speaking VABus, not \
-                 Modbus), whether A and B are swapped, termination, and whether another master is on the bus; \
-                 `antrieb scan` asks every address",
-            )
-        }
-        ExchangeError::Garbled { bytes, .. } => {
-            Failure::new(Class::Garbled, "garbled.no_valid_reply", format!("address {address}: {error}"))
-                .hint("check baud rate and parity, two drives with the same address, termination and shielding")
-                .with("bytes", Hex(bytes))
-        }
-        ExchangeError::Stray { station } => {
-            Failure::new(Class::Garbled, "garbled.wrong_responder", format!("address {address}: {error}"))
-                .hint("is another master on the bus?")
-                .with("responder", station)
-        }
-        ExchangeError::BroadcastRead => Failure::new(Class::Usage, "usage.broadcast_read", error.to_string())
-            .hint("address 0 is everybody; name one drive to read from"),
-    }
-}
-
-/// The failure to show when a port cannot be used.
-pub(super) fn link_failure(error: &LinkError) -> Failure {
-    let message = error.to_string();
-    match error {
-        LinkError::NotFound(_) => {
-            let ports: Vec<_> = list_ports().into_iter().map(|port| port.name).collect();
-            let found = if ports.is_empty() {
-                "no serial port was found".to_owned()
-            } else {
-                format!("found: {}", ports.join(", "))
-            };
-            Failure::new(Class::Port, "port.not_found", message)
-                .hint(format!("{found}; `--port sim` is the built-in bench"))
-        }
-        LinkError::Busy(_) => Failure::new(Class::Port, "port.busy", message)
-            .hint("another program has it open; ModemManager and brltty grab adapters on Linux (`fuser -v PORT`)"),
-        LinkError::Permission(_) => Failure::new(Class::Port, "port.permission", message).hint(
-            "add yourself to the group that owns the port, usually `sudo usermod -aG dialout $USER`, and log in again",
-        ),
-        LinkError::Setting { .. } => {
-            Failure::new(Class::Port, "port.setting", message).hint("is it a serial port, and can it do this speed?")
-        }
-        LinkError::Lost(_) => Failure::new(Class::Port, "port.lost", message)
-            .hint("plug the adapter in again; under /dev/serial/by-id it keeps its name"),
     }
 }

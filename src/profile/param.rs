@@ -232,6 +232,11 @@ impl Param {
         self.origin != "unknown"
     }
 
+    /// Whether a raw integer can be turned into the value: decimals are known, or there is no unit to scale to.
+    pub fn has_scale(&self) -> bool {
+        self.decimals.is_some() || self.unit.is_none()
+    }
+
     /// Decimals to show; 0 where no source tells them.
     pub fn decimals_or_zero(&self) -> u8 {
         self.decimals.unwrap_or(0)

@@ -21,6 +21,16 @@ impl Lang {
     }
 }
 
+impl Lang {
+    /// One of two texts.
+    pub fn pick<T>(self, en: T, de: T) -> T {
+        match self {
+            Lang::En => en,
+            Lang::De => de,
+        }
+    }
+}
+
 impl FromStr for Lang {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {

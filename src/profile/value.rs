@@ -21,6 +21,12 @@ pub enum ValueError {
         /// The parameter's unit.
         expected: Option<String>,
     },
+    /// Nobody knows how many decimals the parameter has.
+    #[error("no source tells the decimals of this parameter in {unit}")]
+    NoScale {
+        /// Unit of the parameter.
+        unit: String,
+    },
     /// More decimals than the parameter has.
     #[error("'{text}' has more decimals than the {decimals} of this parameter")]
     Decimals {
@@ -163,6 +169,9 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
             }
         },
     };
+    if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
+        return Err(ValueError::NoScale { unit: unit.clone() });
+    }
     shifted(number, param.decimals_or_zero(), power)
 }
 

@@ -142,7 +142,7 @@ impl Page {
                 value.param.to_string(),
                 set_name(value.data_set, value.store, value.kind),
                 value.name.clone(),
-                value.value.map_or_else(|| "-".to_owned(), |number| shown(number, value.hex)),
+                number(value),
                 value.unit.clone().unwrap_or_default(),
                 self.meaning(value),
             ]);
@@ -170,6 +170,9 @@ impl Page {
                 .map(|bit| bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit)))
                 .collect();
             parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
+        }
+        if value.value.is_none() && value.raw.is_some() {
+            parts.push(format!("({})", self.word("raw, decimals unknown")));
         }
         if value.unconfirmed.iter().any(|field| field == "row") {
             parts.push(format!("({})", self.word("unconfirmed")));
@@ -228,10 +231,9 @@ impl Page {
             head.extend(["unit", "equal"]);
             let rows = dataset.rows.iter().map(|row| {
                 let mut cells = vec![row.param.to_string(), row.name.clone()];
-                cells.extend(row.values.iter().map(|value| match (&value.error, value.value) {
-                    (None, Some(number)) => shown(number, value.hex),
-                    (Some(error), _) => error.code.clone(),
-                    (None, None) => "-".to_owned(),
+                cells.extend(row.values.iter().map(|value| match &value.error {
+                    None => number(value),
+                    Some(error) => error.code.clone(),
                 }));
                 cells.push(row.unit.clone().unwrap_or_default());
                 cells.push(self.word(if row.equal { "yes" } else { "no" }).to_owned());
@@ -504,7 +506,11 @@ fn shown(number: Decimal, hex: bool) -> String {
 }
 
 fn number(value: &Value) -> String {
-    value.value.map_or_else(|| "?".to_owned(), |number| shown(number, value.hex))
+    match (value.value, value.raw) {
+        (Some(number), _) => shown(number, value.hex),
+        (None, Some(raw)) => raw.to_string(),
+        (None, None) => "-".to_owned(),
+    }
 }
 
 /// `2`, or `2ram`; volatile parameters have no EEPROM set.

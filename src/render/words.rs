@@ -55,6 +55,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("param", "Param"),
     ("present", "vorhanden"),
     ("range", "Bereich"),
+    ("raw, decimals unknown", "roh, Nachkommastellen unbekannt"),
     ("remedy", "Abhilfe"),
     ("replies", "Antworten"),
     ("reply times", "Antwortzeiten"),

@@ -135,7 +135,7 @@ fn the_status_word_depends_on_the_drive() {
 fn every_state_of_the_status_word_has_a_name() {
     // CM-485 manual 9.1.2 and 10.2: bits 6, 5, 3, 2, 1, 0.
     for (word, state) in [
-        ("0x0000", "not-ready-to-switch-on"),
+        ("0x0000", "not-ready"),
         ("0x0040", "switch-on-disabled"),
         ("0x0021", "ready-to-switch-on"),
         ("0x0023", "switched-on"),

@@ -223,7 +223,7 @@ impl Document {
 #[track_caller]
 pub(crate) fn check_document(value: &Value, exit: u8) {
     let command = value["command"].as_str().unwrap();
-    let validator = SCHEMAS.get(command).unwrap_or_else(|| panic!("no schema for '{command}': {value:#}"));
+    let validator = SCHEMAS.get(command).unwrap_or(&SCHEMAS[""]);
     let broken: Vec<String> =
         validator.iter_errors(value).map(|error| format!("{}: {error}", error.instance_path)).collect();
     assert!(broken.is_empty(), "{command}: {}\n{value:#}", broken.join("\n"));
