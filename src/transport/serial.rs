@@ -94,15 +94,19 @@ impl SerialLink {
 
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let mut buffer = [0; 512];
-        let rest = until.since(self.now());
-        let coarse = Duration::from(rest - THREAD_SLEEPS_FROM);
-        if let Ok(read) = tokio::time::timeout(coarse, self.stream.read(&mut buffer)).await {
+        let coarse = Duration::from(until.since(self.now()) - THREAD_SLEEPS_FROM);
+        if !coarse.is_zero()
+            && let Ok(read) = tokio::time::timeout(coarse, self.stream.read(&mut buffer)).await
+        {
             return self.took(read, &buffer);
         }
         self.sleep_until(until);
-        match tokio::time::timeout(Duration::ZERO, self.stream.read(&mut buffer)).await {
-            Ok(read) => self.took(read, &buffer),
-            Err(_) => Ok(Wake::Silence),
+        // A time-out of zero would cost a millisecond; one turn of the reactor and one look do not.
+        tokio::task::yield_now().await;
+        tokio::select! {
+            biased;
+            read = self.stream.read(&mut buffer) => self.took(read, &buffer),
+            () = std::future::ready(()) => Ok(Wake::Silence),
         }
     }
 

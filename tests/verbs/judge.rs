@@ -1,1 +1,212 @@
-//! Placeholder.
+//! The simulator as judge of our master: whatever is done with drives on a normal bench, it has no remark.
+
+use antrieb::drive::{
+    Interrupt, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test, recognise, scan,
+};
+use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
+use antrieb::outcome::Event;
+use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
+use antrieb::protocol::line::{LineSetting, Parity};
+use antrieb::protocol::modbus::Framing;
+use antrieb::transport::Port;
+use tempfile::TempDir;
+
+struct Agreeable;
+
+impl Ask for Agreeable {
+    fn ask(&mut self, _: &Question) -> Answer {
+        Answer::Yes
+    }
+}
+
+fn permit() -> Permit {
+    let question = Question { hazards: vec![Hazard::Write], title: String::new(), details: Vec::new() };
+    gate::ask(&mut Agreeable, &question).unwrap()
+}
+
+/// A bench from a text, or the standard one, and everything that a session on it needs.
+struct Stage {
+    registry: Registry,
+    port: Port,
+    framing: Framing,
+    line: LineSetting,
+    _directory: TempDir,
+}
+
+impl Stage {
+    fn standard() -> Self {
+        Self::on("", "")
+    }
+
+    /// `settings` go into every drive of `bench`.
+    fn on(bench: &str, settings: &str) -> Self {
+        let directory = tempfile::tempdir().unwrap();
+        let port = if bench.is_empty() {
+            Port::Sim(None)
+        } else {
+            let path = directory.path().join("bench.toml");
+            std::fs::write(&path, bench.replace("[[drive]]\n", &format!("[[drive]]\n{settings}\n"))).unwrap();
+            Port::Sim(Some(path))
+        };
+        Stage {
+            registry: Registry::open(&[]).unwrap(),
+            port,
+            framing: Framing::Rtu,
+            line: LineSetting::rtu(19_200, Parity::Even),
+            _directory: directory,
+        }
+    }
+
+    fn at(mut self, framing: Framing, line: LineSetting) -> Self {
+        (self.framing, self.line) = (framing, line);
+        self
+    }
+
+    /// Works in a session, and lets the judge speak.
+    fn play(&self, work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> Vec<String> {
+        let opening = Opening {
+            port: &self.port,
+            line: self.line,
+            framing: self.framing,
+            timeout: None,
+            retries: None,
+            trace: None,
+            verbose: false,
+            lang: Lang::En,
+        };
+        let mut observe = |_: Event| {};
+        let mut session = Session::open(opening, &self.registry, Interrupt::default(), &mut observe).unwrap();
+        let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
+        runtime.block_on(work(&mut session, &self.registry));
+        session.bench().unwrap().remarks().iter().map(ToString::to_string).collect()
+    }
+}
+
+const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
+
+/// Scan, identify, read and write everything, diagnose.
+async fn everything(session: &mut Session<'_>, registry: &Registry) {
+    let plan = ScanPlan { addresses: (1..=12).collect(), lang: Lang::En };
+    let found = scan(session, &plan, registry).await;
+    assert_eq!(found.drives.len(), 2, "{found:?}");
+    for address in [1, 2] {
+        let finding = recognise(session, address, Lang::En, false).await.unwrap();
+        let mut target = finding.target(address, registry).unwrap();
+        let family = target.family.clone();
+        for id in family.group("all").unwrap() {
+            target.read(session, family.param(id).unwrap(), DataSets::Unnamed).await;
+        }
+        for (id, raw, kind) in [(372, 1_450, Type::Uint), (480, -1_250, Type::Long), (376, 0, Type::Uint)] {
+            let order = Order { set: 2, raw, kind, read_back: true };
+            let fate = target.write(session, family.param(id).unwrap(), order, &permit()).await;
+            assert_eq!(fate.is_ok(), id != 376, "{id}: {fate:?}");
+        }
+        let rows = target.read(session, family.param(372).unwrap(), DataSets::Unnamed).await;
+        assert_eq!(rows.len(), 4, "the sets differ by now");
+        target.read(session, family.param(480).unwrap(), DataSets::All(Store::Ram)).await;
+        assert_eq!(counters(session, &target, Lang::En).await.unwrap().len(), 8);
+        link_test(session, &target, 20).await.unwrap();
+        assert!(clear_counters(session, &target, &permit()).await.unwrap());
+    }
+    let everybody = registry.family("acu").unwrap();
+    let mut target = Target::new(0, everybody.clone());
+    let order = Order { set: 5, raw: 700, kind: Type::Long, read_back: false };
+    let fate = target.write(session, everybody.param(480).unwrap(), order, &permit()).await;
+    assert!(matches!(fate, Ok(WriteFate::Broadcast)), "{fate:?}");
+    assert!(recognise(session, 1, Lang::En, false).await.is_ok(), "the line goes on behind a broadcast");
+}
+
+#[test]
+fn no_remark_on_the_standard_bench() {
+    assert_eq!(Stage::standard().play(everything), [""; 0]);
+}
+
+#[test]
+fn no_remark_in_ascii() {
+    let stage = Stage::on(TWO, "protocol = \"ascii\"").at(Framing::Ascii, LineSetting::ascii(19_200, Parity::Even));
+    assert_eq!(stage.play(everything), [""; 0]);
+}
+
+#[test]
+fn no_remark_at_any_speed_and_parity() {
+    for baud in [2_400, 4_800, 9_600, 57_600, 115_200] {
+        for parity in [Parity::Even, Parity::Odd, Parity::None] {
+            let settings = format!("baud = {baud}\nparity = \"{}\"", parity.name());
+            let stage = Stage::on(TWO, &settings).at(Framing::Rtu, LineSetting::rtu(baud, parity));
+            assert_eq!(stage.play(everything), [""; 0], "{settings}");
+        }
+    }
+}
+
+#[test]
+fn no_remark_with_strict_drives_and_uneven_replies() {
+    let stage = Stage::on(TWO, "strict_silence = true\njitter = \"20ms\"\nreply_delay = \"11ms\"");
+    assert_eq!(stage.play(everything), [""; 0]);
+}
+
+#[test]
+fn no_remark_on_a_scan_of_the_whole_line() {
+    let stage = Stage::standard();
+    let remarks = stage.play(async |session, registry| {
+        let plan = ScanPlan { addresses: (1..=247).collect(), lang: Lang::En };
+        let found = scan(session, &plan, registry).await;
+        assert_eq!((found.drives.len(), found.asked), (2, 247));
+    });
+    assert_eq!(remarks, [""; 0]);
+}
+
+#[test]
+fn no_remark_on_devices_that_are_no_drives() {
+    let bench = "[[drive]]\nmodel = \"foreign\"\naddress = 9\nregisters = { \"0\" = 17 }\n";
+    let remarks = Stage::on(bench, "").play(async |session, registry| {
+        let plan = ScanPlan { addresses: (1..=20).collect(), lang: Lang::En };
+        assert_eq!(scan(session, &plan, registry).await.drives.len(), 1);
+    });
+    assert_eq!(remarks, [""; 0]);
+}
+
+#[test]
+fn no_remark_where_replies_are_lost_or_spoilt() {
+    // Whatever the line does to the replies, our patience is the manual's.
+    for kind in ["lost", "garbled", "truncated", "doubled", "noise", "foreign"] {
+        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = 3\nkind = \"{kind}\"\n");
+        let remarks = Stage::on(&bench, "").play(async |session, registry| {
+            let mut target = Target::new(1, registry.family("act").unwrap());
+            let family = target.family.clone();
+            for id in [372, 480, 411, 260, 1_600] {
+                let rows = target.read(session, &family.param_or_unknown(id), DataSets::Unnamed).await;
+                assert_eq!(rows.first().unwrap().1.is_ok(), id != 1_600, "{kind} {id}");
+            }
+        });
+        assert_eq!(remarks, [""; 0], "{kind}");
+    }
+}
+
+#[test]
+fn an_unchanged_drive_after_everything_that_only_reads() {
+    let stage = Stage::standard();
+    let remarks = stage.play(async |session, registry| {
+        let before = format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session)));
+        let plan = ScanPlan { addresses: vec![1, 2], lang: Lang::En };
+        scan(session, &plan, registry).await;
+        for address in [1, 2] {
+            let finding = recognise(session, address, Lang::En, false).await.unwrap();
+            let mut target = finding.target(address, registry).unwrap();
+            let family = target.family.clone();
+            for id in family.group("all").unwrap() {
+                target.read(session, family.param(id).unwrap(), DataSets::Unnamed).await;
+            }
+            counters(session, &target, Lang::En).await.unwrap();
+        }
+        assert_eq!(format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session))), before);
+    });
+    assert_eq!(remarks, [""; 0]);
+}
+
+/// Every cell of both drives.
+fn ram(session: &mut Session<'_>) -> Vec<Option<i64>> {
+    let bench = session.bench().unwrap();
+    let drives: Vec<_> = bench.drives().collect();
+    let cells = drives.iter().flat_map(|drive| (12..1600).flat_map(move |id| (0..=9).map(move |set| drive.ram(id, set))));
+    cells.collect()
+}

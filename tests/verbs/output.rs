@@ -1,1 +1,167 @@
-//! Placeholder.
+//! Forms of output: what goes where, what a pipe, a terminal and a script get.
+
+use crate::run::{SCHEMAS, VERBS, antrieb};
+use unicode_width::UnicodeWidthStr;
+
+/// A line of every verb that brings plenty.
+const PLENTY: [&str; 15] = [
+    "-p sim scan",
+    "-p sim -a 1,2 identify",
+    "-p sim -a 1,2 read @all",
+    "-p sim -a 1 read 1600 372",
+    "-p sim -a 1 --yes write 480@1=6 376@2=0 481@1=7",
+    "-p sim -a 2 dataset show",
+    "-p sim -a 2 --yes dataset copy 1 2",
+    "-p sim -a 1,2 diag --link-test 5",
+    "-p sim -a 1,2 statemachine",
+    "-p sim -a 1,2 sollwert",
+    "params",
+    "params 412",
+    "decode telegram 01 65 21 77 00 00 03 E8 46 C5",
+    "decode status 0xFFFF",
+    "decode fault F2105",
+];
+
+#[test]
+fn a_closed_pipe_is_a_success() {
+    for line in PLENTY {
+        for format in ["table", "json", "ndjson", "csv"] {
+            // The reader is gone at once, in the middle of the first line, and later than any buffer.
+            for bytes in [0, 40, 9_000] {
+                let run = antrieb(&format!("{line} --format {format}")).run();
+                if run.out.len() <= bytes {
+                    continue;
+                }
+                let cut = antrieb(&format!("{line} --format {format}")).into_pipe_of(bytes).exits(0);
+                assert!(!cut.err.contains("cannot write"), "{line} {format} {bytes}: {}", cut.err);
+                assert!(run.out.starts_with(&cut.out), "{line} {format} {bytes}");
+            }
+        }
+    }
+    for line in ["--help", "schema", "schema read", "completions bash", "man", "man read", "--version"] {
+        antrieb(line).into_pipe_of(5).exits(0);
+    }
+}
+
+#[test]
+fn stdout_carries_data_only() {
+    for line in PLENTY {
+        let json = antrieb(&format!("{line} --json")).run();
+        serde_json::from_str::<serde_json::Value>(&json.out).unwrap_or_else(|error| panic!("{line}: {error}"));
+        for text in ["warning:", "error:", "hint:", "note:", "found "] {
+            assert!(!antrieb(line).run().out.contains(text), "{line}: {text}");
+        }
+    }
+}
+
+#[test]
+fn eighty_columns_are_enough() {
+    for lang in ["en", "de"] {
+        for line in PLENTY {
+            let run = antrieb(&format!("--lang {lang} {line}")).columns(80).run();
+            let long: Vec<_> = run.out.lines().filter(|shown| shown.width() > 80).collect();
+            assert_eq!(long, [""; 0], "{line}");
+        }
+    }
+}
+
+#[test]
+fn eighty_columns_tear_no_number_apart() {
+    let run = antrieb("-p sim -a 1 read 372@2 481 411 375").columns(80).exits(0);
+    for number in ["1390", "10.00", "0x0023", "50.00"] {
+        assert!(run.out.split_whitespace().any(|word| word == number), "{number}: {}", run.out);
+    }
+    let run = antrieb("-p sim -a 1 --yes write 480@1=6 372@2=1450").columns(80).exits(0);
+    for word in ["480", "5.00", "6.00", "372", "1390", "1450", "verified"] {
+        assert!(run.out.split_whitespace().any(|shown| shown == word), "{word}: {}", run.out);
+    }
+    let run = antrieb("-p sim -a 1 dataset show 372 480").columns(80).exits(0);
+    assert_eq!(run.out.split_whitespace().filter(|word| *word == "1390").count(), 4, "{}", run.out);
+}
+
+#[test]
+fn a_pipe_gets_one_row_a_line() {
+    let read = antrieb("-p sim -a 1 read 372@all 1600 411").exits(9);
+    assert_eq!(read.rows().len(), 6, "{}", read.out);
+    let params = antrieb("params").exits(0);
+    let count = antrieb("params").json().data("/params").as_array().unwrap().len();
+    assert_eq!(params.rows().len(), count);
+    let written = antrieb("-p sim -a 1 --yes write 480@1=6 376@2=0 481@1=7").exits(9);
+    assert_eq!(written.rows().len(), 3, "{}", written.out);
+    for line in PLENTY {
+        let run = antrieb(line).run();
+        assert!(!run.out.contains('\t') && !run.out.contains('\u{1b}'), "{line}");
+        assert!(!run.out.lines().any(|shown| shown.ends_with(' ')), "{line}");
+        assert!(!run.out.contains(['│', '|', '+']), "no borders that break copying: {line}\n{}", run.out);
+    }
+}
+
+#[test]
+fn a_terminal_changes_the_width_and_nothing_else() {
+    let squeeze = |text: &str| text.split_whitespace().collect::<String>();
+    let wide = antrieb("-p sim -a 1 read 372@2 481 411").columns(300).exits(0);
+    let piped = antrieb("-p sim -a 1 read 372@2 481 411").exits(0);
+    assert_eq!(squeeze(&wide.out), squeeze(&piped.out));
+}
+
+#[test]
+fn the_quiet_are_told_failures_only() {
+    assert_eq!(antrieb("-p sim -q scan").exits(0).err, "");
+    assert_eq!(antrieb("-p sim -q -a 1 --yes write 480@1=6").exits(0).err, "");
+    let run = antrieb("-p sim -q -a 9 read 372").exits(4);
+    assert!(run.err.starts_with("error: "), "{}", run.err);
+}
+
+#[test]
+fn telegrams_are_shown_decoded_with_their_times() {
+    let run = antrieb("-p sim -a 1 --drive act -v read 372@2").exits(0);
+    let lines: Vec<_> = run.err.lines().collect();
+    assert_eq!(lines.len(), 2);
+    assert!(lines[0].trim_start().starts_with("2.006 ms > 01 03 21 74 00 01 CE 2C  "), "{}", lines[0]);
+    assert!(lines[0].contains("P.372@2"), "{}", lines[0]);
+    assert!(lines[1].contains(" ms < 01 03 02 05 6E 3A F8  ") && lines[1].contains("1390"), "{}", lines[1]);
+    let german = antrieb("-p sim -a 1 --drive act -v --lang de read 372@2").exits(0);
+    assert!(german.err.contains("lesen P.372@2"), "{}", german.err);
+}
+
+#[test]
+fn schemas_are_printed_for_every_verb_and_refuse_what_is_no_document() {
+    for verb in VERBS {
+        let validator = &SCHEMAS[verb];
+        assert!(!validator.is_valid(&serde_json::json!({})), "{verb}");
+        let whole = serde_json::json!({ "schema": 1, "tool": "antrieb", "command": verb, "ok": true,
+            "data": { "surprise": 1 }, "warnings": [], "error": null });
+        assert!(!validator.is_valid(&whole), "{verb}");
+    }
+    antrieb("schema nope").exits(2);
+}
+
+#[test]
+fn a_document_of_one_verb_is_none_of_another() {
+    let read: serde_json::Value = antrieb("-p sim -a 1 read 372").json().value;
+    assert!(SCHEMAS[""].is_valid(&read) && SCHEMAS["read"].is_valid(&read));
+    for verb in ["scan", "write", "diag", "params"] {
+        assert!(!SCHEMAS[verb].is_valid(&read), "{verb}");
+    }
+}
+
+#[test]
+fn json_says_the_same_in_every_language() {
+    // Numbers, slugs and codes are for scripts; only names and texts are for people.
+    let [en, de] = ["en", "de"].map(|lang| antrieb(&format!("-p sim -a 1 --lang {lang} read 372 411 1600")).json().value);
+    for pointer in ["/data/values/0/slug", "/data/values/1/word/bits/0/slug", "/data/values/2/error/code", "/error/code"] {
+        assert!(en.pointer(pointer).is_some_and(|text| text.is_string()), "{pointer}: {en:#}");
+        assert_eq!(en.pointer(pointer), de.pointer(pointer), "{pointer}");
+    }
+    assert_ne!(en.pointer("/data/values/0/name"), de.pointer("/data/values/0/name"));
+}
+
+#[test]
+fn completions_and_man_pages_are_printed() {
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        assert!(antrieb(&format!("completions {shell}")).exits(0).out.contains("sollwert"), "{shell}");
+    }
+    assert!(antrieb("man").exits(0).out.starts_with(".ie"));
+    assert!(antrieb("man read").exits(0).out.contains("data set"));
+    antrieb("man nope").exits(2);
+}

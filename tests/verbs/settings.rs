@@ -105,7 +105,6 @@ fn values_in_configurations_are_held_to_the_same_rules() {
         ("baud = 5\n", "usage.baud"),
         ("parity = \"mark\"\n", "usage.parity"),
         ("timeout = \"soon\"\n", "usage.timeout"),
-        ("format = \"xml\"\n", "usage.format"),
         ("lang = \"fr\"\n", "usage.lang"),
         ("protocol = \"vabus\"\n", "usage.protocol"),
         ("port = \"tcp://x:1\"\n", "usage.port"),
@@ -114,6 +113,8 @@ fn values_in_configurations_are_held_to_the_same_rules() {
         let document = antrieb("-a 1 read 372").file("antrieb.toml", text).json();
         assert_eq!((document.exit, &document.error()["code"]), (2, &code.into()), "{text}");
     }
+    let run = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"xml\"\n").exits(2);
+    assert!(run.err.contains("expected table, json, ndjson or csv, got 'xml'"), "{}", run.err);
     let json = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"json\"\n").exits(0);
     assert!(json.out.starts_with('{'), "{}", json.out);
 }
