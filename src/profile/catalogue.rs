@@ -4,6 +4,7 @@
 //! characters, dangling references or limits that do not fit its decimals.
 
 use super::family::{BitRow, CatalogueRow, CounterRow, EnumRow, ErrorRow, Family, FaultGroup, FaultRow, StateRow};
+use super::machine::{Command, Transition};
 use super::param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 use super::text::Text;
 use super::value::parse_decimal;
@@ -141,6 +142,10 @@ struct Body {
     #[serde(default)]
     states: Vec<Spanned<StateRow>>,
     #[serde(default)]
+    commands: Vec<Spanned<Command>>,
+    #[serde(default)]
+    transitions: Vec<Spanned<Transition>>,
+    #[serde(default)]
     fault_groups: Vec<Spanned<FaultGroup>>,
     #[serde(default)]
     faults: Vec<Spanned<FaultRow>>,
@@ -241,6 +246,8 @@ impl Catalogue {
             drives: Vec::new(),
             params: Vec::new(),
             states: Vec::new(),
+            commands: Vec::new(),
+            transitions: Vec::new(),
             fault_groups: Vec::new(),
             faults: Vec::new(),
             errors: Vec::new(),
@@ -321,6 +328,18 @@ impl Catalogue {
         }
         self.join(&self.body.faults, &mut family.faults)?;
         self.join(&self.body.states, &mut family.states)?;
+        self.join(&self.body.commands, &mut family.machine.commands)?;
+        for row in &self.body.transitions {
+            let (at, row) = (row.span().start, row.get_ref());
+            if row.drives.as_ref().is_some_and(|drives| !drives.contains(&family.drive)) {
+                continue;
+            }
+            let known = |slug: &String| family.machine.command(slug).is_some();
+            if row.command.as_ref().is_some_and(|slug| !known(slug)) {
+                return Err(self.error(at, format!("transition {}: there is no such command", row.number)));
+            }
+            family.machine.transitions.push(row.clone());
+        }
         self.join(&self.body.fault_groups, &mut family.fault_groups)?;
         self.join(&self.body.errors, &mut family.errors)?;
         self.join(&self.body.counters, &mut family.counters)?;

@@ -1,5 +1,6 @@
 //! One drive as its catalogues describe it, and decoding by it.
 
+use super::machine::Machine;
 use super::param::Param;
 use super::text::{Lang, Text, fold, same, starts};
 use serde::Deserialize;
@@ -18,6 +19,8 @@ pub struct Family {
     pub params: BTreeMap<u32, Param>,
     /// States of the status word; the first that fits counts.
     pub states: Vec<StateRow>,
+    /// Commands and transitions of the state machine.
+    pub machine: Machine,
     /// Fault groups by the high byte of the fault code.
     pub fault_groups: Vec<FaultGroup>,
     /// Faults.
@@ -186,6 +189,7 @@ impl Family {
             title,
             params: BTreeMap::new(),
             states: Vec::new(),
+            machine: Machine::default(),
             fault_groups: Vec::new(),
             faults: Vec::new(),
             errors: Vec::new(),

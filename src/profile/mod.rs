@@ -6,6 +6,7 @@
 
 mod catalogue;
 mod family;
+mod machine;
 mod param;
 mod select;
 mod text;
@@ -13,6 +14,7 @@ pub mod value;
 
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultRow, LookupError, StateRow, WordBit};
+pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use text::{Lang, Text, fold};

@@ -1,7 +1,8 @@
 //! The simulator as judge of our master: whatever is done with drives on a normal bench, it has no remark.
 
 use antrieb::drive::{
-    Interrupt, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test, recognise, scan,
+    Interrupt, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test, recognise,
+    scan,
 };
 use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
 use antrieb::outcome::Event;
@@ -207,6 +208,7 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
 fn ram(session: &mut Session<'_>) -> Vec<Option<i64>> {
     let bench = session.bench().unwrap();
     let drives: Vec<_> = bench.drives().collect();
-    let cells = drives.iter().flat_map(|drive| (12..1600).flat_map(move |id| (0..=9).map(move |set| drive.ram(id, set))));
+    let cells =
+        drives.iter().flat_map(|drive| (12..1600).flat_map(move |id| (0..=9).map(move |set| drive.ram(id, set))));
     cells.collect()
 }

@@ -102,7 +102,10 @@ fn rows(document: &Value) -> Vec<Map<String, Value>> {
         }
         "sollwert" => {
             let of = |drive: Value| {
-                ["setpoints", "actual", "sources"].into_iter().flat_map(move |part| list(&drive[part])).collect::<Vec<_>>()
+                ["setpoints", "actual", "sources"]
+                    .into_iter()
+                    .flat_map(move |part| list(&drive[part]))
+                    .collect::<Vec<_>>()
             };
             list(&data["drives"]).into_iter().flat_map(of).collect()
         }

@@ -220,7 +220,7 @@ fn force_lets_the_drive_judge() {
 fn an_unknown_parameter_is_written_raw() {
     let document = antrieb("-p sim -a 1 --yes write 212=1 --type uint").json().exits(6);
     assert_eq!(document.error()["code"], "refused.unknown_parameter");
-    let document = antrieb("-p sim -a 1 --yes write 241=1 --force").json().exits(6);
+    let document = antrieb("-p sim -a 1 --yes write 241=0x1 --force").json().exits(6);
     assert_eq!(document.error()["code"], "refused.not_writable", "the width was found by reading");
 }
 
