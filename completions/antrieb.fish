@@ -57,10 +57,11 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "read" -d 'Reads par
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "write" -d 'Writes parameters'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "dataset" -d 'Shows, selects, copies and compares the four data sets of a drive'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "diag" -d 'Diagnoses a drive and the line to it'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "statemachine" -d 'Shows the state of the drive\'s state machine. Reading only'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows the state of the drive\'s state machine. Reading only'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sollwert" -d 'Shows setpoints and actual values side by side. Reading only'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "setpoint" -d 'Shows setpoints and actual values side by side. Reading only'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "statemachine" -d 'Shows the state of the drive, and walks it through its state machine'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows the state of the drive, and walks it through its state machine'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sollwert" -d 'Shows setpoints and actual values side by side, or gives a setpoint'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "setpoint" -d 'Shows setpoints and actual values side by side, or gives a setpoint'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "monitor" -d 'Watches drives: state, setpoint, actual value, current, fault and warnings, or parameters of your choice'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "decode" -d 'Explains telegrams, words and codes. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "simulate" -d 'Serves simulated drives in real time on a pseudo terminal or a TCP port'
@@ -368,33 +369,42 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag" -l no-config -d 'R
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud [default: 19200]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l parity -d 'Parity: even, odd, none [default: even]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show" -f -a "show" -d 'Show state, words and control mode (the default)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "show" -d 'Show state, words, control mode, what is missing (the default)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "shutdown" -d 'Shut down: to "ready to switch on"'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "switch-on" -d 'Walk to "switched on"; the shaft does not turn yet'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "enable" -d 'Walk to "operation enabled": the motor is powered and follows its setpoint'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "disable" -d 'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "disable-voltage" -d 'Disable voltage: the shaft coasts'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "quick-stop" -d 'Quick stop: by the emergency ramps P.424 and P.425'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "reset" -d 'Reset a fault: once, when the drive\'s 15 s lock has passed'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "goto" -d 'Walk to a state, the shortest way'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "contacts" -d 'Set virtual contacts through the control word (P.412 = 2): S1IND … S6IND, MFI1D, EM-S1IND … EM-S3IND'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud [default: 19200]' -r
@@ -421,33 +431,357 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud [default: 19200]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l parity -d 'Parity: even, odd, none [default: even]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show" -f -a "show" -d 'Show state, words and control mode (the default)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "show" -d 'Show state, words, control mode, what is missing (the default)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "shutdown" -d 'Shut down: to "ready to switch on"'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "switch-on" -d 'Walk to "switched on"; the shaft does not turn yet'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "enable" -d 'Walk to "operation enabled": the motor is powered and follows its setpoint'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "disable" -d 'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "disable-voltage" -d 'Disable voltage: the shaft coasts'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "quick-stop" -d 'Quick stop: by the emergency ramps P.424 and P.425'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "reset" -d 'Reset a fault: once, when the drive\'s 15 s lock has passed'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "goto" -d 'Walk to a state, the shortest way'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "contacts" -d 'Set virtual contacts through the control word (P.412 = 2): S1IND … S6IND, MFI1D, EM-S1IND … EM-S3IND'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud [default: 19200]' -r
@@ -474,6 +808,334 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10, P.549)' -r -f -a "reached\t'The drive reports the setpoint as reached'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l source -d 'Set P.434 for the run, in RAM: line = line setpoint only, sum = internal and line setpoint added' -r -f -a "line\t'2: line setpoint'
+sum\t'3: internal setpoint and line setpoint, added'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l ramp -d 'Lead the setpoint on a straight line: FROM:TO:TIME, such as 0Hz:50Hz:20s' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l jog -d 'Enable, run for this time, stop: the same as --enable --hold --duration TIME' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s b -l baud -d 'Speed in baud [default: 19200]' -r
@@ -492,6 +1154,10 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l enable -d 'Walk the state machine to "operation enabled" first'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l force -d 'Give also a setpoint beyond P.419, and let the drive judge'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
@@ -500,6 +1166,19 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l no-config -
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10, P.549)' -r -f -a "reached\t'The drive reports the setpoint as reached'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l source -d 'Set P.434 for the run, in RAM: line = line setpoint only, sum = internal and line setpoint added' -r -f -a "line\t'2: line setpoint'
+sum\t'3: internal setpoint and line setpoint, added'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l ramp -d 'Lead the setpoint on a straight line: FROM:TO:TIME, such as 0Hz:50Hz:20s' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l jog -d 'Enable, run for this time, stop: the same as --enable --hold --duration TIME' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l duration -d 'With --hold: end after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
+coast\t'Disable voltage: the shaft coasts'
+keep\t'Leave it running'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l watchdog -d 'Set the drive\'s own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s b -l baud -d 'Speed in baud [default: 19200]' -r
@@ -518,6 +1197,10 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l enable -d 'Walk the state machine to "operation enabled" first'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l force -d 'Give also a setpoint beyond P.419, and let the drive judge'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l hold -d 'Keep the drive running only while this program runs, then stop it as --on-exit says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l take-control -d 'Take control with P.412 = 1 for the run, in RAM, and give it back afterwards'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
@@ -526,6 +1209,38 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l no-config -
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l interval -d 'Time from round to round; 0 is as fast as the line allows' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l duration -d 'End after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l count -d 'End after this many rounds' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s b -l baud -d 'Speed in baud [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l parity -d 'Parity: even, odd, none [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'Protocol on the line: rtu, ascii [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'What the drives are: auto, act, acu [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l reconnect -d 'Wait for a port that is lost, such as an adapter that was unplugged, and go on when it is back'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l line -d 'One line that is refreshed, in place of the live view'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l unpaced -d 'On the built-in bench: do not follow the wall clock; minutes of the bench take milliseconds'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s b -l baud -d 'Speed in baud [default: 19200]' -r

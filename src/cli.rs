@@ -1,13 +1,14 @@
 //! The program: root command, dispatch, signals, hidden verbs that print completions and man pages.
 
-use crate::args::{Environment, Globals, Settings};
+use crate::args::{ColorChoice, Environment, Globals, Settings};
 use crate::command::{self, Context};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::{Lang, Registry};
-use crate::render::{self, Console, Format, Streams, Terminal};
+use crate::render::{self, Console, Format, Keys, Manner, Stream, Streams, Terminal, View};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
 
@@ -36,6 +37,7 @@ enum Verb {
     Statemachine(command::statemachine::Args),
     #[command(visible_alias = "setpoint")]
     Sollwert(command::sollwert::Args),
+    Monitor(command::monitor::Args),
     Params(command::params::Args),
     Decode(command::decode::Args),
     Simulate(command::simulate::Args),
@@ -106,17 +108,70 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Err(_) if cli.globals.json => (Format::Json, Lang::En),
         Err(_) => (cli.globals.format.unwrap_or_default(), Lang::En),
     };
-    let outcome = settings.and_then(|settings| {
-        let present = input_is_terminal && err_is_terminal;
-        let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
-        let mut ask = Terminal { console: console.clone(), input: input.as_mut(), present, yes, quiet, lang };
-        work(&cli.verb, &settings, &mut ask, &console)
-    });
-    let outcome = outcome.unwrap_or_else(Outcome::from);
     let width = if out_is_terminal { width } else { None };
-    match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
-        Ok(()) => outcome.failure.map_or(0, |failure| failure.class.exit()),
+    let view = view(&cli.verb, format, settings.as_ref().ok(), environment, out_is_terminal);
+    let choice = settings.as_ref().map_or(ColorChoice::Never, |settings| settings.color);
+    let color = may_color(choice, environment, out_is_terminal);
+    let carry_out = |stream: Option<&RefCell<Stream<'_>>>| {
+        let outcome = settings.and_then(|settings| {
+            let present = input_is_terminal && err_is_terminal;
+            let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
+            let mut ask = Terminal { console: console.clone(), input: input.as_mut(), present, yes, quiet, lang };
+            work(&cli.verb, &settings, &mut ask, &console, stream)
+        });
+        outcome.unwrap_or_else(Outcome::from)
+    };
+    let printed = match view {
+        None => {
+            let outcome = carry_out(None);
+            render::print(&outcome, verb, format, lang, width, out.as_mut(), &console).map(|()| outcome)
+        }
+        Some(view) => {
+            let manner = Manner { lang, width, color, holds_stderr: err_is_terminal };
+            Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
+                let stream = RefCell::new(stream);
+                let outcome = carry_out(Some(&stream));
+                stream.into_inner().finish(&outcome).map(|()| outcome)
+            })
+        }
+    };
+    match printed {
+        Ok(outcome) => outcome.failure.map_or(0, |failure| failure.class.exit()),
         Err(error) => closed(&error, &console),
+    }
+}
+
+/// The form of a verb that streams; `None` for what is printed as a whole at the end.
+fn view(
+    verb: &Verb,
+    format: Format,
+    settings: Option<&Settings>,
+    environment: &Environment,
+    out_is_terminal: bool,
+) -> Option<View> {
+    let Verb::Monitor(args) = verb else { return None };
+    let is_dumb = environment.variables.get("TERM").is_some_and(|term| term == "dumb");
+    match format {
+        // A stream has no end to wait for, so its JSON is one object a line.
+        Format::Json | Format::Ndjson => Some(View::Ndjson),
+        _ if settings.is_none_or(|settings| settings.dry_run) => None,
+        Format::Csv => Some(View::Csv),
+        Format::Table if out_is_terminal && args.line => Some(View::Ticker),
+        Format::Table if out_is_terminal && !is_dumb => Some(View::Live),
+        Format::Table => Some(View::Lines),
+    }
+}
+
+/// Whether colours may go to stdout: `--color` before NO_COLOR (no-color.org), CLICOLOR and TERM.
+fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bool) -> bool {
+    let is = |name: &str, what: &dyn Fn(&str) -> bool| environment.variables.get(name).is_some_and(|set| what(set));
+    match choice {
+        ColorChoice::Always => true,
+        ColorChoice::Never => false,
+        ColorChoice::Auto => {
+            let unwanted = is("NO_COLOR", &|set| !set.is_empty()) || is("CLICOLOR", &|set| set == "0");
+            out_is_terminal && !unwanted && !is("TERM", &|set| set == "dumb")
+        }
     }
 }
 
@@ -149,7 +204,13 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
             .skip(1)
             .find_map(|word| root.find_subcommand(word.as_ref()))
             .map_or("", |verb| verb.get_name());
-        let _closed = render::print(&Outcome::from(failure), verb, Format::Json, Lang::En, None, out, &console);
+        let outcome = Outcome::from(failure);
+        let _closed = if verb == "monitor" {
+            let manner = Manner { lang: Lang::En, width: None, color: false, holds_stderr: false };
+            Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome))
+        } else {
+            render::print(&outcome, verb, Format::Json, Lang::En, None, out, &console)
+        };
     } else {
         text.lines().for_each(|line| console.line(line));
     }
@@ -165,21 +226,48 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
     Class::Port.exit()
 }
 
-fn work(verb: &Verb, settings: &Settings, ask: &mut Terminal<'_>, console: &Console) -> Result<Outcome, Failure> {
+fn work(
+    verb: &Verb,
+    settings: &Settings,
+    ask: &mut Terminal<'_>,
+    console: &Console,
+    stream: Option<&RefCell<Stream<'_>>>,
+) -> Result<Outcome, Failure> {
     let registry = Registry::open(&settings.catalogues)
         .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.to_string()))?;
     let bug = |error: io::Error| Failure::new(Class::Bug, "bug.runtime", format!("cannot start the runtime: {error}"));
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(bug)?;
     let interrupt = Interrupt::default();
-    let mut observe = |event| console.observe(event);
+    let ends = interrupt.clone();
+    let mut observe = |event| match stream {
+        None => console.observe(event),
+        // Nobody reads any more.
+        Some(stream) if !stream.borrow_mut().observe(event) => ends.raise(),
+        Some(_) => {}
+    };
+    let keys = stream.and_then(|stream| stream.borrow_mut().keys());
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {
-        let signals = tokio::spawn(raise_on_signal(interrupt));
-        let outcome = dispatch(verb, &mut context).await;
+        let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
+        let outcome = tokio::select! {
+            outcome = dispatch(verb, &mut context) => outcome,
+            () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
+        };
         signals.abort();
         outcome
     })
+}
+
+/// Hands the keys that are pressed to the view, for ever.
+async fn obey_keys(keys: Option<Keys>, stream: Option<&RefCell<Stream<'_>>>, interrupt: &Interrupt) {
+    let (Some(mut keys), Some(stream)) = (keys, stream) else { return std::future::pending().await };
+    loop {
+        let key = keys.next().await;
+        if stream.borrow_mut().press(key) {
+            interrupt.raise();
+        }
+    }
 }
 
 async fn dispatch(verb: &Verb, context: &mut Context<'_>) -> Result<Outcome, Failure> {
@@ -192,6 +280,7 @@ async fn dispatch(verb: &Verb, context: &mut Context<'_>) -> Result<Outcome, Fai
         Verb::Diag(args) => command::diag::run(args, context).await,
         Verb::Statemachine(args) => command::statemachine::run(args, context).await,
         Verb::Sollwert(args) => command::sollwert::run(args, context).await,
+        Verb::Monitor(args) => command::monitor::run(args, context).await,
         Verb::Params(args) => command::params::run(args, context),
         Verb::Decode(args) => command::decode::run(args, context),
         Verb::Simulate(args) => command::simulate::run(args, context).await,
@@ -209,6 +298,7 @@ fn verb_name(verb: &Verb) -> &'static str {
         Verb::Diag(_) => "diag",
         Verb::Statemachine(_) => "statemachine",
         Verb::Sollwert(_) => "sollwert",
+        Verb::Monitor(_) => "monitor",
         Verb::Params(_) => "params",
         Verb::Decode(_) => "decode",
         Verb::Simulate(_) => "simulate",

@@ -1,6 +1,29 @@
 //! The gate before everything that can move a shaft, wear the EEPROM, or cut the line.
 //!
-//! Functions that do such things take a [`Permit`]; only [`ask`] makes one, so forgetting to ask does not compile.
+//! Functions that do such things take a [`Permit`]; only [`ask`] makes one, so forgetting to ask does not compile:
+//!
+//! ```compile_fail
+//! let permit = antrieb::gate::Permit { _private: () };
+//! ```
+//!
+//! ```compile_fail
+//! use antrieb::drive::{Session, Target, motion::Motor};
+//! use antrieb::profile::Lang;
+//! fn without_asking(session: &mut Session<'_>, target: &mut Target) {
+//!     let motor = Motor::new(session, target, Lang::En, None);
+//! }
+//! ```
+//!
+//! The same with a permit compiles:
+//!
+//! ```
+//! use antrieb::drive::{Session, Target, motion::Motor};
+//! use antrieb::gate::Permit;
+//! use antrieb::profile::Lang;
+//! fn after_asking(session: &mut Session<'_>, target: &mut Target, permit: &Permit) {
+//!     let motor = Motor::new(session, target, permit, Lang::En, None);
+//! }
+//! ```
 
 /// What can happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,6 +72,9 @@ pub enum Answer {
 pub trait Ask {
     /// Puts the question and waits for the answer.
     fn ask(&mut self, question: &Question) -> Answer;
+
+    /// Whether anybody can answer; if not, nothing needs to be opened to find that out.
+    fn is_there(&self) -> bool;
 }
 
 /// Why there is no permit.
@@ -58,6 +84,11 @@ pub enum Denied {
     Refused,
     /// There was nobody to ask.
     Nobody,
+}
+
+/// Whether there is anybody to ask at all.
+pub fn somebody(ask: &dyn Ask) -> Result<(), Denied> {
+    if ask.is_there() { Ok(()) } else { Err(Denied::Nobody) }
 }
 
 /// Asks, and hands out the key if the answer is yes.

@@ -71,8 +71,12 @@ pub enum Data {
     Decode(Decode),
     /// `simulate`
     Simulate(Simulate),
+    /// `monitor`, behind its stream
+    Monitor(Monitor),
     /// `--dry-run` of a verb that reads
     Plan(Plan),
+    /// `statemachine enable`, `sollwert 25Hz` …
+    Motion(Motion),
 }
 
 /// Something that happens while a verb works.
@@ -102,6 +106,8 @@ pub enum Event {
     Found(FoundDrive),
     /// For people, on the way.
     Note(String),
+    /// A line of a stream: data, as it comes.
+    Record(Box<Record>),
 }
 
 /// An integer with a count of decimals; a JSON number, exact to its decimals.
@@ -409,6 +415,260 @@ pub enum WriteResult {
     Skipped,
 }
 
+/// What a verb did that can turn a shaft.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Motion {
+    /// Address of the drive.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// What was asked for: `enable`, `quick-stop`, `sollwert` …
+    pub action: String,
+    /// State before.
+    pub from: Option<State>,
+    /// State at the end.
+    pub to: Option<State>,
+    /// Transitions that were walked, in order.
+    pub steps: Vec<Step>,
+    /// Setpoint that was given.
+    pub setpoint: Option<Setpoint>,
+    /// Settings that were changed for the run, and given back.
+    pub changed: Vec<Change>,
+    /// The drive's own watchdog in seconds; 0 is off, null could not be read.
+    pub watchdog_s: Option<i64>,
+    /// The stop at the end, if one was needed.
+    pub stop: Option<Stop>,
+    /// Whether the drive keeps running now that the program leaves; null if that is not known.
+    pub running: Option<bool>,
+    /// What is worth knowing besides.
+    pub notes: Vec<String>,
+}
+
+/// A transition that was walked.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Step {
+    /// Number in the manual.
+    pub transition: String,
+    /// Command; null if the drive goes by itself.
+    pub command: Option<String>,
+    /// Control word that was written, as `0x000F`.
+    pub control: Option<String>,
+    /// State that was reached.
+    pub state: State,
+    /// How long it took.
+    pub took_ms: u64,
+}
+
+/// A setpoint that was given.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Setpoint {
+    /// Parameter that it was written to.
+    pub param: u32,
+    /// Last value.
+    pub value: Decimal,
+    /// Unit.
+    pub unit: String,
+    /// How often a value was written.
+    pub writes: u64,
+    /// Whether the drive reports it as reached; null if nobody waited.
+    pub reached: Option<bool>,
+    /// Actual value at the end.
+    pub actual: Option<Decimal>,
+}
+
+/// A setting that was changed for a run.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Change {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4; always in RAM.
+    pub data_set: u8,
+    /// Raw value before.
+    pub old: i64,
+    /// Raw value during the run.
+    pub new: i64,
+    /// Whether the old value stands again.
+    pub restored: bool,
+}
+
+/// The stop at the end of a run.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Stop {
+    /// `ramp`, `quick-stop`, `coast`, `keep`.
+    pub choice: &'static str,
+    /// Why: `end`, `interrupted`, `error`.
+    pub because: &'static str,
+    /// Whether the drive's state proves that it was obeyed.
+    pub acknowledged: bool,
+    /// State that was seen last.
+    pub state: Option<State>,
+    /// What stops the drive if the line is dead.
+    pub note: Option<String>,
+}
+
+/// A line of a stream: of `monitor`. Times are seconds since the port was opened, by the clock of the line.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Record {
+    /// What is going to be watched; the first line.
+    Start(StreamStart),
+    /// The values of one drive in one round.
+    Sample(Sample),
+    /// The port was lost; the samples until `reopened` are gaps.
+    Lost(PortChange),
+    /// The port is back.
+    Reopened(PortChange),
+    /// What would be sent, under `--dry-run`.
+    Telegram(TelegramDoc),
+    /// How it ended; the last line.
+    End(StreamEnd),
+}
+
+/// What is going to be watched.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StreamStart {
+    /// Seconds.
+    pub t: Decimal,
+    /// Version of the JSON shapes.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'static str,
+    /// Port.
+    pub port: String,
+    /// Line setting.
+    pub line: String,
+    /// Protocol.
+    pub protocol: &'static str,
+    /// Seconds from round to round; 0 is as fast as the line allows.
+    pub interval: Decimal,
+    /// One entry a drive.
+    pub drives: Vec<WatchedDrive>,
+}
+
+/// A drive that is watched.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct WatchedDrive {
+    /// Address.
+    pub address: u8,
+    /// Family; `unknown` as long as the drive does not answer.
+    pub drive: String,
+    /// Title of the family.
+    pub title: Option<String>,
+    /// The values of its samples, in their order.
+    pub columns: Vec<Column>,
+}
+
+/// A value that is watched.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Column {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4.
+    pub data_set: u8,
+    /// `eeprom` or `ram`.
+    pub store: &'static str,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Unit.
+    pub unit: Option<String>,
+    /// What the parameter is to the drive, if it is one that every family has: `status-word`, `setpoint-ramp` …
+    pub role: Option<&'static str>,
+    /// Whether raw values can be turned into values; otherwise nobody knows the decimals.
+    pub scaled: bool,
+}
+
+impl Column {
+    /// Whether both are the same parameter in the same data set.
+    pub fn is_of(&self, other: &Column) -> bool {
+        (self.param, self.data_set, self.store) == (other.param, other.data_set, other.store)
+    }
+
+    /// Whether this is the column of a value.
+    pub fn holds(&self, value: &Value) -> bool {
+        (self.param, self.data_set, self.store) == (value.param, value.data_set, value.store)
+    }
+}
+
+/// The values of one drive in one round.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Sample {
+    /// Seconds, when the round came to this drive.
+    pub t: Decimal,
+    /// Number of the round, from 0.
+    pub n: u64,
+    /// Address.
+    pub address: u8,
+    /// Family; `unknown` as long as the drive does not answer.
+    pub drive: String,
+    /// State, if the status word is watched.
+    pub state: Option<State>,
+    /// The values; null with an error where there is a gap. Bits come without their help, which `params` shows.
+    pub values: Vec<SampleValue>,
+    /// Why the whole sample is a gap.
+    pub error: Option<ErrorDoc>,
+}
+
+/// A value with its time.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SampleValue {
+    /// Seconds, when the answer had come.
+    pub t: Decimal,
+    /// The value.
+    #[serde(flatten)]
+    pub value: Value,
+}
+
+/// A port that was lost or is back.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct PortChange {
+    /// Seconds.
+    pub t: Decimal,
+    /// The port.
+    pub port: String,
+    /// Why it was lost.
+    pub error: Option<ErrorDoc>,
+}
+
+/// How a stream ended.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StreamEnd {
+    /// Seconds.
+    pub t: Decimal,
+    /// Version of the JSON shapes.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'static str,
+    /// Whether all that was asked for was done.
+    pub ok: bool,
+    /// What was streamed; null if nothing was.
+    pub summary: Option<Monitor>,
+    /// Remarks.
+    pub warnings: Vec<Warning>,
+    /// Why it is not all that was asked for.
+    pub error: Option<ErrorDoc>,
+}
+
+/// What `monitor` streamed.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Monitor {
+    /// Why it ended: `count`, `duration`, `interrupted`, `lost`, `no_drive`.
+    pub because: &'static str,
+    /// Seconds from the start to the end.
+    pub t: Decimal,
+    /// Rounds.
+    pub rounds: u64,
+    /// Samples, gaps among them.
+    pub samples: u64,
+    /// Samples that are gaps.
+    pub gaps: u64,
+}
+
 /// What a verb that reads would send, under `--dry-run`.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Plan {
@@ -588,8 +848,25 @@ pub struct StateReport {
     pub fault_code: Option<i64>,
     /// Active fault; null if there is none, or if it could not be read.
     pub fault: Option<Fault>,
+    /// What keeps the drive from running by the control word, and how one sees it.
+    pub missing: Vec<String>,
+    /// The map of the state machine.
+    pub states: Vec<StateRow>,
     /// Why it could not be read.
     pub error: Option<ErrorDoc>,
+}
+
+/// A state and where it leads.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StateRow {
+    /// Stable name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Whether the drive is in it.
+    pub present: bool,
+    /// Transitions with their number, command and goal.
+    pub leads: Vec<String>,
 }
 
 /// Result of `sollwert` without a value.

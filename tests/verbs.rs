@@ -4,6 +4,8 @@
 //! A test says what a user types, and what must come of it: `antrieb("-p sim -a 1 read 372@2").json()`. JSON documents
 //! are held against `antrieb schema` wherever they occur. `INSTA_UPDATE=always` writes the snapshots anew.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
+
 #[path = "verbs/catalogues.rs"]
 mod catalogues;
 #[path = "verbs/decoding.rs"]

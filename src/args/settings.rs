@@ -156,6 +156,10 @@ impl Settings {
         line.stop_bits =
             choose("stop_bits", 1..=2, globals.stop_bits.or(first(layers, |file| file.stop_bits)), line.stop_bits)?;
 
+        if framing == Framing::Rtu && line.data_bits != 8 {
+            return Err(bad_setting("data_bits", "RTU needs 8 data bits").hint("7 data bits are for --protocol ascii"));
+        }
+
         let drive = globals.drive.clone().or(named.and_then(|drive| drive.drive.clone()));
         let drive = drive.or(first(layers, |file| file.drive.clone())).filter(|drive| drive != "auto");
         let timeout = match (globals.timeout, first(layers, |file| file.timeout.as_ref())) {
@@ -163,6 +167,9 @@ impl Settings {
             (None, Some(text)) => Some(parse_span(text).map_err(|why| bad_setting("timeout", &why))?),
             (None, None) => None,
         };
+        if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
+            return Err(bad_setting("timeout", "expected at least 1ms; drives answer not before 10 ms"));
+        }
         let format = match (globals.format, first(layers, |file| file.format.as_ref())) {
             _ if globals.json => Format::Json,
             (Some(format), _) => format,

@@ -91,6 +91,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if settings.dry_run {
         return dry_run(&args.action, context, address);
     }
+    if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = &args.action {
+        // Names are checked before the port is opened.
+        Work { target: Target::new(address, offline_family(settings, registry)?), settings }.params(params)?;
+    }
     let mut session = connect(settings, registry, interrupt, *observe)?;
     let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
     let session = &mut session;
@@ -165,11 +169,20 @@ impl Work<'_> {
         let mut params = Vec::new();
         for text in texts {
             let selector: Selector = text.parse().map_err(|error| select_failure(&error))?;
+            if selector.names_sets() {
+                let message = format!("'{text}' names a data set, but this verb decides which sets are meant");
+                return Err(Failure::new(Class::Usage, "usage.data_set", message).hint("name the parameter without @"));
+            }
             let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
             // Of a group only what may exist in four sets; what was named one by one is asked whatever we know.
             let fitting = selections.into_iter().filter(|one| !one.of_group || one.param.sets == Some(Sets::Four));
             params.extend(fitting.map(|selection| selection.param));
         }
+        if params.is_empty() {
+            let message = format!("nothing of {} exists in four data sets", texts.join(" "));
+            return Err(Failure::new(Class::No, "no.switchable", message).hint("`read` shows what exists once"));
+        }
+        params.iter().try_for_each(super::check_number)?;
         Ok(params)
     }
 
@@ -221,8 +234,8 @@ impl Work<'_> {
 
     async fn header(&mut self, session: &mut Session<'_>) -> Result<(Option<i64>, Option<Value>), Failure> {
         let mut reader = Reader::new(session, &mut self.target, self.settings);
-        let active = reader.role("active-set").await?.and_then(|value| value.raw);
-        let selection = reader.role("set-selection").await?;
+        let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
+        let selection = reader.vital_role("set-selection").await?;
         match reader.failures.pop() {
             Some(failure) => Err(failure),
             None => Ok((active, selection)),
@@ -250,7 +263,7 @@ impl Work<'_> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
         let report = self.report(session, rows).await?;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good) })
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good, self.settings.lang) })
     }
 
     async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
@@ -312,6 +325,6 @@ impl Work<'_> {
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let mut report = self.report(session, Vec::new()).await?;
         report.written = job.rows;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good) })
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good, self.settings.lang) })
     }
 }

@@ -45,7 +45,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     .await?;
     let ill: Vec<_> =
         drives.iter().filter(|drive| drive.fault.is_some()).map(|drive| drive.address.to_string()).collect();
-    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new());
+    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new(), context.settings.lang);
     if args.check && outcome.failure.is_none() && !ill.is_empty() {
         let message = format!("a fault is present at address {}", ill.join(", "));
         outcome.failure = Some(Failure::new(Class::No, "no.fault_present", message));
@@ -123,7 +123,12 @@ async fn diagnose(
         Err(error) => failures.push(failed(error)),
     }
     if let Some(count) = args.link_test {
-        report.link = Some(link_test(session, &target, count.into()).await.map_err(failed)?);
+        let (test, cut) = link_test(session, &target, count.into()).await;
+        report.link = Some(test);
+        if let Some(error) = cut {
+            failures.push(failed(error));
+            return Ok((report, failures, good));
+        }
     }
     if let Some(permit) = permit {
         report.counters_cleared = clear_counters(session, &target, permit).await.map_err(failed)?;

@@ -50,7 +50,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
         },
     )
     .await?;
-    Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new()))
+    Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new(), context.settings.lang))
 }
 
 async fn identify(

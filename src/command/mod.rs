@@ -4,8 +4,10 @@ pub mod dataset;
 pub mod decode;
 pub mod diag;
 pub mod identify;
+pub mod monitor;
 pub mod params;
 pub mod read;
+mod running;
 pub mod scan;
 pub mod simulate;
 pub mod sollwert;
@@ -301,26 +303,33 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
 }
 
 /// What to say when some of many questions failed: nothing, the failure itself, or that it is partly done.
-fn summary(failures: Vec<Failure>, succeeded: usize) -> Option<Failure> {
+fn summary(failures: Vec<Failure>, succeeded: usize, lang: Lang) -> Option<Failure> {
     let count = failures.len();
+    if let Some(end) = failures.iter().find(|failure| is_over(failure)) {
+        return Some(end.clone());
+    }
     let first = failures.into_iter().next()?;
     if succeeded == 0 {
         return Some(first);
     }
-    let message = format!("{count} of {} failed; the first: {}", count + succeeded, first.message);
+    let message = match lang {
+        Lang::En => format!("{count} of {} failed; the first: {}", count + succeeded, first.message),
+        Lang::De => format!("{count} von {} gescheitert; zuerst: {}", count + succeeded, first.message),
+    };
     let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
     Some(failure)
 }
 
 /// The outcome of a verb that goes over several drives.
-fn finish(data: crate::outcome::Data, failures: Vec<Failure>, succeeded: usize, warnings: Vec<Warning>) -> Outcome {
-    Outcome { data: Some(data), warnings, failure: summary(failures, succeeded) }
+fn finish(data: Data, failures: Vec<Failure>, succeeded: usize, warnings: Vec<Warning>, lang: Lang) -> Outcome {
+    Outcome { data: Some(data), warnings, failure: summary(failures, succeeded, lang) }
 }
 
 /// A row of a verb that goes over several drives, what failed on the way to it, and how many values were read.
 type Row<R> = (R, Vec<Failure>, usize);
 
-/// Rows of a verb that goes over several drives, what failed, and how many values were read.
+/// Rows of a verb that goes over several drives, the first failure of each drive that had one, and how many drives were
+/// done without.
 type Rows<R> = (Vec<R>, Vec<Failure>, usize);
 
 /// Runs a verb's work on every drive and collects what fails. Ends early only if the session is over.
@@ -337,8 +346,19 @@ async fn each_drive<R>(
         match work(&mut session, settings, registry, address).await {
             Ok((row, row_failures, good)) => {
                 rows.push(row);
-                failures.extend(row_failures);
-                succeeded += good;
+                let over = row_failures.iter().any(is_over);
+                // What ends the session must be heard, whatever failed before it.
+                let mut heard = row_failures.iter().filter(|failure| !over || is_over(failure));
+                match heard.next().cloned() {
+                    None => succeeded += 1,
+                    Some(failure) if good > 0 && !over => {
+                        failures.push(Failure { class: Class::Partial, code: "partial".to_owned(), ..failure });
+                    }
+                    Some(failure) => failures.push(failure),
+                }
+                if over {
+                    break;
+                }
             }
             Err(failure) => {
                 let over = is_over(&failure);

@@ -87,7 +87,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                     ));
                     failures.push(failure);
                     let read = values.iter().filter(|value: &&Value| value.error.is_none()).count();
-                    return Ok(finish(Data::Read(Read { values }), failures, read, warnings));
+                    return Ok(finish(Data::Read(Read { values }), failures, read, warnings, settings.lang));
                 }
             }
         }
@@ -95,7 +95,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         failures.extend(reader.into_failures().0);
     }
     succeeded += values.iter().filter(|value| value.error.is_none()).count();
-    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings))
+    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings, settings.lang))
 }
 
 /// Reads what the user typed; without anything, the group of actual values.

@@ -1,34 +1,209 @@
-//! `statemachine`: in which state is the drive, and how is it controlled?
+//! `statemachine`: in which state is the drive, and walking it safely through its states.
 
-use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
-use crate::args::Settings;
-use crate::drive::{Session, describe};
-use crate::failure::Failure;
-use crate::outcome::{Data, ErrorDoc, Outcome, StateReport, Statemachine};
-use crate::profile::Registry;
+use super::running::{self, Plan};
+use super::{Context, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target, telegram_reader};
+use crate::args::{MotionArgs, Settings};
+use crate::drive::motion::{Motor, look, missing};
+use crate::drive::{Inquiry, RegisterAddress, Session, describe};
+use crate::failure::{Class, Failure};
+use crate::outcome::{self, Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
+use crate::profile::{Family, Lang, Registry, Type};
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Shows the state of the drive's state machine. Reading only.
+/// Shows the state of the drive, and walks it through its state machine.
 ///
-/// Shows the state that the status word means, status and control word bit by bit, the control mode (P.412) and the
-/// active fault.
+/// `show` (the default) reads only: the state, status and control word bit by bit, the control mode (P.412), what is
+/// missing to run, and where each state leads. Everything else can turn the shaft and asks first. The control word is
+/// obeyed only with P.412 = 1 (--take-control) and with external enable and start contact given.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
     action: Option<Action>,
 }
 
-#[derive(Clone, Copy, Debug, Subcommand)]
+#[derive(Clone, Debug, Subcommand)]
 enum Action {
-    /// Show state, words and control mode (the default)
+    /// Show state, words, control mode, what is missing (the default)
     Show,
+    /// Shut down: to "ready to switch on"
+    Shutdown(MotionArgs),
+    /// Walk to "switched on"; the shaft does not turn yet
+    SwitchOn(MotionArgs),
+    /// Walk to "operation enabled": the motor is powered and follows its setpoint
+    Enable(MotionArgs),
+    /// Disable operation: transition 5, which coasts, brakes or ramps as P.392 says
+    Disable(MotionArgs),
+    /// Disable voltage: the shaft coasts
+    DisableVoltage(MotionArgs),
+    /// Quick stop: by the emergency ramps P.424 and P.425
+    QuickStop(MotionArgs),
+    /// Reset a fault: once, when the drive's 15 s lock has passed
+    Reset(MotionArgs),
+    /// Walk to a state, the shortest way
+    Goto {
+        /// switch-on-disabled, ready-to-switch-on, switched-on, operation-enabled
+        state: String,
+        #[command(flatten)]
+        motion: MotionArgs,
+    },
+    /// Set virtual contacts through the control word (P.412 = 2): S1IND … S6IND, MFI1D, EM-S1IND … EM-S3IND
+    Contacts {
+        /// Contacts that are closed; all others are open
+        contacts: Vec<String>,
+        #[command(flatten)]
+        motion: MotionArgs,
+    },
 }
 
 /// Roles that are read, in this order.
 const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"];
 
-/// Shows the state of every drive that was named.
-pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+/// Shows the state of every drive that was named, or walks one.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let lang = context.settings.lang;
+    let (slug, motion) = match &args.action {
+        None | Some(Action::Show) => return show_all(context).await,
+        Some(Action::Shutdown(motion)) => ("shutdown", motion),
+        Some(Action::SwitchOn(motion)) => ("switch-on", motion),
+        Some(Action::Enable(motion)) => ("enable", motion),
+        Some(Action::Disable(motion)) => ("disable", motion),
+        Some(Action::DisableVoltage(motion)) => ("disable-voltage", motion),
+        Some(Action::QuickStop(motion)) => ("quick-stop", motion),
+        Some(Action::Reset(motion)) => ("reset", motion),
+        Some(Action::Goto { state, motion }) => return go_to(context, state, motion).await,
+        Some(Action::Contacts { contacts, motion }) => return set_contacts(context, contacts, motion).await,
+    };
+    let family = offline_family(context.settings, context.registry)?;
+    let command = family.machine.command(slug).cloned();
+    let command = command.ok_or_else(|| Failure::new(Class::Data, "data.machine", format!("no command '{slug}'")))?;
+    if context.settings.dry_run {
+        return dry_run(context, &family, command.word);
+    }
+    let plan = Plan { action: slug, announce: command.name(lang).to_owned(), args: motion, needs_control: true };
+    let hold = motion.hold.then_some(motion.duration);
+    running::run(
+        context,
+        plan,
+        async |_, _, _| Ok(()),
+        async |motor, ()| {
+            match slug {
+                "enable" => motor.walk("operation-enabled").await?,
+                "switch-on" => motor.walk("switched-on").await?,
+                "reset" => motor.reset().await?,
+                stop => motor.command(stop).await?,
+            }
+            if let (Some(duration), "enable") = (hold, slug) {
+                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+            }
+            Ok(())
+        },
+    )
+    .await
+}
+
+async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> Result<Outcome, Failure> {
+    let lang = context.settings.lang;
+    let family = offline_family(context.settings, context.registry)?;
+    let Some(row) = family.states.iter().find(|row| row.slug == state) else {
+        let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).collect();
+        let message = format!("there is no state '{state}' (expected: {})", known.join(", "));
+        return Err(Failure::new(Class::Usage, "usage.state", message));
+    };
+    if context.settings.dry_run {
+        let message = "the way to a state depends on the present one, and a dry run asks no drive";
+        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint("dry-run a single command, such as enable"));
+    }
+    let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
+    let plan = Plan { action: "goto", announce, args: motion, needs_control: true };
+    let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
+    running::run(
+        context,
+        plan,
+        async |_, _, _| Ok(()),
+        async |motor, ()| {
+            motor.walk(state).await?;
+            if let (Some(duration), true) = (hold, runs) {
+                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+            }
+            Ok(())
+        },
+    )
+    .await
+}
+
+/// Closes virtual contacts by name. They act only with the hardware enable given (CM-485 manual 9.1.3, 10.1).
+async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &MotionArgs) -> Result<Outcome, Failure> {
+    let lang = context.settings.lang;
+    let family = offline_family(context.settings, context.registry)?;
+    let word = contact_word(&family, contacts)?;
+    if context.settings.dry_run {
+        return dry_run(context, &family, word);
+    }
+    let shown = if contacts.is_empty() { "-".to_owned() } else { contacts.join(" ") };
+    let announce = format!("{}: {shown}", lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen"));
+    let plan = Plan { action: "contacts", announce, args: motion, needs_control: false };
+    let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
+    running::run(
+        context,
+        plan,
+        async |_, _, before| {
+            if before.mode == Some(2) || take {
+                return Ok(());
+            }
+            let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
+            let text = match lang {
+                Lang::En => format!("the drive does not listen to virtual contacts: P.412 is {mode}, it must be 2"),
+                Lang::De => format!("der Antrieb hört nicht auf virtuelle Kontakte: P.412 ist {mode}, nötig ist 2"),
+            };
+            Err(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
+                "--take-control sets it in RAM for the run and gives it back",
+                "--take-control stellt es für den Lauf im RAM um und danach zurück",
+            )))
+        },
+        async |motor, ()| {
+            if take {
+                motor.change("control-mode", 2).await?;
+            }
+            motor.contacts(word).await?;
+            if let Some(duration) = hold {
+                motor.hold_contacts(duration).await?;
+            }
+            Ok(())
+        },
+    )
+    .await
+}
+
+/// The control word whose bits are the contacts with these names.
+fn contact_word(family: &Family, contacts: &[String]) -> Result<u16, Failure> {
+    let param = family.role("control-word");
+    let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
+    let bits = family.word(param, 0, |_| Some(2));
+    let fold = |name: &str| name.to_uppercase().replace(['-', '_', ' '], "");
+    let mut word = 0;
+    for contact in contacts {
+        let bit = bits.iter().find(|bit| bit.row.is_some_and(|row| fold(&row.en) == fold(contact)));
+        let bit = bit.ok_or_else(|| {
+            let known: Vec<_> = bits.iter().filter_map(|bit| bit.row.map(|row| row.en.as_str())).collect();
+            let message = format!("there is no contact '{contact}' (expected: {})", known.join(", "));
+            Failure::new(Class::Usage, "usage.contact", message)
+        })?;
+        word |= 1 << bit.bit;
+    }
+    Ok(word)
+}
+
+fn dry_run(context: &Context<'_>, family: &Family, word: u16) -> Result<Outcome, Failure> {
+    let address = running::single_address(context)?;
+    let param = family.role("control-word").map_or(0, |param| param.id);
+    let at = RegisterAddress::new(param, 0);
+    let at = at.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
+    let inquiry = Inquiry::Write(at, Type::Uint, word.into());
+    let telegrams = vec![telegram_reader(context.settings, family).question(address, inquiry)];
+    Ok(Outcome::of(Data::Plan(outcome::Plan { dry_run: true, telegrams })))
+}
+
+async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
         let questions = role_questions(context, &ROLES)?;
         return plan(context, &questions);
@@ -47,11 +222,13 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
             control_mode: None,
             fault: None,
             fault_code: None,
+            missing: Vec::new(),
+            states: Vec::new(),
             error: Some(ErrorDoc::from(failure)),
         },
     )
     .await?;
-    Ok(finish(Data::Statemachine(Statemachine { drives }), failures, succeeded, Vec::new()))
+    Ok(finish(Data::Statemachine(Statemachine { drives }), failures, succeeded, Vec::new(), context.settings.lang))
 }
 
 async fn show(
@@ -60,24 +237,48 @@ async fn show(
     registry: &Registry,
     address: u8,
 ) -> Result<Row<StateReport>, Failure> {
+    let lang = settings.lang;
     let mut target = target(session, settings, registry, address, false).await?;
     let mut reader = Reader::new(session, &mut target, settings);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let control_mode = reader.role("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
-    let family = &reader.target.family;
+    let (failures, good) = reader.into_failures();
+    let missing = if failures.is_empty() {
+        let situation = look(session, &mut target, lang).await?;
+        missing(&situation, &target, lang)
+    } else {
+        Vec::new()
+    };
+    let state = status.as_ref().and_then(|word| word.state.clone());
     let report = StateReport {
         address,
-        drive: family.drive.clone(),
-        state: status.as_ref().and_then(|word| word.state.clone()),
+        drive: target.family.drive.clone(),
+        states: states(&target.family, state.as_ref().map_or("", |state| &state.slug), lang),
+        state,
         status,
         control,
         control_mode,
-        fault: fault.and_then(|code| describe::fault(family, code as u32, settings.lang)),
+        fault: fault.and_then(|code| describe::fault(&target.family, code as u32, lang)),
         fault_code: fault,
+        missing,
         error: None,
     };
-    let (failures, good) = reader.into_failures();
     Ok((report, failures, good))
+}
+
+/// The map of the state machine: every state, where it leads, and which is the present one.
+fn states(family: &Family, present: &str, lang: Lang) -> Vec<StateRow> {
+    let order = ["switch-on-disabled", "ready-to-switch-on", "switched-on", "operation-enabled", "quick-stop-active", "fault"];
+    let name = |slug: &str| family.states.iter().find(|row| row.slug == slug).map(|row| row.name(lang).to_owned());
+    let row = |slug: &&str| {
+        let leads = family.machine.transitions.iter().filter(|transition| transition.from == *slug);
+        let leads = leads.map(|transition| {
+            let by = transition.command.as_deref().unwrap_or(lang.pick("by itself", "von selbst"));
+            format!("{} {by} -> {}", transition.number, name(&transition.to).unwrap_or_else(|| transition.to.clone()))
+        });
+        Some(StateRow { slug: (*slug).to_owned(), name: name(slug)?, present: *slug == present, leads: leads.collect() })
+    };
+    order.iter().filter_map(row).collect()
 }

@@ -94,6 +94,10 @@ fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
                 .hint("for example 376@4=1.5kW")
         })?;
         let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
+        if selector.is_group() {
+            let message = format!("'{who}' is a group: one value for all of it makes no sense");
+            return Err(Failure::new(Class::Usage, "usage.group", message).hint("name the parameters one by one"));
+        }
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             let mut param = selection.param;
             super::check_number(&param)?;
@@ -131,6 +135,10 @@ fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: 
     if !force {
         value::check_range(raw, param)
             .map_err(|error| bad("data.range", &error).hint("--force sends it and lets the drive judge"))?;
+    }
+    if kind == Some(Type::Word) && raw < 0 && param.min.is_none_or(|min| min >= 0) {
+        let error = ValueError::Width { value: format_decimal(raw, param.decimals_or_zero()), kind: "word" };
+        return Err(bad("data.width", &error).hint("no source tells that it is signed; --type int says so"));
     }
     if let Some(kind) = kind {
         value::check_width(raw, kind, param.decimals_or_zero()).map_err(|error| bad("data.width", &error))?;
@@ -261,7 +269,7 @@ pub(super) fn denied(denied: Denied) -> Failure {
 fn hazards_of(step: &Step) -> Vec<Hazard> {
     let (_, store) = describe::place(step.set);
     let mut hazards = Vec::new();
-    if store == Store::Eeprom && !step.param.volatile {
+    if store == Store::Eeprom && !step.param.is_volatile() {
         hazards.push(Hazard::Wear);
     }
     hazards.extend(step.param.hazard.map(|hazard| match hazard {
@@ -407,7 +415,7 @@ fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome 
     }
     let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
     let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
-    let failure = summary(failures, succeeded);
+    let failure = summary(failures, succeeded, settings.lang);
     Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
 }
 

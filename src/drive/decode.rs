@@ -4,7 +4,7 @@ use super::route::Inquiry;
 use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Lang, format_value};
 use crate::protocol::modbus::pdu::{self, Exception, ParamAddress, Reply, Request};
-use crate::protocol::modbus::{Adu, BROADCAST, Framing, Hex, ascii, rtu};
+use crate::protocol::modbus::{Adu, BROADCAST, FrameError, Framing, Hex, ascii, rtu};
 use crate::transport::{TraceLine, read_trace};
 
 /// What is known besides the bytes.
@@ -107,7 +107,7 @@ impl Reader<'_> {
             Ok(adu) => adu,
             Err(error) => {
                 let prefix = self.pick("no valid telegram", "kein gültiges Telegramm");
-                doc.meaning = format!("{prefix}: {error}");
+                doc.meaning = format!("{prefix}: {}", self.frame_error(&error));
                 return doc;
             }
         };
@@ -127,6 +127,19 @@ impl Reader<'_> {
 
     fn pick(&self, en: &'static str, de: &'static str) -> &'static str {
         if self.lang == Lang::De { de } else { en }
+    }
+
+    fn frame_error(&self, error: &FrameError) -> String {
+        match (self.lang, error) {
+            (Lang::En, error) => error.to_string(),
+            (Lang::De, FrameError::TooShort { len }) => format!("{len} Bytes sind zu wenig für ein Telegramm"),
+            (Lang::De, FrameError::TooLong { len }) => format!("{len} Bytes sind zu viel für ein Telegramm"),
+            (Lang::De, FrameError::Check { expected, got }) => format!("Prüfwert {got:04X}h, erwartet {expected:04X}h"),
+            (Lang::De, FrameError::Delimiter) => "ein ASCII-Telegramm beginnt mit ':' und endet mit CR LF".to_owned(),
+            (Lang::De, FrameError::Digit { byte }) => {
+                format!("Zeichen {byte:02X}h ist keine Hexadezimalziffer eines ASCII-Telegramms")
+            }
+        }
     }
 
     fn station(&self, station: u8) -> String {

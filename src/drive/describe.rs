@@ -64,7 +64,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
         slug: param.slug.clone(),
         name: param.name(lang).to_owned(),
         data_set,
-        store: store_name(store, param.volatile),
+        store: store_name(store, param.is_volatile()),
         raw: None,
         value: None,
         decimals: param.decimals,
@@ -93,7 +93,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         slug: param.slug.clone(),
         name: param.name(lang).to_owned(),
         data_set,
-        store: store_name(store, param.volatile),
+        store: store_name(store, param.is_volatile()),
         old_raw: None,
         old: None,
         raw,
@@ -153,14 +153,17 @@ pub fn fault(family: &Family, code: u32, lang: Lang) -> Option<Fault> {
         let text = if lang == Lang::De { "nicht dokumentierte Störung" } else { "undocumented fault" };
         text.to_owned()
     };
+    let node = row.and_then(|row| row.last).map(|_| code & 0xFF);
+    // Texts of a whole range say `nn` where the number belongs.
+    let filled = |text: &str| node.map_or_else(|| text.to_owned(), |node| text.replace("nn", &node.to_string()));
     Some(Fault {
         code,
         key: format!("F{code:04X}"),
         group,
-        name: row.map_or_else(unknown, |row| row.name(lang).to_owned()),
-        cause: row.map(|row| row.cause.get(lang).to_owned()),
-        remedy: row.map(|row| row.remedy.get(lang).to_owned()),
-        node: row.and_then(|row| row.last).map(|_| code & 0xFF),
+        name: row.map_or_else(unknown, |row| filled(row.name(lang))),
+        cause: row.map(|row| filled(row.cause.get(lang))),
+        remedy: row.map(|row| filled(row.remedy.get(lang))),
+        node,
     })
 }
 

@@ -39,8 +39,8 @@ pub async fn clear_counters(session: &mut Session<'_>, target: &Target, _permit:
     Ok(matches!(answer, Answer::Reply { reply: Reply::Diagnostics { .. }, .. }))
 }
 
-/// Asks the same harmless question `count` times, without repeats, and measures.
-pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -> Result<LinkTest, AccessError> {
+/// Asks the same harmless question `count` times, without repeats, and measures; says also what ended it early.
+pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -> (LinkTest, Option<AccessError>) {
     let limits = session.limits();
     session.set_limits(Limits { retries: 0, ..limits });
     let strays = session.tally().strays;
@@ -62,13 +62,10 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
         asked += 1;
     }
     session.set_limits(limits);
-    if let Some(error @ AccessError::Link(_)) = cut {
-        return Err(error);
-    }
     times.sort_unstable();
     let rank = |percent: usize| times.get((times.len().saturating_sub(1)) * percent / 100).copied();
     let failed = silent + garbled;
-    Ok(LinkTest {
+    let test = LinkTest {
         asked,
         replies: times.len() as u64,
         silent,
@@ -79,5 +76,6 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
         median_us: rank(50),
         p95_us: rank(95),
         slowest_us: times.last().copied(),
-    })
+    };
+    (test, cut)
 }

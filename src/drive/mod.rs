@@ -8,6 +8,7 @@ pub mod decode;
 pub mod describe;
 mod diag;
 mod family;
+pub mod motion;
 mod pump;
 mod route;
 mod scan;

@@ -2,6 +2,7 @@
 
 use crate::exchange::Step;
 use crate::exchange::modbus::{Answer, ExchangeError, Master};
+use crate::tick::Span;
 use crate::transport::{Link, LinkError, Wake};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -41,6 +42,30 @@ pub(super) enum PumpError {
     Link(#[from] LinkError),
     #[error("interrupted")]
     Interrupted,
+}
+
+/// Waits on the line without a question; what comes is nobody's answer.
+pub(super) async fn rest(
+    master: &mut Master,
+    link: &mut Link,
+    interrupt: &Interrupt,
+    span: Span,
+) -> Result<(), PumpError> {
+    let until = link.now() + span;
+    loop {
+        tokio::task::yield_now().await;
+        if interrupt.is_raised() {
+            return Err(PumpError::Interrupted);
+        }
+        let wake = tokio::select! {
+            wake = link.wait(until) => wake?,
+            () = interrupt.raised() => return Err(PumpError::Interrupted),
+        };
+        match wake {
+            Wake::Bytes(bytes) => master.feed(link.now(), &bytes),
+            Wake::Silence => return Ok(()),
+        }
+    }
 }
 
 /// Runs the master's present question to its end.

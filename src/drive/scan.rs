@@ -1,7 +1,7 @@
 //! Who is there? Every address is asked by the book, one after the other.
 
 use super::session::{AccessError, Session};
-use super::{describe, family::recognise, route::Inquiry, route::RegisterAddress};
+use super::{describe, family::judge, route::Inquiry, route::RegisterAddress};
 use crate::exchange::modbus::Limits;
 use crate::outcome::{Event, FoundDrive};
 use crate::profile::{Lang, Registry, Type};
@@ -76,16 +76,16 @@ async fn look(
     session.set_limits(Limits { retries: 0, ..limits });
     let answer = session.ask(address, probe.clone()).await;
     session.set_limits(limits);
-    match answer {
-        Ok(_) => {}
+    let answer = match answer {
+        Ok(answer) => answer,
         Err(AccessError::Exchange(Silence { .. } | Stray { .. })) => return Ok(None),
         // A disturbed reply: somebody is there, so ask by the book.
         Err(AccessError::Exchange(_)) => {
-            session.ask(address, probe).await?;
+            session.ask(address, probe).await?
         }
         Err(error) => return Err(error),
-    }
-    let finding = recognise(session, address, lang, false).await?;
+    };
+    let finding = judge(session, address, &answer, lang, false).await?;
     let title = |en: &str, de: &str| if lang == Lang::De { de.to_owned() } else { en.to_owned() };
     let mut found = FoundDrive {
         address,

@@ -11,7 +11,7 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::{Exception, Reply, Request};
 use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use crate::transport::{Link, LinkError, Port, Trace, list_ports};
 use std::path::Path;
 
@@ -41,6 +41,7 @@ pub struct Opening<'a> {
 
 /// An open line.
 pub struct Session<'a> {
+    port: String,
     link: Link,
     master: Master,
     observe: &'a mut dyn FnMut(Event),
@@ -106,7 +107,8 @@ impl<'a> Session<'a> {
         for deviation in link.deviations() {
             observe(Event::Note(format!("{port}: {deviation}")));
         }
-        Ok(Session { link, master: Master::new(framing, line, limits), observe, interrupt, verbose, lang })
+        let (port, master) = (port.to_string(), Master::new(framing, line, limits));
+        Ok(Session { port, link, master, observe, interrupt, verbose, lang })
     }
 
     /// Asks a station and waits for the answer.
@@ -135,6 +137,8 @@ impl<'a> Session<'a> {
             Answer::Reply { reply: Reply::Exception { code, .. }, .. } => {
                 let tells = matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress);
                 let cause = if tells { self.error_register(station).await? } else { None };
+                // 0 is "nothing was refused": the register belongs to something else, or there is none.
+                let cause = cause.filter(|&cause| cause != 0);
                 Err(AccessError::Refused(Refusal { exception: code, cause }))
             }
             Answer::Reply { reply, after } => Ok((reply, after)),
@@ -149,6 +153,37 @@ impl<'a> Session<'a> {
             Ok(_) | Err(AccessError::Exchange(_)) => Ok(None),
             Err(error) => Err(error),
         }
+    }
+
+    /// Waits without asking anything; ends early with an error if somebody interrupts or the port is lost.
+    pub async fn rest(&mut self, span: Span) -> Result<(), AccessError> {
+        let result = pump::rest(&mut self.master, &mut self.link, &self.interrupt, span).await;
+        result.map_err(|error| match error {
+            PumpError::Link(error) => error.into(),
+            PumpError::Interrupted => AccessError::Interrupted,
+        })
+    }
+
+    /// From now on the line is used whether somebody interrupts or not: for the stop that must still go out.
+    pub fn ignore_interrupts(&mut self) {
+        self.interrupt = Interrupt::default();
+    }
+
+    /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what
+    /// was on its way to a lost question is nobody's answer.
+    pub async fn reopen(&mut self) -> Result<(), AccessError> {
+        self.link.reopen()?;
+        self.rest(self.limits().reply_timeout).await
+    }
+
+    /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold.
+    pub fn pace(&mut self) {
+        self.link.pace();
+    }
+
+    /// The time of the link.
+    pub fn now(&self) -> Tick {
+        self.link.now()
     }
 
     /// Tells an event to whoever watches.
@@ -169,6 +204,18 @@ impl<'a> Session<'a> {
     /// Other time limits from now on.
     pub fn set_limits(&mut self, limits: Limits) {
         self.master.set_limits(limits);
+    }
+
+    /// Other number of repeats from now on; returns the one that held until now.
+    pub fn set_retries(&mut self, retries: u8) -> u8 {
+        let limits = self.limits();
+        self.set_limits(Limits { retries, ..limits });
+        limits.retries
+    }
+
+    /// Name of the port.
+    pub fn port(&self) -> &str {
+        &self.port
     }
 
     /// How telegrams are framed.

@@ -26,6 +26,8 @@ pub struct Target {
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
     pub(super) kept_register: Option<u16>,
+    /// The drive's watchdog in seconds, as it was read last.
+    pub(super) known_watchdog: Option<i64>,
 }
 
 /// A value as it was read.
@@ -72,7 +74,7 @@ pub enum WriteFate {
 impl Target {
     /// A drive of a known family.
     pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target { address, family, widths: BTreeMap::new(), kept_register: None }
+        Target { address, family, widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
     }
 
     /// Reads a parameter in the data sets that are meant. Asks set 0 first; if the sets differ (P.11 = 9), reads each

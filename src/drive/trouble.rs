@@ -79,12 +79,17 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
                 .with("bytes", Hex(bytes))
         }
         ExchangeError::Stray { station } => {
-            let message = match lang {
-                Lang::En => format!("{at}: station {station} answered in place of the one that was asked"),
-                Lang::De => format!("{at}: statt der gefragten antwortet Station {station}"),
+            let (code, message) = match (*station == address, lang) {
+                (true, Lang::En) => ("garbled.wrong_answer", format!("{at}: answers with a telegram that does not fit the question")),
+                (true, Lang::De) => ("garbled.wrong_answer", format!("{at}: antwortet mit einem Telegramm, das nicht zur Frage passt")),
+                (false, Lang::En) => ("garbled.wrong_responder", format!("{at}: station {station} answered in place of the one that was asked")),
+                (false, Lang::De) => ("garbled.wrong_responder", format!("{at}: statt der gefragten antwortet Station {station}")),
             };
-            Failure::new(Class::Garbled, "garbled.wrong_responder", message)
-                .hint(lang.pick("is another master on the bus?", "ist ein zweiter Master am Bus?"))
+            Failure::new(Class::Garbled, code, message)
+                .hint(lang.pick(
+                    "-v shows the telegrams; is it a drive of this family, or is another master on the bus?",
+                    "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
+                ))
                 .with("responder", station)
         }
         ExchangeError::BroadcastRead => {

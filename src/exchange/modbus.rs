@@ -76,8 +76,8 @@ pub enum ExchangeError {
         /// What came at last.
         bytes: Vec<u8>,
     },
-    /// A valid telegram of somebody else came in place of the reply.
-    #[error("station {station} answered in place of the one that was asked")]
+    /// A valid telegram came that is not the answer: from somebody else, or to something else.
+    #[error("a telegram of station {station} came that does not answer the question")]
     Stray {
         /// The station that answered.
         station: u8,
@@ -208,7 +208,8 @@ impl Master {
             Phase::Turnaround { until } if now < *until => Step::Wait(*until),
             Phase::Turnaround { .. } => self.finish(Ok(Answer::Broadcast)),
             Phase::Reply { deadline, buffer, last, .. } => {
-                let pause = if self.framing == Framing::Ascii { ascii::MAX_PAUSE } else { STRAGGLE };
+                let dawdles = self.framing == Framing::Ascii && !buffer.ends_with(ascii::END);
+                let pause = if dawdles { ascii::MAX_PAUSE } else { STRAGGLE };
                 let until = if buffer.is_empty() { *deadline } else { *last + pause };
                 if now < until { Step::Wait(until) } else { self.give_up(now) }
             }
@@ -293,7 +294,7 @@ impl Master {
         let asked = job.asked;
         let error = match stray {
             _ if !bytes.is_empty() && self.framing.decode(&bytes).is_err() => ExchangeError::Garbled { asked, bytes },
-            Some(station) if station != job.station => ExchangeError::Stray { station },
+            Some(station) => ExchangeError::Stray { station },
             _ => ExchangeError::Silence { timeout: self.limits.reply_timeout, asked },
         };
         match error {

@@ -113,6 +113,7 @@ impl Registry {
             return Ok(None);
         };
         let mut family = Family::empty(&home.body.family, drive, home.body.title.clone().unwrap_or_default());
+        family.siblings = home.body.drives.iter().map(|row| row.id.clone()).collect();
         for file in self.files.iter().filter(|file| file.body.family == home.body.family) {
             file.pour(&mut family)?;
         }
@@ -297,6 +298,10 @@ impl Catalogue {
         for row in &self.body.params {
             let at = row.span().start;
             let row = row.get_ref();
+            if let Some(unknown) = row.drives.iter().flatten().find(|drive| !family.siblings.contains(drive)) {
+                let known = family.siblings.join(", ");
+                return Err(self.error(at, format!("parameter {}: unknown drive '{unknown}' (expected: {known})", row.id)));
+            }
             if row.drives.as_ref().is_some_and(|drives| !drives.contains(&family.drive)) {
                 continue;
             }

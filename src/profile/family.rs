@@ -13,6 +13,8 @@ pub struct Family {
     pub family: String,
     /// Word for `--drive` and JSON: `act`.
     pub drive: String,
+    /// Every drive of the family.
+    pub(super) siblings: Vec<String>,
     /// Title of the family.
     pub title: Text,
     /// Parameters by number.
@@ -186,6 +188,7 @@ impl Family {
         Family {
             family: family.to_owned(),
             drive: drive.to_owned(),
+            siblings: Vec::new(),
             title,
             params: BTreeMap::new(),
             states: Vec::new(),

@@ -9,6 +9,7 @@ mod family;
 mod machine;
 mod param;
 mod select;
+pub mod setpoint;
 mod text;
 pub mod value;
 

@@ -227,6 +227,11 @@ impl Param {
         self.name.get(lang)
     }
 
+    /// Whether it lives in RAM only: commands, and values that the drive itself produces.
+    pub fn is_volatile(&self) -> bool {
+        self.volatile || self.access == Access::Read
+    }
+
     /// Whether a catalogue knows the parameter at all.
     pub fn is_known(&self) -> bool {
         self.origin != "unknown"

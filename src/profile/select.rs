@@ -168,6 +168,16 @@ impl Selector {
         Selector { who: Who::Group(name.to_owned()), sets: DataSets::Unnamed }
     }
 
+    /// Whether a whole group is meant.
+    pub fn is_group(&self) -> bool {
+        matches!(self.who, Who::Group(_))
+    }
+
+    /// Whether data sets were named.
+    pub fn names_sets(&self) -> bool {
+        self.sets != DataSets::Unnamed
+    }
+
     /// The parameters that are meant, in the order in which they were named. A range takes the rows that the
     /// catalogue has in it; if it has none, every number of it.
     pub fn resolve(&self, family: &Family) -> Result<Vec<Selection>, SelectError> {

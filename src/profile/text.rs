@@ -77,16 +77,20 @@ pub fn fold(name: &str) -> String {
     })
 }
 
-/// Whether `query` (as typed) is the start of `name`, whatever the case and however umlauts are spelt.
+/// Whether `query` (as typed) is the start of `name`, whatever the case, blanks, and however umlauts are spelt.
 pub(super) fn starts(name: &str, query: &str) -> bool {
-    let query = fold(query);
-    fold(name).starts_with(&query) || fold_plain(name).starts_with(&query)
+    compare(name, query, |name, query| name.starts_with(query))
 }
 
-/// Whether `query` (as typed) is `name`, whatever the case and however umlauts are spelt.
+/// Whether `query` (as typed) is `name`, whatever the case, blanks, and however umlauts are spelt.
 pub(super) fn same(name: &str, query: &str) -> bool {
+    compare(name, query, |name, query| name == query)
+}
+
+fn compare(name: &str, query: &str, fits: impl Fn(&str, &str) -> bool) -> bool {
     let query = fold(query);
-    fold(name) == query || fold_plain(name) == query
+    let dense = |text: &str| text.replace(' ', "");
+    [fold(name), fold_plain(name)].iter().any(|name| fits(name, &query) || fits(&dense(name), &dense(&query)))
 }
 
 /// Like [`fold`], with umlauts reduced to their base letter (`ä` as `a`).

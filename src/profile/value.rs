@@ -169,6 +169,14 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
             }
         },
     };
+    // `10=19200` means the value that is called "19200 Bd", not the raw value 19200.
+    if let Ok(raw) = shifted(number, 0, 0)
+        && !choices.is_empty()
+        && !choices.iter().any(|choice| choice.0 == raw)
+        && let Some(named) = by_text()
+    {
+        return Ok(named);
+    }
     if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
@@ -296,7 +304,9 @@ mod tests {
         let protocols = [(2, ["Modbus RTU", "Modbus RTU"]), (3, ["Modbus ASCII", "Modbus ASCII"])];
         assert_eq!(parse("rtu", &parity, &protocols), Ok(2));
         assert!(parse("modbus", &parity, &protocols).is_err());
-        assert_eq!(parse("19200 Bd", &parity, &choices), Ok(10));
+        for baud in ["19200 Bd", "19200Bd", "19200"] {
+            assert_eq!(parse(baud, &parity, &choices), Ok(10), "{baud}");
+        }
         assert!(
             matches!(parse("mark", &parity, &choices), Err(ValueError::NotANumber { choices, .. }) if choices.len() == 3)
         );

@@ -53,4 +53,8 @@ impl Ask for Terminal<'_> {
             _ => Answer::No,
         }
     }
+
+    fn is_there(&self) -> bool {
+        self.yes || self.present
+    }
 }

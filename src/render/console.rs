@@ -75,6 +75,8 @@ impl Console {
                     inner.line(&format!("note: {text}"));
                 }
             }
+            // Data: goes to stdout, by the stream.
+            Event::Record(_) => {}
         }
     }
 

@@ -141,6 +141,26 @@ enum OrPlan<D> {
     Plan(crate::outcome::Plan),
 }
 
+/// What a verb finds, or what it would ask or write under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum OrWrite<D> {
+    Found(D),
+    Plan(crate::outcome::Plan),
+    Write(crate::outcome::Write),
+}
+
+/// What a verb finds, what it did to the shaft, or what it would send under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum OrMotion<D> {
+    Found(D),
+    Motion(crate::outcome::Motion),
+    Plan(crate::outcome::Plan),
+}
+
 /// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.
 pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
     use crate::outcome as o;
@@ -155,11 +175,12 @@ pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
         Some("identify") => of!(OrPlan<o::Identify>),
         Some("read") => of!(OrPlan<o::Read>),
         Some("write") => of!(o::Write),
-        Some("dataset") => of!(OrPlan<o::Dataset>),
+        Some("dataset") => of!(OrWrite<o::Dataset>),
         Some("diag") => of!(OrPlan<o::Diag>),
-        Some("statemachine") => of!(OrPlan<o::Statemachine>),
-        Some("sollwert") => of!(OrPlan<o::Sollwert>),
+        Some("statemachine") => of!(OrMotion<o::Statemachine>),
+        Some("sollwert") => of!(OrMotion<o::Sollwert>),
         Some("params") => of!(o::Params),
+        Some("monitor") => schemars::schema_for!(o::Record),
         Some("decode") => of!(o::Decode),
         Some("simulate") => of!(o::Simulate),
         Some(_) => return None,

@@ -4,6 +4,7 @@ mod ask;
 mod console;
 mod document;
 mod rows;
+mod stream;
 mod table;
 mod words;
 
@@ -11,6 +12,7 @@ pub use ask::Terminal;
 pub use console::{Console, Streams};
 pub use document::{Envelope, print, print_failure, schema};
 pub use rows::Row;
+pub use stream::{Key, Keys, Manner, Stream, View};
 
 use std::str::FromStr;
 

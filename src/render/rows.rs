@@ -35,11 +35,16 @@ pub(super) fn rows(data: &Data) -> Vec<Row> {
                 .drives
                 .iter()
                 .flat_map(|drive| drive.setpoints.iter().chain(&drive.actual).chain(&drive.sources));
-            list("value", &values.collect::<Vec<_>>())
+            let mut rows = list("value", &values.collect::<Vec<_>>());
+            // A drive that failed has no values, but must not be missing.
+            rows.extend(list("drive", &report.drives.iter().filter(|drive| drive.error.is_some()).collect::<Vec<_>>()));
+            rows
         }
         Data::Params(params) => list("param", &params.params),
         Data::Decode(decode) if !decode.telegrams.is_empty() => list("telegram", &decode.telegrams),
         Data::Decode(decode) => list("decoded", &[decode]),
+        Data::Motion(motion) => list("motion", &[motion]),
+        Data::Monitor(summary) => list("end", &[summary]),
         Data::Plan(plan) => list("telegram", &plan.telegrams),
         Data::Simulate(simulate) => list("end", &[simulate]),
     }

@@ -3,7 +3,7 @@
 use super::clean;
 use super::words::word;
 use crate::outcome::{
-    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, ParamDoc, Scan, SetpointReport,
+    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Scan, SetpointReport, State,
     StateReport, TelegramDoc, Value, Word, WriteResult, Written,
 };
 use crate::profile::Lang;
@@ -28,6 +28,9 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
         },
         Data::Decode(decode) => page.decode(decode),
         Data::Plan(plan) => page.telegrams(&plan.telegrams),
+        // Its stream has shown everything.
+        Data::Monitor(_) => String::new(),
+        Data::Motion(motion) => page.motion(motion),
         Data::Simulate(served) => {
             let mut text = format!(
                 "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} remarks\n",
@@ -297,7 +300,7 @@ impl Page {
     fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {
         let mut rows = vec![("fault", format!("{} {}", fault.key, fault.name))];
         rows.extend(fault.group.iter().map(|group| ("group", group.clone())));
-        rows.extend(fault.node.iter().map(|node| ("module", format!("node {node}"))));
+        rows.extend(fault.node.iter().map(|node| ("node", node.to_string())));
         rows.extend(fault.cause.iter().map(|cause| ("cause", cause.clone())));
         rows.extend(fault.remedy.iter().map(|remedy| ("remedy", remedy.clone())));
         rows
@@ -356,7 +359,20 @@ impl Page {
             (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
             (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
         }
+        for (index, missing) in report.missing.iter().enumerate() {
+            rows.push((if index == 0 { "missing" } else { "" }, missing.clone()));
+        }
         text += &self.pairs(rows);
+        let map = report.states.iter().flat_map(|state| {
+            let leads = state.leads.iter().enumerate().map(|(index, lead)| {
+                let name = if index == 0 { state.name.clone() } else { String::new() };
+                let mark = if state.present && index == 0 { ">>" } else { "" };
+                vec![mark.to_owned(), name, lead.clone()]
+            });
+            leads.collect::<Vec<_>>()
+        });
+        text += "\n";
+        text += &self.table(&["", "", ""], map.collect());
         for (name, bits) in [("status word", &report.status), ("control word", &report.control)] {
             if let Some(bits) = bits {
                 text += &format!("\n{} {}\n", self.word(name), bits.hex);
@@ -477,6 +493,49 @@ impl Page {
         text
     }
 
+    fn motion(self, motion: &Motion) -> String {
+        let mut text = self.heading(motion.address, &motion.drive);
+        let state = |state: &Option<State>| state.as_ref().map_or_else(|| "?".to_owned(), |state| state.name.clone());
+        let mut rows = vec![("state", format!("{} -> {}", state(&motion.from), state(&motion.to)))];
+        if let Some(setpoint) = &motion.setpoint {
+            let reached = match setpoint.reached {
+                Some(true) => format!(", {}", self.word("reached")),
+                Some(false) => format!(", {}", self.word("not reached")),
+                None => String::new(),
+            };
+            let actual = setpoint.actual.map_or_else(String::new, |actual| {
+                format!(", {} {} {}", self.word("actual value"), shown(actual, false), setpoint.unit)
+            });
+            rows.push(("setpoint", format!("{} {}{reached}{actual}", shown(setpoint.value, false), setpoint.unit)));
+        }
+        for change in &motion.changed {
+            let back = if change.restored { "given back" } else { "NOT given back" };
+            let what = format!("P.{}@{}ram {} -> {}, {}", change.param, change.data_set, change.old, change.new, self.word(back));
+            rows.push(("changed", what));
+        }
+        if let Some(stop) = &motion.stop {
+            let proof = if stop.acknowledged { "acknowledged" } else { "NOT acknowledged" };
+            let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
+            rows.push(("stop", format!("{} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));
+        }
+        if let Some(running) = motion.running {
+            rows.push(("running", self.word(if running { "yes" } else { "no" }).to_owned()));
+        }
+        rows.extend(motion.notes.iter().map(|note| ("note", note.clone())));
+        text += &self.pairs(rows);
+        let steps = motion.steps.iter().map(|step| {
+            vec![
+                step.transition.clone(),
+                step.command.clone().unwrap_or_else(|| "-".to_owned()),
+                step.control.clone().unwrap_or_else(|| "-".to_owned()),
+                step.state.name.clone(),
+                format!("{} ms", step.took_ms),
+            ]
+        });
+        let steps = self.table(&[">no", "command", "control word", "state", ">took"], steps.collect());
+        if steps.is_empty() { text } else { text + "\n" + &steps }
+    }
+
     fn telegrams(self, docs: &[TelegramDoc]) -> String {
         let rows = docs.iter().map(|doc| {
             let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
@@ -487,7 +546,7 @@ impl Page {
     }
 
     fn telegram(self, doc: &TelegramDoc) -> String {
-        let mut text = format!("{}\n{}\n", doc.hex, clean(&doc.meaning));
+        let mut text = self.table(&[""], vec![vec![doc.hex.clone()], vec![doc.meaning.clone()]]);
         let rows = doc.fields.iter().map(|field| vec![field.hex.clone(), field.name.clone(), field.value.clone()]);
         let rows: Vec<_> = rows.collect();
         if !rows.is_empty() {

@@ -119,6 +119,24 @@ impl Link {
         self.trace = Some(trace);
     }
 
+    /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold: waiting really
+    /// waits. The times that the link tells stay those of the bench. A real line does so anyway.
+    pub fn pace(&mut self) {
+        match &mut self.carrier {
+            Carrier::Serial(_) => {}
+            Carrier::Sim(link) => link.pace(),
+        }
+    }
+
+    /// Opens a port that was lost anew, under its name, with its clock going on. Until that succeeds nothing can be
+    /// sent, and waiting only passes the time.
+    pub fn reopen(&mut self) -> Result<(), LinkError> {
+        match &mut self.carrier {
+            Carrier::Serial(link) => link.reopen(),
+            Carrier::Sim(_) => Ok(()),
+        }
+    }
+
     /// What the driver set in place of what was asked, if it did not obey in all.
     pub fn deviations(&self) -> &[String] {
         match &self.carrier {
@@ -152,7 +170,7 @@ impl Link {
     pub async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let wake = match &mut self.carrier {
             Carrier::Serial(link) => link.wait(until).await?,
-            Carrier::Sim(link) => link.wait(until),
+            Carrier::Sim(link) => link.wait(until).await,
         };
         if let (Some(trace), Wake::Bytes(bytes)) = (&mut self.trace, &wake) {
             let at = match &self.carrier {

@@ -45,7 +45,9 @@ fn port_info(port: serialport::SerialPortInfo) -> PortInfo {
 #[derive(Debug)]
 pub(super) struct SerialLink {
     name: String,
-    stream: SerialStream,
+    line: LineSetting,
+    /// `None` once it was closed to be opened anew.
+    stream: Option<SerialStream>,
     opened: Instant,
     deviations: Vec<String>,
 }
@@ -58,24 +60,17 @@ const SPIN_FROM: Duration = Duration::from_micros(150);
 impl SerialLink {
     #[expect(clippy::disallowed_methods, reason = "the serial link is the room that owns the real clock")]
     pub(super) fn open(name: &str, line: LineSetting) -> Result<Self, LinkError> {
-        let builder = tokio_serial::new(name, line.baud)
-            .data_bits(if line.data_bits == 7 { DataBits::Seven } else { DataBits::Eight })
-            .parity(match line.parity {
-                Parity::Even => tokio_serial::Parity::Even,
-                Parity::Odd => tokio_serial::Parity::Odd,
-                Parity::None => tokio_serial::Parity::None,
-            })
-            .stop_bits(if line.stop_bits == 2 { StopBits::Two } else { StopBits::One });
-        // Opened before the port is taken exclusively: afterwards the kernel lets nobody else in.
-        let side_door = tty::open(name);
-        let stream = builder.open_native_async().map_err(|error| open_error(name, &error))?;
-        let deviations = match side_door {
-            Ok(tty) => tty::finish(&tty, name, line),
-            Err(_) => Vec::new(),
-        };
-        // Only the input: clearing the output as well could destroy what is sent next.
-        stream.clear(ClearBuffer::Input).map_err(|error| open_error(name, &error))?;
-        Ok(SerialLink { name: name.to_owned(), stream, opened: Instant::now(), deviations })
+        let (stream, deviations) = connect(name, line)?;
+        Ok(SerialLink { name: name.to_owned(), line, stream: Some(stream), opened: Instant::now(), deviations })
+    }
+
+    /// Opens the port anew; the clock goes on.
+    pub(super) fn reopen(&mut self) -> Result<(), LinkError> {
+        // Closed first: a port that is held exclusively lets nobody else in, not even us.
+        self.stream = None;
+        let (stream, deviations) = connect(&self.name, self.line)?;
+        (self.stream, self.deviations) = (Some(stream), deviations);
+        Ok(())
     }
 
     pub(super) fn deviations(&self) -> &[String] {
@@ -89,23 +84,31 @@ impl SerialLink {
 
     pub(super) async fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
         // No flush: tcdrain can block for ever on a dead adapter, and the wire time is known.
-        self.stream.write_all(bytes).await.map_err(|error| self.lost(&error))
+        match &mut self.stream {
+            Some(stream) => stream.write_all(bytes).await.map_err(|_| self.lost()),
+            None => Err(self.lost()),
+        }
     }
 
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let mut buffer = [0; 512];
         let coarse = Duration::from(until.since(self.now()) - THREAD_SLEEPS_FROM);
+        let Some(stream) = &mut self.stream else {
+            self.pass(coarse).await;
+            return Ok(Wake::Silence);
+        };
         if !coarse.is_zero()
-            && let Ok(read) = tokio::time::timeout(coarse, self.stream.read(&mut buffer)).await
+            && let Ok(read) = tokio::time::timeout(coarse, stream.read(&mut buffer)).await
         {
             return self.took(read, &buffer);
         }
         self.sleep_until(until);
         // A time-out of zero would cost a millisecond; one turn of the reactor and one look do not.
         tokio::task::yield_now().await;
+        let Some(stream) = &mut self.stream else { return Ok(Wake::Silence) };
         tokio::select! {
             biased;
-            read = self.stream.read(&mut buffer) => self.took(read, &buffer),
+            read = stream.read(&mut buffer) => self.took(read, &buffer),
             () = std::future::ready(()) => Ok(Wake::Silence),
         }
     }
@@ -122,19 +125,47 @@ impl SerialLink {
         }
     }
 
+    /// Lets time go by while there is no port to listen on.
+    #[expect(clippy::disallowed_methods, reason = "the serial link is the room that owns the real clock")]
+    async fn pass(&self, time: Duration) {
+        tokio::time::sleep(time).await;
+    }
+
     fn took(&self, read: io::Result<usize>, buffer: &[u8]) -> Result<Wake, LinkError> {
         match read {
             // A tty that was hung up reads as end of file for ever.
-            Ok(0) => Err(LinkError::Lost(self.name.clone())),
+            Ok(0) => Err(self.lost()),
             Ok(count) => Ok(Wake::Bytes(buffer.get(..count).unwrap_or_default().to_vec())),
-            Err(error) => Err(self.lost(&error)),
+            Err(_) => Err(self.lost()),
         }
     }
 
     /// Whatever the system calls it (EIO, ENXIO, ENODEV, EPIPE), an error on an open port means that it is gone.
-    fn lost(&self, _error: &io::Error) -> LinkError {
+    fn lost(&self) -> LinkError {
         LinkError::Lost(self.name.clone())
     }
+}
+
+/// Opens the port exclusively, with its input cleared; tells what the driver set in place of what was asked.
+fn connect(name: &str, line: LineSetting) -> Result<(SerialStream, Vec<String>), LinkError> {
+    let builder = tokio_serial::new(name, line.baud)
+        .data_bits(if line.data_bits == 7 { DataBits::Seven } else { DataBits::Eight })
+        .parity(match line.parity {
+            Parity::Even => tokio_serial::Parity::Even,
+            Parity::Odd => tokio_serial::Parity::Odd,
+            Parity::None => tokio_serial::Parity::None,
+        })
+        .stop_bits(if line.stop_bits == 2 { StopBits::Two } else { StopBits::One });
+    // Opened before the port is taken exclusively: afterwards the kernel lets nobody else in.
+    let side_door = tty::open(name);
+    let stream = builder.open_native_async().map_err(|error| open_error(name, &error))?;
+    let deviations = match side_door {
+        Ok(tty) => tty::finish(&tty, name, line),
+        Err(_) => Vec::new(),
+    };
+    // Only the input: clearing the output as well could destroy what is sent next.
+    stream.clear(ClearBuffer::Input).map_err(|error| open_error(name, &error))?;
+    Ok((stream, deviations))
 }
 
 fn open_error(name: &str, error: &serialport::Error) -> LinkError {

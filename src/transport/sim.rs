@@ -1,20 +1,35 @@
 //! The built-in bench as a link, in virtual time: waiting costs nothing and every run is the same.
+//!
+//! A verb that watches or holds has the bench paced: its time is still virtual, so that a run tells the same times
+//! whatever the machine does, but waiting takes as long as it would on a line.
 
 use super::Wake;
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
 use crate::tick::Tick;
+use std::time::{Duration, Instant};
 
 #[derive(Debug)]
 pub(super) struct SimLink {
     bench: Bench,
     line: LineSetting,
     now: Tick,
+    pace: Option<Pace>,
 }
+
+/// A moment of the bench, and the same one by the wall clock.
+#[derive(Clone, Copy, Debug)]
+struct Pace {
+    tick: Tick,
+    wall: Instant,
+}
+
+/// The bench may be so much ahead of the wall clock: a sleep for every character would only cost.
+const AHEAD: Duration = Duration::from_millis(2);
 
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
-        SimLink { bench, line, now: Tick::ZERO }
+        SimLink { bench, line, now: Tick::ZERO, pace: None }
     }
 
     pub(super) fn now(&self) -> Tick {
@@ -25,14 +40,23 @@ impl SimLink {
         &mut self.bench
     }
 
+    #[expect(clippy::disallowed_methods, reason = "a paced bench follows the real clock")]
+    pub(super) fn pace(&mut self) {
+        self.pace = Some(Pace { tick: self.now, wall: Instant::now() });
+    }
+
     pub(super) fn send(&mut self, bytes: &[u8]) {
         self.bench.master_sends(self.now, self.line, bytes);
     }
 
-    /// Goes from event to event of the bench until a drive has put bytes on the wire or the time is over.
-    pub(super) fn wait(&mut self, until: Tick) -> Wake {
+    /// Goes from event to event of the bench until a drive has put bytes on the wire or the time is over. May be
+    /// dropped at any time: the bench stands at the last event that was waited for.
+    pub(super) async fn wait(&mut self, until: Tick) -> Wake {
         loop {
             let next = self.bench.next_event().map_or(until, |event| event.min(until)).max(self.now);
+            if let Some(pace) = self.pace {
+                pace.reach(next).await;
+            }
             let bytes: Vec<u8> = self.bench.advance(next).into_iter().map(|(_, byte)| byte).collect();
             let stuck = next == self.now && next < until && bytes.is_empty();
             self.now = next;
@@ -47,6 +71,17 @@ impl SimLink {
             if self.now >= until {
                 return Wake::Silence;
             }
+        }
+    }
+}
+
+impl Pace {
+    /// Sleeps until the wall clock has come to a moment of the bench, or nearly.
+    #[expect(clippy::disallowed_methods, reason = "a paced bench follows the real clock")]
+    async fn reach(self, tick: Tick) {
+        let due = Duration::from(tick.since(self.tick)).saturating_sub(self.wall.elapsed());
+        if due > AHEAD {
+            tokio::time::sleep(due).await;
         }
     }
 }

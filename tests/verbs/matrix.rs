@@ -121,6 +121,7 @@ fn shortened(mut value: Value) -> Value {
             for (key, field) in fields.iter_mut() {
                 match (key.as_str(), &field) {
                     ("bits" | "counters", Value::Array(list)) => *field = format!("({} rows)", list.len()).into(),
+                    ("port", Value::String(_)) => *field = "(port)".into(),
                     _ => *field = shortened(field.take()),
                 }
             }

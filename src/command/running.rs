@@ -1,0 +1,164 @@
+//! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
+
+use super::{Context, addresses_to_write, connect, target};
+use crate::args::{MotionArgs, StopArg};
+use crate::drive::motion::{Motor, Situation, StopChoice, look};
+use crate::drive::{Session, Target, describe};
+use crate::failure::{Class, Failure};
+use crate::gate::{self, Hazard, Question};
+use crate::outcome::{Data, Motion, Outcome};
+use crate::profile::Lang;
+use crate::tick::Span;
+
+/// What is to be done, and what the user is told about it.
+pub(super) struct Plan<'p> {
+    /// Word for JSON: `enable`, `sollwert` …
+    pub(super) action: &'p str,
+    /// What will happen, for the question.
+    pub(super) announce: String,
+    /// How the run is bounded.
+    pub(super) args: &'p MotionArgs,
+    /// The control word is needed, so P.412 must be 1.
+    pub(super) needs_control: bool,
+}
+
+/// The only drive that is meant; several at once are not moved by one command.
+pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
+    match addresses_to_write(context.settings)?.as_slice() {
+        [0] => Err(usage("expected the address of one drive, got 0 (everybody)")),
+        [only] => Ok(*only),
+        _ => Err(usage("expected the address of one drive, got several; motion is one drive at a time")),
+    }
+}
+
+fn usage(text: &str) -> Failure {
+    Failure::new(Class::Usage, "usage.address", text)
+}
+
+/// Asks, then runs `work` on the drive; stops and reports whatever happens.
+///
+/// `check` looks at the drive before anybody is asked, and may refuse.
+pub(super) async fn run<C>(
+    context: &mut Context<'_>,
+    plan: Plan<'_>,
+    check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation) -> Result<C, Failure>,
+    work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
+) -> Result<Outcome, Failure> {
+    let address = single_address(context)?;
+    // Nothing is opened if there is nobody to ask: not one byte goes over the line.
+    gate::somebody(context.ask).map_err(super::write::denied)?;
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let lang = settings.lang;
+    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut target = target(&mut session, settings, registry, address, false).await?;
+    let before = look(&mut session, &mut target, lang).await?;
+    let checked = check(&mut session, &mut target, &before).await?;
+    let permit = gate::ask(*ask, &question(&plan, &target, &before, lang)).map_err(super::write::denied)?;
+    let from = describe::state(&target.family, before.status, lang);
+    let mut motor = Motor::new(&mut session, &mut target, &permit, lang, plan.args.wait);
+    motor.controls(&before);
+    let ended = motor
+        .run(plan.args.hold, choice(plan.args.on_exit), async |motor: &mut Motor<'_, '_>| {
+            if let Some(watchdog) = plan.args.watchdog {
+                motor.change("watchdog", seconds(watchdog)).await?;
+            }
+            if plan.args.take_control && plan.needs_control {
+                motor.change("control-mode", 1).await?;
+            }
+            work(motor, checked).await
+        })
+        .await;
+    let (steps, changed, setpoint) =
+        (std::mem::take(&mut motor.steps), std::mem::take(&mut motor.changes), motor.setpoint.take());
+    let after = look(&mut session, &mut target, lang).await.ok();
+    let to = after.as_ref().map(|after| describe::state(&target.family, after.status, lang));
+    let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
+    let mut notes = Vec::new();
+    if running == Some(true) {
+        notes.push(lang.pick("the drive keeps running", "der Antrieb läuft weiter").to_owned());
+    }
+    let watchdog_s = before.watchdog_s;
+    if watchdog_s == Some(0) && plan.args.watchdog.is_none() && running != Some(false) {
+        let text = lang.pick(
+            "the drive's watchdog (P.413) is off: if the line breaks, nothing stops it; --watchdog 2s sets it",
+            "der Watchdog (P.413) ist aus: bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
+        );
+        notes.push(text.to_owned());
+    }
+    let data = Motion {
+        address,
+        drive: target.family.drive.clone(),
+        action: plan.action.to_owned(),
+        from: Some(from),
+        to,
+        steps,
+        setpoint,
+        changed,
+        watchdog_s,
+        stop: ended.stop,
+        running,
+        notes,
+    };
+    let failure = match (ended.result.err(), &data.stop) {
+        (Some(mut failure), Some(stop)) => {
+            let proof = if stop.acknowledged {
+                lang.pick("the stop was acknowledged", "der Halt wurde bestätigt")
+            } else {
+                lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt")
+            };
+            failure.message = format!("{}; {}: {proof}", failure.message, stop.choice);
+            Some(failure)
+        }
+        (None, Some(stop)) if !stop.acknowledged && stop.choice != "keep" => {
+            let text = lang.pick("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt");
+            let failure = Failure::new(Class::Silence, "silence.stop", text);
+            Some(match &stop.note {
+                Some(note) => failure.hint(note.clone()),
+                None => failure,
+            })
+        }
+        (failure, _) => failure,
+    };
+    Ok(Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure })
+}
+
+/// Names address, family, present state and what will happen.
+fn question(plan: &Plan<'_>, target: &Target, before: &Situation, lang: Lang) -> Question {
+    let state = describe::state(&target.family, before.status, lang);
+    let who = format!("{} {} ({})", lang.pick("drive", "Antrieb"), target.address, target.family.drive);
+    let mut details = vec![format!("{who}: {} {}", lang.pick("now in", "jetzt in"), state.name)];
+    let stop = plan.args.on_exit;
+    details.push(match (plan.args.hold, stop, lang) {
+        (true, StopArg::Keep, Lang::En) => "it keeps running when this program ends (--on-exit keep)".to_owned(),
+        (true, StopArg::Keep, Lang::De) => "er läuft weiter, wenn dieses Programm endet (--on-exit keep)".to_owned(),
+        (true, _, Lang::En) => format!("it is stopped when this program ends ({})", stop_name(stop)),
+        (true, _, Lang::De) => format!("er wird angehalten, wenn dieses Programm endet ({})", stop_name(stop)),
+        (false, _, Lang::En) => "what is set stays when this program ends; --hold bounds it".to_owned(),
+        (false, _, Lang::De) => "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es".to_owned(),
+    });
+    details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
+    Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+}
+
+fn stop_name(stop: StopArg) -> &'static str {
+    match stop {
+        StopArg::Ramp => "ramp",
+        StopArg::QuickStop => "quick-stop",
+        StopArg::Coast => "coast",
+        StopArg::Keep => "keep",
+    }
+}
+
+fn choice(stop: StopArg) -> StopChoice {
+    match stop {
+        StopArg::Ramp => StopChoice::Ramp,
+        StopArg::QuickStop => StopChoice::QuickStop,
+        StopArg::Coast => StopChoice::Coast,
+        StopArg::Keep => StopChoice::Keep,
+    }
+}
+
+/// P.413 counts in whole seconds; a part of one counts as one.
+fn seconds(span: Span) -> i64 {
+    i64::try_from(span.as_micros().div_ceil(1_000_000)).unwrap_or(10_000).clamp(1, 10_000)
+}

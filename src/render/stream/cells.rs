@@ -1,0 +1,103 @@
+//! What all forms for people, and CSV, have in common: columns over all drives, and values as text.
+
+use crate::outcome::{Column, Decimal, Sample, StreamStart, Value};
+use crate::profile::Lang;
+use crate::profile::value::format_decimal;
+use crate::render::words::word;
+
+/// The columns of all drives that are watched, each once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Board {
+    pub(super) columns: Vec<Column>,
+}
+
+impl Board {
+    pub(super) fn of(start: &StreamStart) -> Self {
+        let mut columns: Vec<Column> = Vec::new();
+        for column in start.drives.iter().flat_map(|drive| &drive.columns) {
+            if !columns.iter().any(|known| known.is_of(column)) {
+                columns.push(column.clone());
+            }
+        }
+        Board { columns }
+    }
+
+    /// Every column with the value that a sample has for it.
+    pub(super) fn values<'s>(&'s self, sample: &'s Sample) -> impl Iterator<Item = (&'s Column, Option<&'s Value>)> {
+        self.columns.iter().map(|column| (column, find(column, sample)))
+    }
+
+    /// What stands over a column: short for what every drive has, the name for the rest.
+    pub(super) fn label(&self, column: &Column, lang: Lang) -> String {
+        let short = |column: &Column| match column.role {
+            Some("setpoint-ramp" | "setpoint-bus") => Some("setpoint"),
+            Some("actual-frequency" | "stator-frequency" | "encoder-frequency" | "actual-speed") => Some("actual"),
+            Some("current") => Some("current"),
+            Some("dc-link-voltage") => Some("DC link"),
+            Some("fault") => Some("fault"),
+            Some("warnings") => Some("warnings"),
+            _ => None,
+        };
+        let own =
+            short(column).filter(|own| self.columns.iter().filter(|other| short(other) == Some(*own)).count() == 1);
+        let name = own.map_or_else(|| column.name.clone(), |own| word(lang, own).to_owned());
+        if column.data_set > 0 { format!("{name}@{}", column.data_set) } else { name }
+    }
+}
+
+/// The value that a sample has for a column, if it could be read.
+pub(super) fn find<'s>(column: &Column, sample: &'s Sample) -> Option<&'s Value> {
+    let value = sample.values.iter().map(|value| &value.value).find(|value| column.holds(value));
+    value.filter(|value| value.raw.is_some())
+}
+
+/// A value as a number: exact, or raw where nobody knows the decimals.
+pub(super) fn number(value: &Value) -> String {
+    match (value.value, value.raw) {
+        (Some(Decimal { raw, decimals }), _) => format_decimal(raw, decimals),
+        (None, Some(raw)) => raw.to_string(),
+        (None, None) => String::new(),
+    }
+}
+
+/// A value for people, short: `24.93`, `F0500`, `0x0082`, `none`.
+pub(super) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> String {
+    let Some(value) = value else { return GAP.to_owned() };
+    match (column.role, value.raw, &value.word, &value.text) {
+        (Some("fault" | "warnings"), Some(0), ..) => word(lang, "none").to_owned(),
+        (Some("fault"), _, _, Some(text)) => text.split(' ').next().unwrap_or_default().to_owned(),
+        (_, _, Some(word), _) => word.hex.clone(),
+        (_, _, _, Some(text)) => text.clone(),
+        (_, Some(raw), ..) if !column.scaled => format!("{} {raw}", word(lang, "raw")),
+        _ => number(value),
+    }
+}
+
+/// The names of the bits that are set, or the text of a value, for people.
+pub(super) fn long(column: &Column, value: &Value, lang: Lang) -> String {
+    match (column.role, &value.word) {
+        (Some("status-word"), Some(status)) => {
+            status.state.as_ref().map_or_else(String::new, |state| state.name.clone())
+        }
+        (_, Some(bits)) if bits.raw == 0 => word(lang, "none").to_owned(),
+        (_, Some(bits)) => {
+            let set = bits.bits.iter().filter(|bit| bit.set);
+            let names: Vec<_> = set.map(|bit| bit.name.clone().unwrap_or_else(|| format!("bit {}", bit.bit))).collect();
+            names.join(", ")
+        }
+        (_, None) => value.text.clone().unwrap_or_default(),
+    }
+}
+
+/// Whether a column is a number that can be drawn.
+pub(super) fn is_number(column: &Column) -> bool {
+    column.scaled && !matches!(column.role, Some("status-word" | "fault" | "warnings"))
+}
+
+/// Seconds with three decimals.
+pub(super) fn seconds(t: Decimal) -> String {
+    format_decimal(t.raw / 1_000, 3)
+}
+
+/// Stands for a value that is missing.
+pub(super) const GAP: &str = "--";

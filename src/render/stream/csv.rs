@@ -1,0 +1,58 @@
+//! One row a sample, under a head line. A value that is missing is an empty cell, and `error` says why.
+
+use super::Form;
+use super::cells::{Board, number, seconds};
+use crate::outcome::{Record, Sample};
+use crate::render::clean;
+use std::io::{self, Write};
+
+pub(super) struct Csv<'a> {
+    out: &'a mut dyn Write,
+    board: Board,
+}
+
+impl<'a> Csv<'a> {
+    pub(super) fn new(out: &'a mut dyn Write) -> Self {
+        Csv { out, board: Board::default() }
+    }
+
+    fn row(&mut self, cells: &[String]) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(cells).map_err(io::Error::other)?;
+        let row = writer.into_inner().map_err(|error| io::Error::other(error.to_string()))?;
+        self.out.write_all(&row)?;
+        self.out.flush()
+    }
+
+    fn head(&self) -> Vec<String> {
+        let columns = self.board.columns.iter().map(|column| {
+            let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
+            // Nobody knows the decimals: the raw integer must not be taken for the value.
+            format!("{}{set}{}", column.slug, if column.scaled { "" } else { ".raw" })
+        });
+        let first = ["t", "n", "address", "drive", "state"].map(str::to_owned).into_iter();
+        first.chain(columns).chain(["error".to_owned()]).collect()
+    }
+
+    fn cells(&self, sample: &Sample) -> Vec<String> {
+        let error = sample.error.as_ref().or_else(|| sample.values.iter().find_map(|value| value.value.error.as_ref()));
+        let state = sample.state.as_ref().map_or_else(String::new, |state| state.slug.clone());
+        let first = [seconds(sample.t), sample.n.to_string(), sample.address.to_string(), sample.drive.clone(), state];
+        let values = self.board.values(sample).map(|(_, value)| value.map_or_else(String::new, number));
+        let error = error.map_or_else(String::new, |error| error.code.clone());
+        first.into_iter().chain(values).chain([error]).map(|cell| clean(&cell)).collect()
+    }
+}
+
+impl Form for Csv<'_> {
+    fn record(&mut self, record: &Record) -> io::Result<()> {
+        match record {
+            Record::Start(start) => {
+                self.board = Board::of(start);
+                self.row(&self.head())
+            }
+            Record::Sample(sample) => self.row(&self.cells(sample)),
+            _ => Ok(()),
+        }
+    }
+}

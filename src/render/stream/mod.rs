@@ -1,0 +1,182 @@
+//! A stream on its way out: records as they come, in the form that was asked for.
+//!
+//! One file a form. A form gets [`Record`]s and nothing else; it reads no clock, and what it cannot write ends the
+//! stream. Notes for people go to stderr as ever, unless a form has the whole terminal.
+
+mod cells;
+mod csv;
+mod lines;
+mod live;
+mod ndjson;
+mod ticker;
+
+pub use live::{Key, Keys};
+
+use super::{Console, print_failure};
+use crate::outcome::{Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, StreamEnd};
+use crate::profile::Lang;
+use std::io::{self, Write};
+
+/// Form of a stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// One object a line.
+    Ndjson,
+    /// One row a sample, under a head line.
+    Csv,
+    /// One line a sample, for people.
+    Lines,
+    /// One line that is refreshed.
+    Ticker,
+    /// The whole terminal: a chart and a table.
+    Live,
+}
+
+/// What a form for people needs to know.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner {
+    /// Language.
+    pub lang: Lang,
+    /// Columns of the terminal, if there is one.
+    pub width: Option<u16>,
+    /// Colours may be used.
+    pub color: bool,
+    /// stderr is the same terminal, so a form that has all of it must show the notes itself.
+    pub holds_stderr: bool,
+}
+
+/// One form of a stream.
+trait Form {
+    /// Writes a record, and flushes.
+    fn record(&mut self, record: &Record) -> io::Result<()>;
+
+    /// Somebody has something to say: shows it, or makes room for it on stderr and returns false.
+    fn note(&mut self, _text: &str) -> io::Result<bool> {
+        Ok(false)
+    }
+
+    /// A key was pressed.
+    fn press(&mut self, _key: Key) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A stream that is being written.
+pub struct Stream<'a> {
+    form: Box<dyn Form + 'a>,
+    view: View,
+    manner: Manner,
+    console: Console,
+    keys: Option<Keys>,
+    broken: Option<io::Error>,
+}
+
+impl std::fmt::Debug for Stream<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Stream").field("view", &self.view).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Stream<'a> {
+    /// Begins a stream to `out`. A terminal that cannot be taken over gets lines.
+    pub fn open(view: View, out: &'a mut dyn Write, manner: Manner, console: &Console) -> io::Result<Self> {
+        let view = if view == View::Live && !live::Terminal::is_there() { View::Lines } else { view };
+        let form: Box<dyn Form + 'a> = match view {
+            View::Ndjson => Box::new(ndjson::Ndjson::new(out)),
+            View::Csv => Box::new(csv::Csv::new(out)),
+            View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
+            View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
+            View::Live => Box::new(live::Live::new(live::Terminal::take(out)?, manner)?),
+        };
+        let keys = (view == View::Live).then(Keys::read);
+        Ok(Stream { form, view, manner, console: console.clone(), keys, broken: None })
+    }
+
+    /// The keys that are pressed while the form has the terminal.
+    pub fn keys(&mut self) -> Option<Keys> {
+        self.keys.take()
+    }
+
+    /// Takes what happens. `false`: nobody reads any more, the stream should end.
+    pub fn observe(&mut self, event: Event) -> bool {
+        if self.broken.is_some() {
+            return false;
+        }
+        let written = match event {
+            Event::Record(record) => self.form.record(&record),
+            event => self.tell(event),
+        };
+        self.broken = written.err();
+        self.broken.is_none()
+    }
+
+    fn tell(&mut self, event: Event) -> io::Result<()> {
+        let text = match &event {
+            Event::Note(text) => text.clone(),
+            Event::Telegram { direction, meaning, .. } => format!("{direction} {meaning}"),
+            Event::Found(_) | Event::Progress { .. } | Event::Record(_) => String::new(),
+        };
+        if !self.form.note(&text)? {
+            self.console.observe(event);
+        }
+        Ok(())
+    }
+
+    /// Takes a key. `true`: it is meant to end the stream.
+    pub fn press(&mut self, key: Key) -> bool {
+        if let Err(error) = self.form.press(key) {
+            self.broken.get_or_insert(error);
+        }
+        key == Key::Quit || self.broken.is_some()
+    }
+
+    /// Writes how it ended, gives the terminal back, and says on stderr what went wrong.
+    pub fn finish(mut self, outcome: &Outcome) -> io::Result<()> {
+        if let Some(error) = self.broken.take() {
+            return Err(error);
+        }
+        if let Some(Data::Plan(plan)) = &outcome.data {
+            plan.telegrams.iter().try_for_each(|telegram| self.form.record(&Record::Telegram(telegram.clone())))?;
+        }
+        let summary = match &outcome.data {
+            Some(Data::Monitor(summary)) => Some(summary.clone()),
+            _ => None,
+        };
+        let (view, lang, console) = (self.view, self.manner.lang, self.console.clone());
+        self.form.record(&Record::End(end(outcome, summary.clone())))?;
+        // Gives the terminal back.
+        drop(self);
+        if let Some(summary) = summary
+            && !matches!(view, View::Ndjson | View::Csv)
+        {
+            console.observe(Event::Note(told(&summary, lang)));
+        }
+        outcome.warnings.iter().for_each(|warning| console.line(&format!("warning: {}", warning.message)));
+        if let Some(failure) = &outcome.failure {
+            print_failure(failure, &console);
+        }
+        Ok(())
+    }
+}
+
+fn end(outcome: &Outcome, summary: Option<Monitor>) -> StreamEnd {
+    StreamEnd {
+        t: summary.as_ref().map_or(Decimal { raw: 0, decimals: 6 }, |summary| summary.t),
+        schema: SCHEMA_VERSION,
+        tool: "antrieb",
+        command: "monitor",
+        ok: outcome.failure.is_none(),
+        summary,
+        warnings: outcome.warnings.clone(),
+        error: outcome.failure.as_ref().map(ErrorDoc::from),
+    }
+}
+
+fn told(summary: &Monitor, lang: Lang) -> String {
+    let Monitor { samples, gaps, rounds, .. } = summary;
+    let seconds = cells::seconds(summary.t);
+    match lang {
+        Lang::En => format!("{samples} samples in {rounds} rounds and {seconds} s, {gaps} of them gaps"),
+        Lang::De => format!("{samples} Messpunkte in {rounds} Runden und {seconds} s, davon {gaps} Lücken"),
+    }
+}

@@ -1,0 +1,25 @@
+//! One object a line, flushed.
+
+use super::Form;
+use crate::outcome::Record;
+use std::io::{self, Write};
+
+pub(super) struct Ndjson<'a> {
+    out: &'a mut dyn Write,
+}
+
+impl<'a> Ndjson<'a> {
+    pub(super) fn new(out: &'a mut dyn Write) -> Self {
+        Ndjson { out }
+    }
+}
+
+impl Form for Ndjson<'_> {
+    fn record(&mut self, record: &Record) -> io::Result<()> {
+        // In one piece: a line must not be cut in two by whoever reads while it is written.
+        let mut line = serde_json::to_vec(record)?;
+        line.push(b'\n');
+        self.out.write_all(&line)?;
+        self.out.flush()
+    }
+}

@@ -1,0 +1,112 @@
+//! One line on a terminal that every sample refreshes.
+
+use super::cells::{Board, GAP, is_number, seconds, short};
+use super::{Form, Manner};
+use crate::outcome::{Decimal, Record, Sample};
+use crate::profile::Lang;
+use crate::render::{clean, terminal_width};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
+pub(super) struct Ticker<'a> {
+    out: &'a mut dyn Write,
+    lang: Lang,
+    width: usize,
+    /// The width is that of our own terminal, so it may change.
+    follows: bool,
+    board: Board,
+    /// The last sample of each drive, as text.
+    drives: BTreeMap<u8, String>,
+    t: Decimal,
+    /// Columns of what stands there now.
+    shown: usize,
+}
+
+impl<'a> Ticker<'a> {
+    pub(super) fn new(out: &'a mut dyn Write, manner: Manner) -> Self {
+        let follows = manner.width.is_some() && terminal_width() == manner.width;
+        let width = manner.width.unwrap_or(80).into();
+        let (board, t) = (Board::default(), Decimal { raw: 0, decimals: 6 });
+        Ticker { out, lang: manner.lang, width, follows, board, drives: BTreeMap::new(), t, shown: 0 }
+    }
+
+    fn sample(&self, sample: &Sample) -> String {
+        let mut parts = vec![match (&sample.state, &sample.error) {
+            (Some(state), _) => state.name.clone(),
+            (None, Some(error)) => format!("{GAP} {}", error.message),
+            (None, None) => String::new(),
+        }];
+        for (column, value) in self.board.values(sample) {
+            let quiet =
+                matches!(column.role, Some("fault" | "warnings")) && value.is_some_and(|value| value.raw == Some(0));
+            if quiet || column.role == Some("status-word") || sample.error.is_some() {
+                continue;
+            }
+            let unit =
+                column.unit.as_ref().filter(|_| is_number(column)).map_or(String::new(), |unit| format!(" {unit}"));
+            parts.push(format!("{} {}{unit}", self.board.label(column, self.lang), short(column, value, self.lang)));
+        }
+        let parts: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        clean(&format!("{}: {}", sample.address, parts.join("  ")))
+    }
+
+    fn show(&mut self) -> io::Result<()> {
+        if let Some(width) = terminal_width().filter(|_| self.follows) {
+            self.width = width.into();
+        }
+        let drives: Vec<&str> = self.drives.values().map(String::as_str).collect();
+        // The last column stays free: some terminals begin a new line behind it.
+        let text = cut(&format!("{} s  {}", seconds(self.t), drives.join(" | ")), self.width.saturating_sub(1));
+        self.write(&text)
+    }
+
+    /// Puts a text where the last one stands. Blanks wipe what it does not cover, on every terminal there is.
+    fn write(&mut self, text: &str) -> io::Result<()> {
+        let columns = text.width();
+        let blanks = " ".repeat(self.shown.min(self.width.saturating_sub(1)).saturating_sub(columns));
+        write!(self.out, "\r{text}{blanks}")?;
+        self.shown = columns;
+        self.out.flush()
+    }
+}
+
+impl Form for Ticker<'_> {
+    fn record(&mut self, record: &Record) -> io::Result<()> {
+        match record {
+            Record::Start(start) => self.board = Board::of(start),
+            Record::Sample(sample) => {
+                self.t = sample.t;
+                self.drives.insert(sample.address, self.sample(sample));
+                self.show()?;
+            }
+            Record::End(_) if self.shown > 0 => {
+                writeln!(self.out)?;
+                self.out.flush()?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn note(&mut self, _text: &str) -> io::Result<bool> {
+        if self.shown > 0 {
+            self.write("")?;
+            write!(self.out, "\r")?;
+            self.out.flush()?;
+        }
+        Ok(false)
+    }
+}
+
+/// As much of a text as fits.
+fn cut(text: &str, width: usize) -> String {
+    let mut room = width;
+    let fits = |letter: &char| {
+        let columns = letter.width().unwrap_or(0);
+        let fits = columns <= room;
+        room = room.saturating_sub(columns);
+        fits
+    };
+    text.chars().take_while(fits).collect()
+}

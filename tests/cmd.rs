@@ -1,0 +1,77 @@
+//! The program itself, as a process: what only shows when there is a real one, with real pipes and a real environment.
+
+use std::io::Read;
+use std::process::{Command, Stdio};
+
+#[test]
+fn cases() {
+    trycmd::TestCases::new()
+        .env("LC_ALL", "C")
+        .env("ANTRIEB_PORT", "")
+        // No configuration of the one who runs the tests.
+        .env("XDG_CONFIG_HOME", "/nonexistent")
+        .env("HOME", "/nonexistent")
+        .env("COLUMNS", "100")
+        .insert_var("[VERSION]", env!("CARGO_PKG_VERSION"))
+        .unwrap()
+        .case("tests/cmd/*.trycmd");
+}
+
+fn antrieb(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+    command.args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.env_clear().env("XDG_CONFIG_HOME", "/nonexistent").env("HOME", "/nonexistent");
+    command
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    for format in ["table", "json", "ndjson", "csv"] {
+        let mut child = antrieb(&["params", "--format", format]).spawn().unwrap();
+        let mut start = [0; 16];
+        let mut out = child.stdout.take().unwrap();
+        out.read_exact(&mut start).unwrap();
+        drop(out);
+        let ended = child.wait_with_output().unwrap();
+        assert_eq!(ended.status.code(), Some(0), "{format}: {}", String::from_utf8_lossy(&ended.stderr));
+        assert_eq!(String::from_utf8_lossy(&ended.stderr), "", "{format}");
+    }
+}
+
+#[test]
+fn nobody_has_to_read_stderr() {
+    let mut child = antrieb(&["-p", "sim", "-v", "-a", "1", "read", "@all"]).spawn().unwrap();
+    drop(child.stderr.take());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(0));
+    assert!(!ended.stdout.is_empty());
+}
+
+#[test]
+fn the_project_file_lies_in_the_working_directory() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("antrieb.toml"), "port = \"sim\"\n[drives.pump]\naddress = 2\n").unwrap();
+    let ended = antrieb(&["-a", "pump", "read", "1376"]).current_dir(&directory).output().unwrap();
+    assert_eq!(ended.status.code(), Some(0), "{}", String::from_utf8_lossy(&ended.stderr));
+    assert!(String::from_utf8_lossy(&ended.stdout).contains("Modbus address"));
+}
+
+#[test]
+fn the_environment_chooses_the_language() {
+    let ended = antrieb(&["-p", "sim", "-a", "1", "read", "372"]).env("LANG", "de_DE.UTF-8").output().unwrap();
+    assert!(String::from_utf8_lossy(&ended.stdout).contains("Bemessungsdrehzahl"));
+    let ended = antrieb(&["-a", "1", "read", "372"]).env("ANTRIEB_PORT", "sim").output().unwrap();
+    assert!(String::from_utf8_lossy(&ended.stdout).contains("Rated Speed"));
+}
+
+#[cfg(unix)]
+#[test]
+fn arguments_need_not_be_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let strange = OsStr::from_bytes(b"\xFF\xFE");
+    let ended = antrieb(&["-p", "sim", "read"]).arg(strange).output().unwrap();
+    assert_eq!(ended.status.code(), Some(2));
+    let ended = antrieb(&["--catalogue"]).arg(strange).args(["params", "372"]).output().unwrap();
+    assert_eq!(ended.status.code(), Some(7), "{}", String::from_utf8_lossy(&ended.stderr));
+}

@@ -1,0 +1,135 @@
+"""A pymodbus server answers our master, over a null modem of two pseudo terminals: codes 3, 6 and 8, and the drives' own 100 and 101."""
+
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+import slave
+from harness import Running, antrieb, expect, expect_text, group, null_modem
+
+case = group("pymodbus slave")
+
+RTU, ASCII = "rtu", "ascii"
+FRAMINGS = {"RTU": (RTU,), "ASCII": (ASCII,)}
+AS_ACT = ["-a", slave.STATION, "--drive", "act"]
+
+
+@contextmanager
+def station(framing, codes):
+    """The server, and a function that runs our program on the other end of its line."""
+    setting = ["--protocol", framing, "--parity", "none", "--data-bits", 8]
+    with null_modem() as (ours, theirs):
+        with Running([sys.executable, Path(slave.__file__), theirs, framing, codes]) as server:
+            server.wait_for("ready")
+            yield lambda *words: antrieb(ours, *setting, *words)
+
+
+def raw(done):
+    """Raw values by parameter and data set."""
+    return {(value["param"], value["data_set"]): value["raw"] for value in done.data["values"]}
+
+
+@case("{}: code 3, `read` of several words", each=FRAMINGS)
+def _(framing):
+    with station(framing, "stock") as ask:
+        done = ask(*AS_ACT, "read", "372@all", "260", "270", "411").exits(0)
+    values = raw(done)
+    expect("P.372", [values[372, data_set] for data_set in (1, 2, 3, 4)], [1_310, 1_320, 1_330, 1_340])
+    expect("P.260, P.270, P.411", [values[param, 0] for param in (260, 270, 411)], [0, 0, 0x0023])
+
+
+@case("{}: code 6, `write` proves what it wrote", each=FRAMINGS)
+def _(framing):
+    with station(framing, "stock") as ask:
+        done = ask(*AS_ACT, "write", "376@4=1.5kW", "--yes").exits(0)
+        row = done.data["values"][0]
+        expect("row", (row["old_raw"], row["raw"], row["result"]), (8, 15, "verified"))
+        expect("read again", raw(ask(*AS_ACT, "read", "376@4").exits(0)), {(376, 4): 15})
+
+
+@case("{}: code 8, `diag` reads the counters and tests the line", each=FRAMINGS)
+def _(framing):
+    with station(framing, "stock") as ask:
+        drive = ask(*AS_ACT, "diag", "--link-test", 20).exits(0).data["drives"][0]
+    expect("sub-functions", [counter["sub"] for counter in drive["counters"]], list(range(0x0B, 0x13)))
+    expect("counters", [counter["count"] for counter in drive["counters"]], [0] * 8)
+    link = drive["link"]
+    expect("link test", (link["asked"], link["replies"], link["error_rate_percent"]), (20, 20, 0.0))
+
+
+@case("{}: code 8, `diag --clear`", each=FRAMINGS)
+def _(framing):
+    with station(framing, "stock") as ask:
+        drive = ask(*AS_ACT, "diag", "--clear", "--yes").exits(0).data["drives"][0]
+    expect("cleared", drive["counters_cleared"], True)
+
+
+@case("{}: a register that it does not have is refused, exit 6", each=FRAMINGS)
+def _(framing):
+    with station(framing, "stock") as ask:
+        error = ask(*AS_ACT, "read", "400").exits(6).error
+    expect("error", (error["class"], error["code"]), ("refused", "refused.illegal_data_address"))
+
+
+WITHOUT_LONGS = {
+    f"{title}: {verb} of a long": (framing, words)
+    for title, (framing,) in FRAMINGS.items()
+    for verb, words in (("read", ["read", "481"]), ("write", ["write", "480=-120Hz", "--yes"]))
+}
+
+
+@case("{} where code 100 is exception 1, exit 6", each=WITHOUT_LONGS)
+def _(framing, words):
+    with station(framing, "refusing") as ask:
+        error = ask(*AS_ACT, *words).exits(6).error
+    expect("error", (error["class"], error["code"]), ("refused", "refused.illegal_function"))
+
+
+@case("{}: codes 100 and 101 as custom codes of the server", each=FRAMINGS)
+def _(framing):
+    with station(framing, "speaking") as ask:
+        expect("P.481", raw(ask(*AS_ACT, "read", "481").exits(0)), {(481, 0): 1_000})
+        row = ask(*AS_ACT, "write", "480=-120Hz", "--yes").exits(0).data["values"][0]
+        expect("row", (row["old_raw"], row["raw"], row["result"]), (500, -12_000, "verified"))
+        expect("read again", raw(ask(*AS_ACT, "read", "480").exits(0)), {(480, 0): -12_000})
+
+
+@case("silence on code 100 ends with exit 4, and the next question gets its own reply")
+def _():
+    with station(RTU, "stock") as ask:
+        expect("error", ask(*AS_ACT, "read", "481").exits(4).error["class"], "silence")
+        values = raw(ask(*AS_ACT, "read", "481", "372@2", "411").exits(9))
+    expect("values", values, {(481, 0): None, (372, 2): 1_320, (411, 0): 0x0023})
+
+
+@case("an answer that fits no question ends with exit 5")
+def _():
+    # In ASCII, pymodbus answers a code that it does not know with function 0x80.
+    with station(ASCII, "stock") as ask:
+        expect("error", ask(*AS_ACT, "read", "481").exits(5).error["class"], "garbled")
+
+
+STRANGERS = {
+    f"{title}, {manner}": (framing, codes)
+    for title, (framing,) in FRAMINGS.items()
+    for manner, codes in (("which refuses code 100", "refusing"), ("as pymodbus comes", "stock"))
+}
+
+
+@case("`scan` lists it as unknown, with what it answered: {}", each=STRANGERS)
+def _(framing, codes):
+    with station(framing, codes) as ask:
+        found = ask("scan", "-a", "6-8").exits(0).data
+    expect("found", [(drive["address"], drive["drive"]) for drive in found["drives"]], [(slave.STATION, "unknown")])
+    expect("complete", (found["asked"], found["complete"]), (3, True))
+    evidence = found["drives"][0]["evidence"]
+    expect("every evidence is whole", [row for row in evidence if not (row["asked"] and row["answered"])], [])
+    expect_text("evidence", " ".join(row["asked"] for row in evidence), "code 100", "code 3")
+
+
+@case("{}: `read` without --drive says that it knows no such drive, exit 7", each=FRAMINGS)
+def _(framing):
+    with station(framing, "refusing") as ask:
+        error = ask("-a", slave.STATION, "read", "372@2").exits(7).error
+    expect("error", error["code"], "data.unknown_drive")
+    expect_text("hint", error["hint"], "--drive")
