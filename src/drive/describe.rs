@@ -154,8 +154,12 @@ pub fn fault(family: &Family, code: u32, lang: Lang) -> Option<Fault> {
         text.to_owned()
     };
     let node = row.and_then(|row| row.last).map(|_| code & 0xFF);
-    // Texts of a whole range say `nn` where the number belongs.
-    let filled = |text: &str| node.map_or_else(|| text.to_owned(), |node| text.replace("nn", &node.to_string()));
+    // Texts of a whole range say the word `nn` where the number belongs.
+    let fill = |word: &str, node: u32| if word == "nn" { node.to_string() } else { word.to_owned() };
+    let filled = |text: &str| match node {
+        Some(node) => text.split(' ').map(|word| fill(word, node)).collect::<Vec<_>>().join(" "),
+        None => text.to_owned(),
+    };
     Some(Fault {
         code,
         key: format!("F{code:04X}"),

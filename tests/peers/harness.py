@@ -16,7 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-BINARY = Path(os.environ.get("ANTRIEB") or Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release/antrieb")
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+BINARY = Path(os.environ.get("ANTRIEB", TARGET / "release/antrieb"))
 
 # A process that is not over by then never will be; no counterpart needs more than a few seconds.
 PATIENCE_S = 30
@@ -39,7 +40,7 @@ class Case:
 
 
 def group(name):
-    """A decorator that adds a function to the table; with `each`, once per row, whose name replaces `{}` in the title."""
+    """A decorator that adds a function to the table; with `each`, once per row, and `{}` in the title is its name."""
 
     def case(title, each=None):
         def add(function):

@@ -1,4 +1,7 @@
-"""A pymodbus server answers our master, over a null modem of two pseudo terminals: codes 3, 6 and 8, and the drives' own 100 and 101."""
+"""A pymodbus server answers our master, over a null modem of two pseudo terminals: codes 3, 6, 8, and the drives' own.
+
+The server is `slave.py`, a process of its own.
+"""
 
 import sys
 from contextlib import contextmanager
@@ -9,6 +12,7 @@ from harness import Running, antrieb, expect, expect_text, group, null_modem
 
 case = group("pymodbus slave")
 
+SERVER = Path(slave.__file__)
 RTU, ASCII = "rtu", "ascii"
 FRAMINGS = {"RTU": (RTU,), "ASCII": (ASCII,)}
 AS_ACT = ["-a", slave.STATION, "--drive", "act"]
@@ -18,10 +22,9 @@ AS_ACT = ["-a", slave.STATION, "--drive", "act"]
 def station(framing, codes):
     """The server, and a function that runs our program on the other end of its line."""
     setting = ["--protocol", framing, "--parity", "none", "--data-bits", 8]
-    with null_modem() as (ours, theirs):
-        with Running([sys.executable, Path(slave.__file__), theirs, framing, codes]) as server:
-            server.wait_for("ready")
-            yield lambda *words: antrieb(ours, *setting, *words)
+    with null_modem() as (ours, theirs), Running([sys.executable, SERVER, theirs, framing, codes]) as server:
+        server.wait_for("ready")
+        yield lambda *words: antrieb(ours, *setting, *words)
 
 
 def raw(done):

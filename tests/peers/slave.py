@@ -2,8 +2,8 @@
 
     slave.py PORT rtu|ascii stock|refusing|speaking
 
-`stock` is pymodbus as it comes: codes 3, 6 and 8, and what it makes of codes that it does not know. `refusing` answers codes 100
-and 101 with exception 1, as the norm wants it of any slave. `speaking` knows both, as custom codes.
+`stock` is pymodbus as it comes: codes 3, 6 and 8, and what it makes of codes that it does not know. `refusing` answers
+codes 100 and 101 with exception 1, as the norm wants it of any slave. `speaking` knows both, as custom codes.
 Says "ready" on stdout, and ends on SIGTERM.
 """
 

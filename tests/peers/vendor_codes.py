@@ -1,4 +1,4 @@
-"""Codes 100 and 101 of the ACTIVE family for pymodbus: read and write one 32-bit parameter (CM-485 manual 6.4.3, 6.4.4).
+"""Codes 100 and 101 of the ACTIVE family for pymodbus: read and write 32 bits (CM-485 manual 6.4.3, 6.4.4).
 
 Written from the manual, with pymodbus' own classes for custom codes; nothing of our codec is in it.
 """

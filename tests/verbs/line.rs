@@ -59,7 +59,7 @@ fn a_modbus_device_that_is_no_known_drive_is_listed_with_what_it_answered() {
         assert_eq!((&unknown["address"], &unknown["drive"]), (&json!(9), &json!("unknown")));
         let answers: Vec<_> =
             unknown["evidence"].as_array().unwrap().iter().map(|row| row["answered"].as_str().unwrap()).collect();
-        assert_eq!(answers, ["1 (illegal function)", "17 (0x0011)"]);
+        assert_eq!(answers, ["0x0005", "exception 1 (illegal function)"]);
         assert_eq!(document.data("/drives/2/address"), 200, "it refuses every question, but it is there");
         assert_eq!(document.data("/drives/2/drive"), "unknown");
     }
@@ -105,6 +105,9 @@ fn an_interrupted_scan_leaves_an_honest_part() {
     impl Ask for NobodyAsked {
         fn ask(&mut self, _: &Question) -> Answer {
             unreachable!("a scan asks nobody")
+        }
+        fn is_there(&self) -> bool {
+            false
         }
     }
     let environment = antrieb::args::Environment::default();

@@ -79,6 +79,7 @@ pub(super) fn long(column: &Column, value: &Value, lang: Lang) -> String {
         (Some("status-word"), Some(status)) => {
             status.state.as_ref().map_or_else(String::new, |state| state.name.clone())
         }
+        (Some("fault"), None) if value.raw == Some(0) => word(lang, "none").to_owned(),
         (_, Some(bits)) if bits.raw == 0 => word(lang, "none").to_owned(),
         (_, Some(bits)) => {
             let set = bits.bits.iter().filter(|bit| bit.set);

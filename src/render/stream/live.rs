@@ -299,9 +299,9 @@ impl Screen {
         );
         let lost = if self.lost { format!("  {}", self.word("PORT LOST")) } else { String::new() };
         let counts = format!("{} s  #{}  {}: {}{lost}", seconds(self.t), self.rounds, self.word("gaps"), self.gaps);
-        let wide = format!(" antrieb monitor  {place}  {counts}");
-        let fits = Line::raw(wide.as_str()).width() <= area.width.into();
-        let text = if fits { wide } else { format!(" {counts}") };
+        let all = [format!(" antrieb monitor  {place}  {counts}"), format!(" {place}  {counts}"), format!(" {counts}")];
+        let fits = |text: &&String| Line::raw(text.as_str()).width() <= area.width.into();
+        let text = all.iter().find(fits).or(all.last()).cloned().unwrap_or_default();
         frame.render_widget(Paragraph::new(text).style(Style::new().add_modifier(Modifier::REVERSED)), area);
     }
 
@@ -309,11 +309,17 @@ impl Screen {
         // The drive that is shown is always among those listed.
         let first = (self.turned_to + 1).saturating_sub(area.height.into());
         let lines = self.drives.iter().enumerate().skip(first).take(area.height.into());
-        let lines: Vec<_> = lines.map(|(index, drive)| self.drive(drive, index == self.turned_to)).collect();
+        let lines: Vec<_> = lines
+            .map(|(index, drive)| {
+                let [whole, brief] = [false, true].map(|brief| self.drive(drive, index == self.turned_to, brief));
+                if whole.width() <= area.width.into() { whole } else { brief }
+            })
+            .collect();
         frame.render_widget(Paragraph::new(lines), area);
     }
 
-    fn drive<'l>(&self, drive: &'l Drive, shown: bool) -> Line<'l> {
+    /// What a drive does, in a line; briefly where codes must do for names.
+    fn drive<'l>(&self, drive: &'l Drive, shown: bool, brief: bool) -> Line<'l> {
         let bold = Style::new().add_modifier(Modifier::BOLD);
         let marker = if shown && self.drives.len() > 1 { ">" } else { " " };
         let Some(sample) = &drive.last else { return Line::raw(format!("{marker}{}", drive.about.address)) };
@@ -337,10 +343,13 @@ impl Screen {
                 continue;
             };
             let present = value.raw != Some(0);
-            let text = if present { long(column, value, self.lang) } else { self.word("none").to_owned() };
+            if brief && !present {
+                continue;
+            }
+            let names = if brief { short(column, Some(value), self.lang) } else { long(column, value, self.lang) };
             let tint = if present { self.tint(color).add_modifier(Modifier::BOLD) } else { Style::new() };
             spans.push(Span::raw(format!("  {}: ", self.word(role))));
-            spans.push(Span::styled(clean(&text), tint));
+            spans.push(Span::styled(clean(&names), tint));
         }
         Line::from(spans)
     }
@@ -404,8 +413,8 @@ impl Screen {
         let from = (now - span).max(drive.past.front().map_or(0.0, |past| past.t));
         let (from, to) = (from, now.max(from + span.min(10.0 * interval.max(1.0))));
         let seen: Vec<&Past> = drive.past.iter().filter(|past| past.t >= from).collect();
-        let gaps: Vec<f64> = seen.iter().filter(|past| past.values.iter().all(Option::is_none)).map(|p| p.t).collect();
-        if !gaps.is_empty() {
+        let holes = holes(&seen, (to - from) / f64::from(plot.width.max(1)));
+        if !holes.is_empty() {
             legend.push(Span::styled(" × ", self.tint(Color::Red)));
             legend.push(Span::raw(self.word("gap").to_owned()));
         }
@@ -418,7 +427,7 @@ impl Screen {
                 lines.push((series, line.iter().filter_map(|(t, value)| Some((*t, (*value)?))).collect()));
             }
         }
-        let holes: Vec<(f64, f64)> = gaps.into_iter().map(|t| (t, low)).collect();
+        let holes: Vec<(f64, f64)> = holes.into_iter().map(|t| (t, low)).collect();
         let mut sets: Vec<Dataset<'_>> = lines
             .iter()
             .filter_map(|(series, line)| {
@@ -428,9 +437,9 @@ impl Screen {
             .collect();
         let hole = Dataset::default().marker(Marker::Custom('×')).style(self.tint(Color::Red)).data(&holes);
         sets.push(hole.graph_type(GraphType::Scatter));
-        let decimals = usize::from(high - low < 10.0);
-        let middle = format!("{:.decimals$}", (low + high) / 2.0);
-        let marks = [format!("{low:.decimals$}"), middle, format!("{high:.decimals$}")];
+        let marks = [low, (low + high) / 2.0, high];
+        let decimals = usize::from(marks.iter().any(|mark| mark.fract() != 0.0));
+        let marks = marks.map(|mark| format!("{mark:.decimals$}"));
         let axis = self.tint(Color::DarkGray);
         let x = Axis::default().style(axis).bounds([from, to]).labels([format!("{from:.0} s"), format!("{to:.0} s")]);
         let y = Axis::default().style(axis).bounds([low, high]).labels(marks);
@@ -469,6 +478,21 @@ impl Drive {
         self.past.push_back(Past { t: float(sample.t), values });
         self.last = Some(sample.clone());
     }
+}
+
+/// Marks for the times from which there is no value: from the last good sample before to the first one after.
+fn holes(seen: &[&Past], step: f64) -> Vec<f64> {
+    let is_gap = |past: &&Past| past.values.iter().all(Option::is_none);
+    let mut marks: Vec<f64> = seen.iter().filter(|past| is_gap(past)).map(|past| past.t).collect();
+    for pair in seen.windows(2) {
+        if let [before, after] = pair
+            && (is_gap(before) || is_gap(after))
+        {
+            let count = ((after.t - before.t) / step) as usize;
+            marks.extend((1..count).map(|index| before.t + step * index as f64));
+        }
+    }
+    marks
 }
 
 fn float(decimal: Decimal) -> f64 {
