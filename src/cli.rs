@@ -249,12 +249,18 @@ fn work(
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {
+        // A verb that turns a shaft must notice that nobody reads any more; others finish what they began.
+        let turns = matches!(verb, Verb::Statemachine(_) | Verb::Sollwert(_));
+        let pipe = turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
         let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
         let outcome = tokio::select! {
             outcome = dispatch(verb, &mut context) => outcome,
             () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
         };
         signals.abort();
+        if let Some(pipe) = pipe {
+            pipe.abort();
+        }
         outcome
     })
 }
@@ -306,6 +312,15 @@ fn verb_name(verb: &Verb) -> &'static str {
         Verb::Completions { .. } => "completions",
         Verb::Man { .. } => "man",
     }
+}
+
+/// Raises the interrupt when the reader of stdout has gone away.
+#[expect(clippy::disallowed_methods, reason = "looks at a pipe now and then; no telegram depends on this time")]
+async fn raise_on_closed_output(interrupt: Interrupt) {
+    while !render::output_is_closed() {
+        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
+    }
+    interrupt.raise();
 }
 
 /// Raises the interrupt on Ctrl-C, SIGTERM and SIGHUP.

@@ -16,6 +16,7 @@ const VERBS: &[&str] = &[
     "diag",
     "statemachine",
     "sollwert",
+    "monitor",
     "params",
     "decode",
     "simulate",

@@ -234,13 +234,9 @@ fn the_time_and_the_count_end_it() {
 
 #[test]
 fn a_closed_pipe_is_a_success_and_ends_it() {
-    for form in ["--format ndjson", "--format csv", "", "--json -a 9"] {
+    for form in ["--format ndjson", "--format csv", "", "--json"] {
         for room in [0, 10, 400, 3_000] {
-            let output = antrieb(
-                &format!("-p sim -a 1 --unpaced monitor {form}").replace("--unpaced monitor", "monitor --unpaced"),
-            )
-            .into_pipe_of(room)
-            .run();
+            let output = antrieb(&format!("-p sim -a 1 monitor --unpaced {form}")).into_pipe_of(room).run();
             assert_eq!(output.exit, 0, "{form} {room}: {}", output.err);
             assert_eq!(output.out.len(), room);
         }

@@ -263,7 +263,11 @@ impl Work<'_> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
         let report = self.report(session, rows).await?;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good, self.settings.lang) })
+        Ok(Outcome {
+            data: Some(Data::Dataset(report)),
+            warnings,
+            failure: summary(failures, good, self.settings.lang),
+        })
     }
 
     async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
@@ -325,6 +329,10 @@ impl Work<'_> {
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let mut report = self.report(session, Vec::new()).await?;
         report.written = job.rows;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good, self.settings.lang) })
+        Ok(Outcome {
+            data: Some(Data::Dataset(report)),
+            warnings: Vec::new(),
+            failure: summary(failures, good, self.settings.lang),
+        })
     }
 }

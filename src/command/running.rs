@@ -55,6 +55,9 @@ pub(super) async fn run<C>(
     let checked = check(&mut session, &mut target, &before).await?;
     let permit = gate::ask(*ask, &question(&plan, &target, &before, lang)).map_err(super::write::denied)?;
     let from = describe::state(&target.family, before.status, lang);
+    if plan.args.hold {
+        session.pace();
+    }
     let mut motor = Motor::new(&mut session, &mut target, &permit, lang, plan.args.wait);
     motor.controls(&before);
     let ended = motor
@@ -84,6 +87,17 @@ pub(super) async fn run<C>(
             "der Watchdog (P.413) ist aus: bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
         );
         notes.push(text.to_owned());
+    }
+    let watching = plan.args.watchdog.map(seconds).filter(|_| !plan.args.hold).or(watchdog_s);
+    if let Some(seconds) = watching.filter(|&seconds| seconds > 0) {
+        notes.push(match lang {
+            Lang::En => {
+                format!("the drive's watchdog (P.413) is {seconds} s: it trips (F2010) once nobody talks to it")
+            }
+            Lang::De => {
+                format!("der Watchdog (P.413) steht auf {seconds} s: er löst aus (F2010), wenn niemand mehr spricht")
+            }
+        });
     }
     let data = Motion {
         address,

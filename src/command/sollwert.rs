@@ -184,7 +184,9 @@ async fn give(args: &Args, wanted: Wanted, context: &mut Context<'_>) -> Result<
     running::run(
         context,
         plan,
-        async |session, target, before| check(args, &wanted, enable && !takes_control, session, target, before, lang).await,
+        async |session, target, before| {
+            check(args, &wanted, enable && !takes_control, session, target, before, lang).await
+        },
         async |motor, checked| {
             if let Some(source) = args.source {
                 motor.change("ramp-setpoint", if source == Source::Line { LINE_ONLY } else { BOTH }).await?;
@@ -279,8 +281,12 @@ async fn check(
         Quantity::Speed => {
             let pairs = role_raw(session, target, "pole-pairs", lang).await?.filter(|&pairs| pairs > 0);
             let pairs = pairs.ok_or_else(|| {
-                let text = lang.pick("the drive does not tell its pole pairs (P.373)", "der Antrieb nennt seine Polpaarzahl (P.373) nicht");
-                Failure::new(Class::Data, "data.pole_pairs", text).hint(lang.pick("give the setpoint in Hz", "den Sollwert in Hz angeben"))
+                let text = lang.pick(
+                    "the drive does not tell its pole pairs (P.373)",
+                    "der Antrieb nennt seine Polpaarzahl (P.373) nicht",
+                );
+                Failure::new(Class::Data, "data.pole_pairs", text)
+                    .hint(lang.pick("give the setpoint in Hz", "den Sollwert in Hz angeben"))
             })?;
             wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs))
         }
@@ -361,7 +367,8 @@ fn dry_run(wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
     let at = family.role(role).and_then(|param| RegisterAddress::new(param.id, 0));
     let at = at.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no such setpoint"))?;
     let reader = telegram_reader(context.settings, &family);
-    let telegrams = wanted.schedule.values().map(|raw| reader.question(address, Inquiry::Write(at, Type::Long, raw as u32)));
+    let telegrams =
+        wanted.schedule.values().map(|raw| reader.question(address, Inquiry::Write(at, Type::Long, raw as u32)));
     let mut telegrams: Vec<_> = telegrams.collect();
     telegrams.dedup_by(|a, b| a.hex == b.hex);
     Ok(Outcome::of(Data::Plan(outcome::Plan { dry_run: true, telegrams })))

@@ -111,7 +111,9 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     };
     if context.settings.dry_run {
         let message = "the way to a state depends on the present one, and a dry run asks no drive";
-        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint("dry-run a single command, such as enable"));
+        return Err(
+            Failure::new(Class::Usage, "usage.dry_run", message).hint("dry-run a single command, such as enable")
+        );
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
     let plan = Plan { action: "goto", announce, args: motion, needs_control: true };
@@ -140,7 +142,10 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         return dry_run(context, &family, word);
     }
     let shown = if contacts.is_empty() { "-".to_owned() } else { contacts.join(" ") };
-    let announce = format!("{}: {shown}", lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen"));
+    let announce = format!(
+        "{}: {shown}",
+        lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen")
+    );
     let plan = Plan { action: "contacts", announce, args: motion, needs_control: false };
     let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(
@@ -270,7 +275,8 @@ async fn show(
 
 /// The map of the state machine: every state, where it leads, and which is the present one.
 fn states(family: &Family, present: &str, lang: Lang) -> Vec<StateRow> {
-    let order = ["switch-on-disabled", "ready-to-switch-on", "switched-on", "operation-enabled", "quick-stop-active", "fault"];
+    let order =
+        ["switch-on-disabled", "ready-to-switch-on", "switched-on", "operation-enabled", "quick-stop-active", "fault"];
     let name = |slug: &str| family.states.iter().find(|row| row.slug == slug).map(|row| row.name(lang).to_owned());
     let row = |slug: &&str| {
         let leads = family.machine.transitions.iter().filter(|transition| transition.from == *slug);
@@ -278,7 +284,12 @@ fn states(family: &Family, present: &str, lang: Lang) -> Vec<StateRow> {
             let by = transition.command.as_deref().unwrap_or(lang.pick("by itself", "von selbst"));
             format!("{} {by} -> {}", transition.number, name(&transition.to).unwrap_or_else(|| transition.to.clone()))
         });
-        Some(StateRow { slug: (*slug).to_owned(), name: name(slug)?, present: *slug == present, leads: leads.collect() })
+        Some(StateRow {
+            slug: (*slug).to_owned(),
+            name: name(slug)?,
+            present: *slug == present,
+            leads: leads.collect(),
+        })
     };
     order.iter().filter_map(row).collect()
 }

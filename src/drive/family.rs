@@ -111,7 +111,8 @@ pub(super) async fn judge(
             finding.drive = Some("acu".to_owned());
         }
         Err(AccessError::Refused(refusal)) => {
-            let tells = lang.pick("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
+            let tells =
+                lang.pick("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
             finding.note(asked, exception(refusal.exception, lang), tells);
         }
         Err(error) => return Err(error),
@@ -132,14 +133,16 @@ async fn speaks_code_100(
     let stranger = lang.pick("no ACTIVE drive: does not know code 100", "kein ACTIVE: kennt Code 100 nicht");
     let (answered, tells, known) = match session.ask(address, route::read(at, Type::Long)).await {
         Ok(Answer::Reply { reply: Reply::Long(value), .. }) => {
-            let tells = lang.pick("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
+            let tells =
+                lang.pick("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
             (value.to_string(), tells, true)
         }
         Ok(Answer::Reply { reply: Reply::Exception { code: Exception::IllegalFunction, .. }, .. }) => {
             (exception(Exception::IllegalFunction, lang), stranger, false)
         }
         Ok(Answer::Reply { reply: Reply::Exception { code, .. }, .. }) => {
-            let tells = lang.pick("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
+            let tells =
+                lang.pick("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
             (exception(code, lang), tells, true)
         }
         Ok(_) => ("-".to_owned(), stranger, false),

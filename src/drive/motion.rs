@@ -4,9 +4,9 @@
 //! ours), the stop that was chosen goes out, is proven by the drive's state, and what was changed for the run is given
 //! back. This room decides by roles and machine data only, so it serves every family.
 
+use super::describe;
 use super::session::{AccessError, Session};
 use super::transfer::{Order, Target, WriteFate};
-use super::describe;
 use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Decimal, Event, Setpoint, State, Step, Stop};
@@ -401,7 +401,10 @@ impl<'a, 's> Motor<'a, 's> {
                 _ if !was_enabled && !state.slug.starts_with("fault") => {}
                 slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
                 _ => {
-                    let text = self.lang.pick("the drive left the run by itself; it is now", "der Antrieb ist von selbst ausgestiegen, jetzt:");
+                    let text = self.lang.pick(
+                        "the drive left the run by itself; it is now",
+                        "der Antrieb ist von selbst ausgestiegen, jetzt:",
+                    );
                     return Err(Failure::new(Class::Forbidden, "forbidden.left_run", format!("{text} {}", state.name)));
                 }
             }
@@ -474,7 +477,11 @@ impl<'a, 's> Motor<'a, 's> {
         let (name, command, goal) = choice.row();
         let mut stop = Stop { choice: name, because, acknowledged: false, state: None, note: None };
         if choice == StopChoice::Keep {
-            stop.note = Some(self.lang.pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt").to_owned());
+            stop.note = Some(
+                self.lang
+                    .pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt")
+                    .to_owned(),
+            );
             return stop;
         }
         let word = match self.lever {
@@ -563,7 +570,9 @@ impl<'a, 's> Motor<'a, 's> {
             (Some(0), Lang::De) => "der Watchdog (P.413) ist aus: DIE WELLE KANN NOCH DREHEN".to_owned(),
             (Some(s), Lang::En) => format!("the drive's watchdog (P.413) trips it {s} s after the last telegram"),
             (Some(s), Lang::De) => format!("der Watchdog (P.413) schaltet {s} s nach dem letzten Telegramm ab"),
-            (None, Lang::En) => "whether the drive's watchdog stops it is not known: THE SHAFT MAY STILL TURN".to_owned(),
+            (None, Lang::En) => {
+                "whether the drive's watchdog stops it is not known: THE SHAFT MAY STILL TURN".to_owned()
+            }
             (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt: DIE WELLE KANN NOCH DREHEN".to_owned(),
         }
     }
@@ -586,7 +595,8 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// Why a state does not come.
     async fn stuck(&mut self, state: &State, goal: &str) -> Failure {
-        let goal = self.target.family.states.iter().find(|row| row.slug == goal).map_or(goal, |row| row.name(self.lang));
+        let goal =
+            self.target.family.states.iter().find(|row| row.slug == goal).map_or(goal, |row| row.name(self.lang));
         let text = match self.lang {
             Lang::En => format!("the drive stays in '{}' and does not go to '{goal}'", state.name),
             Lang::De => format!("der Antrieb bleibt in '{}' und geht nicht nach '{goal}'", state.name),
@@ -705,7 +715,10 @@ pub fn missing(situation: &Situation, target: &Target, lang: Lang) -> Vec<String
             (true, Lang::En) => "external enable STOA and STOB (terminals X210A.3 and X210B.2)",
             (true, Lang::De) => "externe Freigabe STOA und STOB (Klemmen X210A.3 und X210B.2)",
         };
-        let start = lang.pick("start contact S2IND or S3IND, or P.68/P.69 set to on", "Startkontakt S2IND oder S3IND, oder P.68/P.69 auf Ein");
+        let start = lang.pick(
+            "start contact S2IND or S3IND, or P.68/P.69 set to on",
+            "Startkontakt S2IND oder S3IND, oder P.68/P.69 auf Ein",
+        );
         let seen = lang.pick("P.250 shows the inputs", "P.250 zeigt die Eingänge");
         let what = match (input(0), input(1).zip(input(2))) {
             (Some(true), Some((false, false))) => start.to_owned(),
@@ -733,7 +746,12 @@ fn no_plan(why: &NoPlan, target: &Target, lang: Lang) -> Failure {
     match why {
         NoPlan::Unreachable { from, goal } => {
             let name = |slug: &str| {
-                target.family.states.iter().find(|row| row.slug == slug).map_or(slug.to_owned(), |row| row.name(lang).to_owned())
+                target
+                    .family
+                    .states
+                    .iter()
+                    .find(|row| row.slug == slug)
+                    .map_or(slug.to_owned(), |row| row.name(lang).to_owned())
             };
             let text = match lang {
                 Lang::En => format!("no command leads from '{}' to '{}'", name(from), name(goal)),
@@ -748,11 +766,18 @@ fn no_plan(why: &NoPlan, target: &Target, lang: Lang) -> Failure {
                     "external enable and start contact (Remote bit 9)",
                     "externe Freigabe und Startkontakt (Remote-Bit 9)",
                 ),
-                Need::NoPositioning => lang.pick("a configuration without positioning (P.30)", "eine Konfiguration ohne Positionierung (P.30)"),
+                Need::NoPositioning => lang.pick(
+                    "a configuration without positioning (P.30)",
+                    "eine Konfiguration ohne Positionierung (P.30)",
+                ),
                 Need::Lock => lang.pick("15 s since the fault", "15 s seit der Störung"),
             };
             let words: Vec<_> = needs.iter().map(word).collect();
-            let text = format!("{}: {}", lang.pick("the drive cannot be enabled, missing", "der Antrieb ist nicht freizugeben, es fehlt"), words.join(", "));
+            let text = format!(
+                "{}: {}",
+                lang.pick("the drive cannot be enabled, missing", "der Antrieb ist nicht freizugeben, es fehlt"),
+                words.join(", ")
+            );
             let slugs = needs.iter().map(|need| format!("{need:?}").to_lowercase()).collect::<Vec<_>>();
             Failure::new(Class::Forbidden, "forbidden.interlock", text).with("missing", slugs.join(","))
         }

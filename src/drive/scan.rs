@@ -80,9 +80,7 @@ async fn look(
         Ok(answer) => answer,
         Err(AccessError::Exchange(Silence { .. } | Stray { .. })) => return Ok(None),
         // A disturbed reply: somebody is there, so ask by the book.
-        Err(AccessError::Exchange(_)) => {
-            session.ask(address, probe).await?
-        }
+        Err(AccessError::Exchange(_)) => session.ask(address, probe).await?,
         Err(error) => return Err(error),
     };
     let finding = judge(session, address, &answer, lang, false).await?;

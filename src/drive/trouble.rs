@@ -80,10 +80,19 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
         }
         ExchangeError::Stray { station } => {
             let (code, message) = match (*station == address, lang) {
-                (true, Lang::En) => ("garbled.wrong_answer", format!("{at}: answers with a telegram that does not fit the question")),
-                (true, Lang::De) => ("garbled.wrong_answer", format!("{at}: antwortet mit einem Telegramm, das nicht zur Frage passt")),
-                (false, Lang::En) => ("garbled.wrong_responder", format!("{at}: station {station} answered in place of the one that was asked")),
-                (false, Lang::De) => ("garbled.wrong_responder", format!("{at}: statt der gefragten antwortet Station {station}")),
+                (true, Lang::En) => {
+                    ("garbled.wrong_answer", format!("{at}: answers with a telegram that does not fit the question"))
+                }
+                (true, Lang::De) => {
+                    ("garbled.wrong_answer", format!("{at}: antwortet mit einem Telegramm, das nicht zur Frage passt"))
+                }
+                (false, Lang::En) => (
+                    "garbled.wrong_responder",
+                    format!("{at}: station {station} answered in place of the one that was asked"),
+                ),
+                (false, Lang::De) => {
+                    ("garbled.wrong_responder", format!("{at}: statt der gefragten antwortet Station {station}"))
+                }
             };
             Failure::new(Class::Garbled, code, message)
                 .hint(lang.pick(

@@ -300,7 +300,9 @@ impl Catalogue {
             let row = row.get_ref();
             if let Some(unknown) = row.drives.iter().flatten().find(|drive| !family.siblings.contains(drive)) {
                 let known = family.siblings.join(", ");
-                return Err(self.error(at, format!("parameter {}: unknown drive '{unknown}' (expected: {known})", row.id)));
+                return Err(
+                    self.error(at, format!("parameter {}: unknown drive '{unknown}' (expected: {known})", row.id))
+                );
             }
             if row.drives.as_ref().is_some_and(|drives| !drives.contains(&family.drive)) {
                 continue;

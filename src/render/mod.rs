@@ -67,6 +67,21 @@ pub fn terminal_width() -> Option<u16> {
     None
 }
 
+/// Whether the reader of stdout has gone away.
+pub fn output_is_closed() -> bool {
+    #[cfg(unix)]
+    {
+        use rustix::event::{PollFd, PollFlags, Timespec, poll};
+        let out = rustix::stdio::stdout();
+        let mut watched = [PollFd::new(&out, PollFlags::empty())];
+        let now = Timespec { tv_sec: 0, tv_nsec: 0 };
+        poll(&mut watched, Some(&now)).is_ok()
+            && watched.iter().any(|fd| fd.revents().intersects(PollFlags::ERR | PollFlags::NVAL))
+    }
+    #[cfg(not(unix))]
+    false
+}
+
 /// Characters that turn the direction of a line around and so can make it read as something else.
 fn is_bidi_control(letter: char) -> bool {
     matches!(letter, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')

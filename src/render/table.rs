@@ -3,8 +3,8 @@
 use super::clean;
 use super::words::word;
 use crate::outcome::{
-    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Scan, SetpointReport, State,
-    StateReport, TelegramDoc, Value, Word, WriteResult, Written,
+    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Scan,
+    SetpointReport, State, StateReport, TelegramDoc, Value, Word, WriteResult, Written,
 };
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -510,7 +510,14 @@ impl Page {
         }
         for change in &motion.changed {
             let back = if change.restored { "given back" } else { "NOT given back" };
-            let what = format!("P.{}@{}ram {} -> {}, {}", change.param, change.data_set, change.old, change.new, self.word(back));
+            let what = format!(
+                "P.{}@{}ram {} -> {}, {}",
+                change.param,
+                change.data_set,
+                change.old,
+                change.new,
+                self.word(back)
+            );
             rows.push(("changed", what));
         }
         if let Some(stop) = &motion.stop {

@@ -107,7 +107,8 @@ fn rows(document: &Value) -> Vec<Map<String, Value>> {
                     .flat_map(move |part| list(&drive[part]))
                     .collect::<Vec<_>>()
             };
-            list(&data["drives"]).into_iter().flat_map(of).collect()
+            let failed = list(&data["drives"]).into_iter().filter(|drive| !drive["error"].is_null());
+            list(&data["drives"]).into_iter().flat_map(of).chain(failed).collect()
         }
         other => panic!("{other}"),
     };
