@@ -6,11 +6,16 @@
 //!
 //! All frequencies have two decimals, also those of which no source says it (217, 241): so do all that are printed
 //! (CM-485 manual 10.2.3). Percentages likewise.
+//!
+//! The parameters are here; what the drive makes of them is in `values.rs`.
 
-use super::machine::{Control, Inputs, Machine, State};
+mod values;
+
+use super::machine::Machine;
+use super::setup::{Model, Setup};
 use super::shaft::Ramps;
 use super::spec::{Spec, specs};
-use super::store::Store;
+use super::store::{Cell, Store};
 use crate::profile::value::{from_wire, to_wire};
 use crate::profile::{Family, Type};
 use crate::protocol::modbus::pdu::ParamAddress;
@@ -49,8 +54,10 @@ pub(super) enum Effect {
 /// Wires at the terminals of the drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Contacts {
-    /// S1IND on an ACT; STOA and STOB on an ACU (CM-485 manual 9, 10).
-    pub(super) enable: bool,
+    /// S1IND: the external enable of an ACT, STOA of an ACU (CM-485 manual 9, 10).
+    pub(super) sto_a: bool,
+    /// S7IND: STOB of an ACU; always there on an ACT, which has none.
+    pub(super) sto_b: bool,
     /// S2IND.
     pub(super) right: bool,
     /// S3IND.
@@ -62,10 +69,6 @@ pub(super) struct Contacts {
 const WATCHDOG: u16 = 0x2010;
 /// Value of P.34 that restarts the software (CM-485 manual 5.2.1).
 const RESTART: i64 = 123;
-/// Slopes that P.420-423 would give; nothing in the store tells their factory setting: 5 Hz/s on this bench.
-const RAMPS: Ramps = Ramps::all(500);
-/// Warnings that also set bit 15: Ixt, heat sink, inside, motor temperature, mains phase (CM-485 manual 9.1.1).
-const CRITICAL: u16 = 0x0001 | 0x0002 | 0x0004 | 0x0008 | 0x0010 | 0x0080 | 0x0100;
 
 /// An ACT or ACU without its line.
 #[derive(Clone, Debug)]
@@ -76,6 +79,9 @@ pub(super) struct Active {
     /// Actual values that the bench file holds still.
     pinned: BTreeSet<u32>,
     contacts: Contacts,
+    torque: i64,
+    ramps: Ramps,
+    strict_remote: bool,
     machine: Machine,
     register: u16,
     warnings: u16,
@@ -86,56 +92,62 @@ pub(super) struct Active {
 }
 
 impl Active {
-    /// A drive with its factory settings and the bench's own values on top: number, data set (0 for all), raw value.
-    pub(super) fn new(
-        acu: bool,
-        family: Option<&Family>,
-        modules: &[String],
-        contacts: Contacts,
-        values: &[(u32, u8, i64)],
-    ) -> Self {
-        let specs = family.map(|family| specs(family, modules)).unwrap_or_default();
+    /// A drive with its factory settings and the bench's own values on top, switched on if there is power.
+    pub(super) fn new(setup: &Setup, family: Option<&Family>) -> Self {
         let mut active = Active {
-            acu,
+            acu: setup.model == Model::Acu,
+            specs: family.map(|family| specs(family, &setup.modules)).unwrap_or_default(),
             store: Store::default(),
             pinned: BTreeSet::new(),
-            contacts,
+            contacts: setup.contacts,
+            torque: setup.torque,
+            ramps: setup.ramps,
+            strict_remote: setup.strict_remote,
             machine: Machine::new(Tick::ZERO),
             register: 0,
             warnings: 0,
             heard: None,
             backwards: false,
-            specs,
         };
         for (&number, spec) in &active.specs {
             for set in cells(spec, 0) {
-                match spec.volatile {
-                    true => active.store.equip_volatile((number, set), spec.factory),
-                    false => active.store.equip((number, set), spec.factory),
-                }
+                equip(&mut active.store, spec, (number, set), spec.factory);
             }
         }
-        for &(number, set, value) in values {
+        for (number, set, value) in setup.all_values() {
             let Some(spec) = active.specs.get(&number) else { continue };
             for set in cells(spec, set) {
-                active.store.equip((number, set), value);
+                equip(&mut active.store, spec, (number, set), value);
             }
             active.pinned.insert(number);
         }
-        active.power_up(Tick::ZERO);
+        match active.acu || active.contacts.mains {
+            true => active.power_up(Tick::ZERO, Tick::ZERO),
+            false => active.power_down(Tick::ZERO),
+        }
         active
     }
 
-    /// Power-on or software reset: RAM from EEPROM, no fault, no warning, shaft at rest. The watchdog waits for the
-    /// first telegram.
-    pub(super) fn power_up(&mut self, now: Tick) {
+    /// Power-on or software reset: RAM from EEPROM, no fault, no warning; not ready before `up`. The watchdog waits for
+    /// the first telegram. A shaft that turns coasts on.
+    pub(super) fn power_up(&mut self, now: Tick, up: Tick) {
+        self.restart(now, Some(up));
+    }
+
+    /// The power is gone until the next power-on.
+    pub(super) fn power_down(&mut self, now: Tick) {
+        self.restart(now, None);
+    }
+
+    fn restart(&mut self, now: Tick, up: Option<Tick>) {
+        self.catch_up(now);
         self.store.power_up();
-        self.machine = Machine::new(now);
+        self.machine.restart(now, up);
         self.register = 0;
         self.warnings = 0;
         self.heard = None;
         self.backwards = false;
-        self.react(now);
+        self.catch_up(now);
     }
 
     /// Reads a parameter; the bits for the wire.
@@ -206,14 +218,32 @@ impl Active {
         if number == 484 && value != 0 {
             self.backwards = value < 0;
         }
-        let (in_ram, targets) = (spec.volatile || set >= 5, cells(&spec, set % 5));
-        for target in targets {
-            match in_ram {
-                true => self.store.write_ram((number, target), value),
-                false => self.store.write_eeprom((number, target), value),
-            }
+        let in_ram = spec.volatile || set >= 5;
+        for target in cells(&spec, set % 5) {
+            self.keep((number, target), value, in_ram);
+        }
+        if number == 30 {
+            self.drop_dc_brake(in_ram);
         }
         Ok(Effect::None)
+    }
+
+    fn keep(&mut self, cell: Cell, value: i64, in_ram: bool) {
+        match in_ram {
+            true => self.store.write_ram(cell, value),
+            false => self.store.write_eeprom(cell, value),
+        }
+    }
+
+    /// A configuration that knows no DC braking takes it out of P.392 and puts the ramp in its place: the setting
+    /// changes "where need be" (CM-485 manual 9.1.2.2).
+    fn drop_dc_brake(&mut self, in_ram: bool) {
+        let Some(spec) = self.specs.get(&392).filter(|_| !self.brakes()) else { return };
+        for set in cells(spec, 0) {
+            if self.store.ram((392, set)) == Some(1) {
+                self.keep((392, set), 2, in_ram);
+            }
+        }
     }
 
     /// The row that an access concerns, if number, data set and width are right.
@@ -230,11 +260,6 @@ impl Active {
             (Type::Long, Width::Word) | (_, Width::Long) => Err(Cause::Width),
             (_, Width::Word) => Ok(spec),
         }
-    }
-
-    /// DC braking only where the configuration is a V/f one (CM-485 manual 9.1.2.2).
-    fn brakes(&self) -> bool {
-        self.value(30) / 100 == 1
     }
 
     /// A correct exchange with this drive has taken place.
@@ -254,13 +279,26 @@ impl Active {
 
     /// Lets the time pass.
     pub(super) fn catch_up(&mut self, now: Tick) {
-        if let Some(at) = self.watchdog().filter(|&at| at <= now) {
-            self.machine.settle(at, &self.inputs());
-            self.machine.trip(at, WATCHDOG);
+        if self.next().is_none_or(|at| at > now) {
+            return self.machine.shaft.advance(now);
+        }
+        let tripped = self.watchdog().is_some_and(|at| at <= now);
+        self.machine = self.machine_at(now);
+        if tripped {
             self.heard = None;
         }
-        let inputs = self.inputs();
-        self.machine.settle(now, &inputs);
+    }
+
+    /// State machine and shaft as they will be if nobody does anything. The watchdog makes a fault of the silence
+    /// (CM-485 manual 6.9), and a fault switches the output stage off: the shaft coasts.
+    fn machine_at(&self, now: Tick) -> Machine {
+        let (mut machine, inputs) = (self.machine.clone(), self.inputs());
+        if let Some(at) = self.watchdog().filter(|&at| at <= now) {
+            machine.settle(at, &inputs);
+            machine.trip(at, WATCHDOG);
+        }
+        machine.settle(now, &inputs);
+        machine
     }
 
     fn react(&mut self, now: Tick) {
@@ -268,6 +306,7 @@ impl Active {
         self.machine.react(now, &inputs);
     }
 
+    /// Lets a fault happen.
     pub(super) fn trip(&mut self, now: Tick, code: u16) {
         self.catch_up(now);
         self.machine.trip(now, code);
@@ -283,6 +322,23 @@ impl Active {
         self.catch_up(now);
         change(&mut self.contacts);
         self.react(now);
+    }
+
+    /// Changes the load at the shaft, percent of the rated torque.
+    pub(super) fn burden(&mut self, now: Tick, torque: i64) {
+        self.catch_up(now);
+        self.torque = torque;
+        self.react(now);
+    }
+
+    /// State machine and shaft.
+    pub(super) fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// Frequency of the rotor at `now`, 0.01 Hz, positive clockwise.
+    pub(super) fn shaft_speed(&self, now: Tick) -> i64 {
+        self.machine_at(now).shaft.speed()
     }
 
     /// EEPROM cells written.
@@ -310,123 +366,6 @@ impl Active {
         };
         self.store.ram((number, set)).unwrap_or(0)
     }
-
-    /// P.249: P.414 if it is 1-4, else data set 1, because no input of the bench switches sets (CM-485 manual 9).
-    fn active_set(&self) -> u8 {
-        match self.store.ram((414, 0)) {
-            Some(set @ 1..=4) => set as u8,
-            _ => 1,
-        }
-    }
-
-    /// The internal reference channel stands still at what the bench file says for P.228.
-    fn reference(&self) -> i64 {
-        let (internal, line) = (self.value(228), self.value(484));
-        let sum = match self.value(434) {
-            1 => internal,
-            2 if self.backwards => line.min(-self.value(418)),
-            2 => line.max(self.value(418)),
-            _ => internal.saturating_add(line),
-        };
-        let contacts = self.inputs_of_contacts();
-        if contacts.0 == Control::Contacts && contacts.3 && !contacts.2 { sum.saturating_neg() } else { sum }
-    }
-
-    /// Who commands, and enable, right, left as they reach the state machine.
-    fn inputs_of_contacts(&self) -> (Control, bool, bool, bool) {
-        let Contacts { enable, right, left, .. } = self.contacts;
-        let bit = |number: u8| self.value(410) >> number & 1 == 1;
-        match self.value(412) {
-            0 => (Control::Contacts, enable, right, left),
-            1 => (Control::StateMachine, enable, right, left),
-            2 => (Control::Contacts, enable && bit(0), bit(1), bit(2)),
-            _ => (Control::Keypad, enable, right, left),
-        }
-    }
-
-    fn inputs(&self) -> Inputs {
-        let (control, enable, right, left) = self.inputs_of_contacts();
-        let limit = self.value(419).max(0);
-        let tenths = |number| Span::from_millis(u64::try_from(self.value(number)).unwrap_or(0) * 100);
-        Inputs {
-            acu: self.acu,
-            control,
-            word: self.value(410) as u16,
-            enable,
-            right,
-            left,
-            mains: self.contacts.mains,
-            positioning: self.acu && self.value(30) % 100 == 40,
-            goal: self.reference().clamp(-limit, limit),
-            ramps: RAMPS,
-            quick_ramps: Ramps { down_right: self.value(424), down_left: self.value(425), ..RAMPS },
-            transition5: self.value(392),
-            threshold: limit * self.value(637) / 1_000,
-            holding: tenths(638),
-            braking: tenths(632),
-        }
-    }
-
-    /// Values that the drive works out; `None` for everything that is simply stored.
-    fn actual(&self, number: u32) -> Option<i64> {
-        if self.pinned.contains(&number) {
-            return None;
-        }
-        let shaft = &self.machine.shaft;
-        let pole_pairs = self.value(373).max(1);
-        let rated = self.value(375).max(1);
-        let load = shaft.output().abs() * 100 / rated;
-        Some(match number {
-            11 => i64::from(self.register),
-            210 => shaft.output(),
-            // A bench motor: 1.5 A without load, 2 A more and 60 % of the rated power at rated frequency.
-            211 if shaft.powered() => 15 + load * 20 / 100,
-            211 => 0,
-            213 => self.value(376) * load * 6 / 1_000,
-            217 | 241 => shaft.speed(),
-            218 => shaft.speed() * 60 / (100 * pole_pairs),
-            219 => shaft.speed().abs(),
-            220 => shaft.speed().abs() * 60 / (100 * pole_pairs),
-            229 => self.value(524),
-            249 => i64::from(self.active_set()),
-            250 => self.digital_inputs(),
-            260 => i64::from(self.machine.fault),
-            270 => i64::from(self.warnings),
-            282 => self.value(484),
-            283 => shaft.output(),
-            411 => i64::from(self.status()),
-            _ => return None,
-        })
-    }
-
-    fn digital_inputs(&self) -> i64 {
-        let Contacts { enable, right, left, .. } = self.contacts;
-        let hardware = i64::from(enable) | i64::from(right) << 1 | i64::from(left) << 2;
-        match self.value(412) {
-            // CM-485 manual 9.1.3: the bits of the control word, if enabled by hardware and bit 0.
-            2 if enable && self.value(410) & 1 == 1 => self.value(410) & 0x3FF,
-            2 => 0,
-            _ => hardware,
-        }
-    }
-
-    fn status(&self) -> u16 {
-        let inputs = self.inputs();
-        let reference = self.reference();
-        // P.549 in percent of P.419 - P.418 (facts B).
-        let band = (self.value(419) - self.value(418)).abs().saturating_mul(self.value(549)) / 10_000;
-        let reached = (reference - self.machine.shaft.speed()).abs() <= band;
-        let remote_contacts = self.value(412) == 2 && self.contacts.enable;
-        self.machine.status(&inputs, reached, reference != inputs.goal)
-            | u16::from(remote_contacts) << 9
-            | u16::from(self.warnings != 0) << 7
-            | u16::from(self.warnings & CRITICAL != 0) << 15
-    }
-
-    /// Whether a fault stands.
-    pub(super) fn in_fault(&self) -> bool {
-        self.machine.state == State::Fault
-    }
 }
 
 /// Cells behind a data set 0-4 of a parameter: 0 means all four, if it has four.
@@ -434,5 +373,13 @@ fn cells(spec: &Spec, set: u8) -> std::ops::RangeInclusive<u8> {
     match (spec.four, set) {
         (true, 0) => 1..=4,
         (_, set) => set..=set,
+    }
+}
+
+/// Puts a value where it is at power-on.
+fn equip(store: &mut Store, spec: &Spec, cell: Cell, value: i64) {
+    match spec.volatile {
+        true => store.equip_volatile(cell, value),
+        false => store.equip(cell, value),
     }
 }

@@ -1,34 +1,29 @@
-//! A station on the bench: its ears, its reply time, its settings, and its script.
+//! A station on the bench: its settings, its power, and its script. Its ears and its voice are in `bus.rs`.
 //!
 //! Choices where the manual is silent:
 //! - a new protocol (P.395) or address (P.1376) holds from the end of the reply to the write on, because the echo of
 //!   the write must come from the old address; P.10 and P.1375 wait for a reset (CM-485 manual 5.2);
 //! - a software reset (P.34 = 123) begins at the same moment and takes 3 s ("a few seconds", CM-485 manual 5.2.1);
-//! - a drive hears other drives' telegrams and counts them (RS485), but not itself;
-//! - a telegram that is torn, too short or too long, or in another character format counts as bus error 0x0C;
-//! - two requests in a row are answered in a row; of more than [`QUEUE`] the rest is forgotten;
-//! - the watchdog counts from the last request to this station that had a right check value, from the first one on
-//!   after power-on or after P.413 was set.
+//! - nothing but the mains feeds the electronics of an ACT (CM-485 manual 10.1 names 24 V for the ACU only);
+//! - a power cycle and a reset leave the shaft to coast.
+
+mod bus;
 
 use super::active::{Active, Effect};
 use super::dice::Dice;
-use super::disturb::Outgoing;
 use super::foreign::Foreign;
-use super::judge::TURNAROUND;
-use super::setup::{Action, BAUD_RATES, Event, Model, PARITIES, Setup, settings};
-use super::slave::{Counters, answer};
-use super::wire::{Slot, fits};
+use super::script::{Action, Event, Trigger};
+use super::setup::{BAUD_RATES, Model, PARITIES, Setup};
+use super::slave::Counters;
 use crate::profile::Family;
 use crate::protocol::line::{LineSetting, Parity};
-use crate::protocol::modbus::pdu::{Reply, Request};
-use crate::protocol::modbus::{BROADCAST, FrameError, Framing, ascii, rtu};
+use crate::protocol::modbus::{Framing, ascii, rtu};
 use crate::tick::{Span, Tick};
+use bus::Pending;
 use std::collections::VecDeque;
 
 /// How long a drive is off the bus after power-on or software reset.
 const RESTART: Span = Span::from_secs(3);
-/// Most replies that wait to be sent.
-const QUEUE: usize = 4;
 
 /// A drive, or another slave, on the bench.
 #[derive(Clone, Debug)]
@@ -47,7 +42,10 @@ pub struct Drive {
     jitter: Span,
     dice: Dice,
     strict_silence: bool,
-    script: VecDeque<Event>,
+    /// What is still to happen.
+    script: Vec<Event>,
+    /// Writes that have come to it.
+    writes: u64,
     pending: VecDeque<Pending>,
     sending: Option<(Tick, Effect)>,
     /// Off the bus until then.
@@ -71,28 +69,12 @@ enum Body {
     Foreign(Foreign),
 }
 
-/// A reply that waits for its time.
-#[derive(Clone, Debug)]
-struct Pending {
-    start: Tick,
-    frame: Vec<u8>,
-    effect: Effect,
-    exception: bool,
-}
-
 impl Drive {
     pub(super) fn new(setup: Setup, family: Option<&Family>) -> Self {
         let body = match setup.model {
-            Model::Foreign => Body::Foreign(Foreign::new(setup.registers)),
-            Model::Act | Model::Acu => {
-                let acu = setup.model == Model::Acu;
-                let mut values = settings(setup.framing, setup.line, setup.address);
-                values.extend(&setup.values);
-                Body::Active(Box::new(Active::new(acu, family, &setup.modules, setup.contacts, &values)))
-            }
+            Model::Foreign => Body::Foreign(Foreign::new(setup.registers.clone())),
+            Model::Act | Model::Acu => Body::Active(Box::new(Active::new(&setup, family))),
         };
-        let mut script: Vec<Event> = setup.script;
-        script.sort_by_key(|event| event.at);
         let mut drive = Drive {
             model: setup.model,
             body,
@@ -107,7 +89,8 @@ impl Drive {
             jitter: setup.jitter,
             dice: Dice::new(setup.seed),
             strict_silence: setup.strict_silence,
-            script: script.into(),
+            script: setup.script,
+            writes: 0,
             pending: VecDeque::new(),
             sending: None,
             away: None,
@@ -168,15 +151,32 @@ impl Drive {
         }
     }
 
-    /// Whether a fault stands.
-    pub fn in_fault(&self) -> bool {
-        matches!(&self.body, Body::Active(active) if active.in_fault())
+    /// Frequency of the shaft at `now`, if nobody does anything until then, in 0.01 Hz: what it really does, positive
+    /// clockwise, whatever the drive knows or shows of it.
+    pub fn shaft_speed(&self, now: Tick) -> i64 {
+        match &self.body {
+            Body::Active(active) => active.shaft_speed(now),
+            Body::Foreign(_) => 0,
+        }
     }
 
-    /// Takes the mains off and on again: off the bus for 3 s, RAM reloaded from the EEPROM.
+    /// Whether the output stage feeds the motor: a turning field, also at standstill, or direct current.
+    pub fn is_energised(&self) -> bool {
+        matches!(&self.body, Body::Active(active) if active.machine().shaft.powered())
+    }
+
+    /// Whether a fault stands.
+    pub fn in_fault(&self) -> bool {
+        matches!(&self.body, Body::Active(active) if active.machine().in_fault())
+    }
+
+    /// Takes the power off and on again: off the bus for 3 s, RAM reloaded from the EEPROM.
     pub fn power_cycle(&mut self, at: Tick) {
+        if self.dead {
+            return;
+        }
         if let Body::Active(active) = &mut self.body {
-            active.power_up(at);
+            active.power_up(at, at + RESTART);
         }
         self.counters = Counters::default();
         self.leave_bus(at + RESTART);
@@ -245,113 +245,6 @@ impl Drive {
         self.ascii = ascii::Receiver::default();
     }
 
-    /// Takes a byte off the wire that somebody else put there.
-    pub(super) fn hear(&mut self, slot: &Slot) {
-        let sending = self.sending.is_some_and(|(until, _)| slot.start < until);
-        let Some(framing) = self.framing.filter(|_| self.awake() && !sending) else { return };
-        if !fits(self.line, slot.line) {
-            let new = self.unread.is_none_or(|last| slot.start.since(last) >= self.line.t35());
-            if new {
-                self.counters.count(Counters::ERRORS);
-            }
-            self.unread = Some(slot.end);
-            return;
-        }
-        match framing {
-            Framing::Rtu => {
-                let last = self.last_byte;
-                let begins = self.rtu.ends().is_none_or(|ends| ends <= slot.start);
-                if let Some(burst) = self.rtu.feed(slot.end, slot.byte) {
-                    self.take_burst(last, burst);
-                }
-                let early = self.own_last.is_some_and(|own| slot.start.since(own) < self.line.t35());
-                if begins && self.strict_silence && early {
-                    self.deaf = true;
-                }
-                self.last_byte = slot.end;
-            }
-            Framing::Ascii => {
-                self.last_byte = slot.end;
-                if let Some(frame) = self.ascii.feed(slot.end, slot.byte) {
-                    self.take_frame(slot.end, slot.end, Framing::Ascii, &frame);
-                }
-            }
-        }
-    }
-
-    fn take_burst(&mut self, last: Tick, burst: rtu::Burst) {
-        if std::mem::take(&mut self.deaf) {
-            return;
-        }
-        if burst.broken {
-            self.counters.count(Counters::ERRORS); // discarded, CM-485 manual 6.7.1.3
-            return;
-        }
-        self.take_frame(last, last + self.line.t35(), Framing::Rtu, &burst.bytes);
-    }
-
-    /// Takes a telegram whose last bit was on the wire at `last`, and which is known to be over `now`.
-    fn take_frame(&mut self, last: Tick, now: Tick, framing: Framing, frame: &[u8]) {
-        let adu = match framing.decode(frame) {
-            Ok(adu) => adu,
-            Err(error) => {
-                self.counters.count(Counters::ERRORS);
-                if matches!(error, FrameError::TooLong { .. }) {
-                    self.counters.count(Counters::OVERRUNS);
-                }
-                return;
-            }
-        };
-        self.counters.count(Counters::MESSAGES);
-        if adu.station == BROADCAST {
-            self.counters.count(Counters::BROADCASTS);
-            // Broadcasts are writes only (CM-485 manual 6.1).
-            if Request::decode(&adu.pdu).is_ok_and(|request| request.is_write()) {
-                let (_, effect) = self.execute(now, &adu.pdu);
-                self.follow_up(now, effect);
-            }
-            return;
-        }
-        if adu.station != self.address {
-            return;
-        }
-        self.counters.count(Counters::OWN);
-        if let Body::Active(active) = &mut self.body {
-            active.catch_up(now);
-            active.heard(last);
-        }
-        let (reply, effect) = self.execute(now, &adu.pdu);
-        self.prepare(last, framing, &reply, effect);
-    }
-
-    fn execute(&mut self, now: Tick, pdu: &[u8]) -> (Reply, Effect) {
-        match &mut self.body {
-            Body::Active(active) => answer(active, &mut self.counters, now, pdu),
-            Body::Foreign(foreign) => (foreign.answer(pdu), Effect::None),
-        }
-    }
-
-    /// Puts a reply into the queue: not before 10 ms or what the bench file says, and never before t3.5
-    /// (CM-485 manual 6.8, 6.7.1.3).
-    fn prepare(&mut self, last: Tick, framing: Framing, reply: &Reply, effect: Effect) {
-        if self.pending.len() >= QUEUE {
-            return;
-        }
-        let rest = match framing {
-            Framing::Rtu => self.line.t35(),
-            Framing::Ascii => Span::ZERO,
-        };
-        let jitter = Span::from_micros(self.dice.below(self.jitter.as_micros().saturating_add(1)));
-        let mut start = last + self.delay + jitter;
-        let before = self.pending.back().map(|reply| reply.start + self.line.chars(reply.frame.len() as u64));
-        if let Some(free) = before.or(self.sending.map(|(until, _)| until)) {
-            start = start.max(free + TURNAROUND.longer(rest));
-        }
-        let frame = framing.encode(self.address, &reply.encode());
-        let exception = matches!(reply, Reply::Exception { .. });
-        self.pending.push_back(Pending { start: start.max(last + rest), frame, effect, exception });
-    }
-
     /// What holds from now on, after a write was answered.
     fn follow_up(&mut self, now: Tick, effect: Effect) {
         match effect {
@@ -360,77 +253,66 @@ impl Drive {
         }
     }
 
-    /// When something will happen if nobody speaks.
-    pub(super) fn next_event(&self) -> Option<Tick> {
-        let script = self.script.front().map(|event| event.at);
-        let sending = self.sending.map(|(until, _)| until);
-        let pending = self.pending.front().filter(|_| self.sending.is_none()).map(|reply| reply.start);
-        let body = match &self.body {
-            Body::Active(active) => active.next(),
-            Body::Foreign(_) => None,
-        };
-        [script, sending, pending, self.away, self.rtu.ends(), body].into_iter().flatten().min()
+    /// When the script goes on, as far as that can be told.
+    fn next_scene(&self) -> Option<Tick> {
+        let scenes = self.script.iter().filter_map(|event| match (event.trigger, &self.body) {
+            (Trigger::At(at), _) => Some(at),
+            (Trigger::Above(limit), Body::Active(active)) => active.machine().shaft.rises_above(limit),
+            _ => None,
+        });
+        scenes.min()
     }
 
-    /// Lets everything happen that is due by `now`; returns a reply that starts now, and has to be called again then.
-    pub(super) fn run(&mut self, now: Tick) -> Option<Outgoing> {
-        while self.script.front().is_some_and(|event| event.at <= now) {
-            let Some(event) = self.script.pop_front() else { break };
-            self.act(event);
+    /// Lets everything of the script happen that is due.
+    fn play(&mut self, now: Tick) {
+        while let Some(place) = self.script.iter().position(|event| self.is_due(event.trigger, now)) {
+            let event = self.script.remove(place);
+            self.act(now, event.action);
         }
-        if self.away.is_some_and(|until| until <= now) {
-            self.away = None;
-        }
-        if let Some((until, effect)) = self.sending.filter(|(until, _)| *until <= now) {
-            self.sending = None;
-            self.own_last = Some(until);
-            self.follow_up(until, effect);
-        }
-        if let Some(burst) = self.rtu.idle(now) {
-            self.take_burst(self.last_byte, burst);
-        }
-        if let Body::Active(active) = &mut self.body {
-            active.catch_up(now);
-        }
-        if self.sending.is_some() {
-            return None;
-        }
-        self.pending.front().filter(|reply| reply.start <= now)?;
-        let reply = self.pending.pop_front()?;
-        let framing = self.framing.unwrap_or(Framing::Rtu);
-        self.sending = Some((now + self.line.chars(reply.frame.len() as u64), reply.effect));
-        self.answered += 1;
-        self.exceptions += u64::from(reply.exception);
-        Some(Outgoing { station: self.address, framing, line: self.line, frame: reply.frame })
     }
 
-    fn act(&mut self, event: Event) {
-        let at = event.at;
-        if let Action::Silent(span) = event.action {
-            return self.leave_bus(at + span);
+    fn is_due(&self, trigger: Trigger, now: Tick) -> bool {
+        match (trigger, &self.body) {
+            (Trigger::At(at), _) => at <= now,
+            (Trigger::Writes(count), _) => count <= self.writes,
+            (Trigger::Running, Body::Active(active)) => active.machine().runs(),
+            (Trigger::Above(limit), Body::Active(active)) => active.machine().shaft.is_above(limit),
+            (Trigger::Running | Trigger::Above(_), Body::Foreign(_)) => false,
         }
-        if matches!(event.action, Action::PowerCycle) {
-            return self.power_cycle(at);
-        }
-        if let Action::Mains(on) = event.action
-            && self.model == Model::Act
-        {
-            // Nothing but the mains feeds the electronics of an ACT (CM-485 manual 10.1 names 24 V for the ACU only).
-            let back = on && std::mem::replace(&mut self.dead, !on);
-            self.dead = !on;
-            if back || !on {
-                self.power_cycle(at);
-            }
+    }
+
+    fn act(&mut self, now: Tick, action: Action) {
+        match action {
+            Action::Silent(span) => return self.leave_bus(now + span),
+            Action::PowerCycle => return self.power_cycle(now),
+            Action::Mains(on) if self.model == Model::Act => self.feed(now, on),
+            _ => {}
         }
         let Body::Active(active) = &mut self.body else { return };
-        match event.action {
-            Action::Fault(code) => active.trip(at, code),
+        match action {
+            Action::Fault(code) => active.trip(now, code),
             Action::Warning(word) => active.warn(word),
-            Action::Mains(on) => active.wire(at, |contacts| contacts.mains = on),
-            Action::Enable(on) => active.wire(at, |contacts| contacts.enable = on),
-            Action::StartRight(on) => active.wire(at, |contacts| contacts.right = on),
-            Action::StartLeft(on) => active.wire(at, |contacts| contacts.left = on),
+            Action::Torque(torque) => active.burden(now, torque),
+            Action::Mains(on) => active.wire(now, |contacts| contacts.mains = on),
+            Action::StoA(on) => active.wire(now, |contacts| contacts.sto_a = on),
+            Action::StoB(on) => active.wire(now, |contacts| contacts.sto_b = on),
+            Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
+            Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
             Action::PowerCycle | Action::Silent(_) => {}
+        }
+    }
+
+    /// Mains of an ACT: all the power that it has.
+    fn feed(&mut self, now: Tick, on: bool) {
+        let was_dead = std::mem::replace(&mut self.dead, !on);
+        if on && was_dead {
+            self.power_cycle(now);
+        }
+        if !on && !was_dead {
+            self.leave_bus(now);
+            if let Body::Active(active) = &mut self.body {
+                active.power_down(now);
+            }
         }
     }
 }

@@ -3,66 +3,24 @@
 //! Times are written with their unit: `"750us"`, `"10ms"`, `"2s"`. Times of scripts count from the start of the bench.
 //!
 //! ```toml
-//! [line]                   # the bus; all keys optional
-//! seed = 7                 # for jitter and flipped bits; the same seed gives the same run
-//! echo = false             # true: the master's adapter hears its own bytes
-//!
-//! [[drive]]
-//! model = "acu"            # act | acu | foreign (a plain Modbus slave that is no drive of ours)
-//! address = 2              # 1-247, default 1
-//! protocol = "rtu"         # rtu (default) | ascii | vabus (P.395 = 0: silent on Modbus)
-//! baud = 19200             # 2400, 4800, 9600, 19200 (default), 57600, 115200
-//! parity = "even"          # even (default) | odd | none
-//! data_bits = 8            # default 8; ASCII 7 (8 allowed)
-//! reply_delay = "10ms"     # from the last bit of the request on; default 10 ms (CM-485 manual 6.8)
-//! jitter = "0ms"           # up to this much more, by chance
-//! load = "normal"          # high: replies after 700 ms (over 500 ms at CPU load above 90 %, CM-485 manual 6.8)
-//! slow = "700ms"           # the same with a time of your own
-//! strict_silence = false   # true: deaf to telegrams less than t3.5 after its own reply
-//! enable = true            # S1IND, or STOA and STOB
-//! start_right = true       # S2IND
-//! start_left = false       # S3IND
-//! mains = true             # false: an ACU lives on 24 V, an ACT is off
-//! modules = ["EM-RES-03"]  # option modules; their parameters are unknown without them
-//! # Values at power-on, in human units, "0x…" is raw. A switchable parameter gets all four data sets, or one by "@".
-//! # A value for an actual value holds it still; P.228 is the internal setpoint.
-//! set = { "372@2" = 1390, "376" = "1.5", "412" = 1 }
-//!
-//! [[drive.event]]          # script of this drive: `at`, and one or more of
-//! at = "2s"
-//! fault = "F0500"          # a fault
-//! warning = 0x0082         # the warning word P.270
-//! power_cycle = true       # mains off and on: 3 s off the bus
-//! silent = "3s"            # off the bus, but it goes on working
-//! mains = false            # and enable, start_right, start_left: contacts
-//!
-//! [[drive]]
-//! model = "foreign"
-//! address = 9
-//! registers = { "0" = 17, "1" = 42 }   # holding registers; all others are exception 2
-//!
-//! [[disturb]]              # the line, not a drive: exactly one of `every`, `once`, `at`
-//! every = 5                # every 5th reply; once = 5: only the 5th; at = "1s": the first one from then on
-//! kind = "late"            # late (by) | lost | garbled (a bit flipped) | truncated (last third missing)
-//!                          # | noise (a byte before it) | echo (of the request) | doubled | foreign (another station's)
-//! by = "150ms"             # only with late
-//! # byte = 0x00            # only with noise
-//! address = 2              # only replies of this station; default all
+#![doc = include_str!("bench.toml")]
 //! ```
 
+mod scenes;
+mod tables;
+
 use super::Bench;
-use super::active::Contacts;
-use super::disturb::{Disturber, Kind, Rule, When};
+use super::disturb::Disturber;
 use super::drive::Drive;
-use super::setup::{Action, BAUD_RATES, Event, Model, PARITIES, Setup};
+use super::setup::{BAUD_RATES, Model, PARITIES, REPLY_DELAY, Setup};
+use super::shaft::Ramps;
 use crate::profile::value::{check_width, parse_decimal};
 use crate::profile::{Family, Registry, Sets};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
-use crate::tick::{Span, Tick};
-use serde::Deserialize;
-use std::collections::BTreeMap;
+use crate::tick::Span;
 use std::ops::Range;
+use tables::{DriveTable, File, RampTable};
 use toml::{Spanned, Value};
 
 /// Why a bench file is refused, and where.
@@ -81,117 +39,23 @@ pub struct BenchError {
 
 /// Longest bench file that is read.
 const MAX_FILE: usize = 1 << 20;
-/// Earliest reply (CM-485 manual 6.8).
-const REPLY_DELAY: Span = Span::from_millis(10);
 /// Reply time under high load: any time above 500 ms (CM-485 manual 6.8).
 const SLOW: Span = Span::from_millis(700);
-/// The wires of a drive that may run.
-const CONTACTS: Contacts = Contacts { enable: true, right: true, left: false, mains: true };
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    #[serde(default)]
-    line: LineTable,
-    #[serde(default)]
-    drive: Vec<Spanned<DriveTable>>,
-    #[serde(default)]
-    disturb: Vec<Spanned<DisturbTable>>,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LineTable {
-    #[serde(default)]
-    seed: u64,
-    #[serde(default)]
-    echo: bool,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DriveTable {
-    model: Spanned<String>,
-    address: Option<Spanned<i64>>,
-    protocol: Option<Spanned<String>>,
-    baud: Option<Spanned<i64>>,
-    parity: Option<Spanned<String>>,
-    data_bits: Option<Spanned<i64>>,
-    reply_delay: Option<Spanned<String>>,
-    jitter: Option<Spanned<String>>,
-    load: Option<Spanned<String>>,
-    slow: Option<Spanned<String>>,
-    #[serde(default)]
-    strict_silence: bool,
-    enable: Option<bool>,
-    start_right: Option<bool>,
-    start_left: Option<bool>,
-    mains: Option<bool>,
-    #[serde(default)]
-    modules: Vec<Spanned<String>>,
-    #[serde(default)]
-    set: BTreeMap<String, Spanned<Value>>,
-    #[serde(default)]
-    registers: BTreeMap<String, Spanned<i64>>,
-    #[serde(default)]
-    event: Vec<Spanned<EventTable>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EventTable {
-    at: Spanned<String>,
-    fault: Option<Spanned<String>>,
-    warning: Option<u16>,
-    power_cycle: Option<bool>,
-    silent: Option<Spanned<String>>,
-    mains: Option<bool>,
-    enable: Option<bool>,
-    start_right: Option<bool>,
-    start_left: Option<bool>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DisturbTable {
-    every: Option<Spanned<u64>>,
-    once: Option<Spanned<u64>>,
-    at: Option<Spanned<String>>,
-    kind: Spanned<String>,
-    by: Option<Spanned<String>>,
-    byte: Option<u8>,
-    address: Option<Spanned<i64>>,
-}
+/// Steepest ramp, 0.01 Hz/s: the range of P.424 and P.425 (CM-485 manual 11.2).
+const STEEPEST: i64 = 999_999;
+/// Heaviest load, percent of the rated torque.
+const HEAVIEST: i64 = 1_000;
 
 pub(super) fn standard(registry: &Registry) -> Bench {
     let drive = |model, address, modules: &[&str]| {
         let setup = Setup {
             modules: modules.iter().map(|&module| module.to_owned()).collect(),
-            ..plain(model, address, LineSetting::rtu(19_200, Parity::Even))
+            ..Setup::plain(model, address)
         };
         Drive::new(setup, registry.family(model.name()).as_deref())
     };
     let drives = vec![drive(Model::Act, 1, &[]), drive(Model::Acu, 2, &["EM-RES-03"])];
     Bench::new(drives, Disturber::new(Vec::new(), false, 0))
-}
-
-/// A station with nothing special about it.
-fn plain(model: Model, address: u8, line: LineSetting) -> Setup {
-    Setup {
-        model,
-        address,
-        framing: Some(Framing::Rtu),
-        line,
-        delay: REPLY_DELAY,
-        jitter: Span::ZERO,
-        strict_silence: false,
-        contacts: CONTACTS,
-        modules: Vec::new(),
-        values: Vec::new(),
-        registers: BTreeMap::new(),
-        script: Vec::new(),
-        seed: address.into(),
-    }
 }
 
 pub(super) fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
@@ -264,17 +128,28 @@ impl Reader<'_> {
         if model != Model::Foreign && !row.registers.is_empty() {
             return Err(self.error(table.span(), "registers are for model foreign; expected set".to_owned()));
         }
-        let mut setup = plain(model, address, self.line(row, framing)?);
+        let mut setup = Setup::plain(model, address);
+        setup.line = self.line(row, framing)?;
         setup.framing = framing;
         setup.delay = self.delay(row)?;
         setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
         setup.strict_silence = row.strict_silence;
-        setup.contacts = Contacts {
-            enable: row.enable.unwrap_or(CONTACTS.enable),
-            right: row.start_right.unwrap_or(CONTACTS.right),
-            left: row.start_left.unwrap_or(CONTACTS.left),
-            mains: row.mains.unwrap_or(CONTACTS.mains),
-        };
+        setup.strict_remote = row.strict_remote;
+        for sto in [&row.stoa, &row.stob].into_iter().flatten() {
+            self.check_sto(sto, model)?;
+        }
+        let contacts = &mut setup.contacts;
+        contacts.sto_a = *row.stoa.as_ref().map_or(&row.enable, Spanned::get_ref);
+        contacts.sto_b = model != Model::Acu || *row.stob.as_ref().map_or(&row.enable, Spanned::get_ref);
+        contacts.right = row.start_right.unwrap_or(contacts.right);
+        contacts.left = row.start_left.unwrap_or(contacts.left);
+        contacts.mains = row.mains.unwrap_or(contacts.mains);
+        if let Some(torque) = &row.torque {
+            setup.torque = self.torque(torque)?;
+        }
+        if let Some(ramps) = &row.ramps {
+            self.ramps(ramps, &mut setup.ramps)?;
+        }
         setup.seed = seed.wrapping_mul(256).wrapping_add(address.into());
         setup.modules = row.modules.iter().map(|module| module.get_ref().clone()).collect();
         for module in &row.modules {
@@ -291,7 +166,7 @@ impl Reader<'_> {
             setup.registers.insert(number, value);
         }
         for event in &row.event {
-            self.event(event, &mut setup.script)?;
+            self.event(event, model, &mut setup.script)?;
         }
         Ok(Drive::new(setup, family.as_deref()))
     }
@@ -344,6 +219,36 @@ impl Reader<'_> {
         Err(self.error(module.span(), message))
     }
 
+    /// An ACT has one input for the enable (CM-485 manual 9).
+    fn check_sto(&self, got: &Spanned<bool>, model: Model) -> Result<(), BenchError> {
+        match model {
+            Model::Acu => Ok(()),
+            _ => Err(self.error(got.span(), "only an ACU has STOA and STOB; expected enable".to_owned())),
+        }
+    }
+
+    fn torque(&self, got: &Spanned<i64>) -> Result<i64, BenchError> {
+        let torque = Some(*got.get_ref()).filter(|torque| (0..=HEAVIEST).contains(torque));
+        let message = || format!("torque = {}; expected 0 to {HEAVIEST} % of the rated torque", got.get_ref());
+        torque.ok_or_else(|| self.error(got.span(), message()))
+    }
+
+    fn ramps(&self, table: &RampTable, ramps: &mut Ramps) -> Result<(), BenchError> {
+        for (got, slope) in [
+            (&table.up_right, &mut ramps.up_right),
+            (&table.down_right, &mut ramps.down_right),
+            (&table.up_left, &mut ramps.up_left),
+            (&table.down_left, &mut ramps.down_left),
+        ] {
+            let Some(got) = got else { continue };
+            let raw = decimal(got.get_ref(), 2).map_err(|message| self.error(got.span(), message))?;
+            let known = Some(raw).filter(|raw| (1..=STEEPEST).contains(raw));
+            let message = || format!("{} Hz/s; expected 0.01 to 9999.99", got.get_ref());
+            *slope = known.ok_or_else(|| self.error(got.span(), message()))?;
+        }
+        Ok(())
+    }
+
     /// A row of `set`: number, data set, raw value.
     fn value(
         &self,
@@ -368,82 +273,25 @@ impl Reader<'_> {
         let raw = match value.get_ref() {
             Value::String(text) => match text.strip_prefix("0x") {
                 Some(hex) => i64::from_str_radix(hex, 16).map_err(|_| refuse(format!("'{text}' is no number")))?,
-                None => parse_decimal(text, decimals).map_err(|error| refuse(error.to_string()))?,
+                None => decimal(value.get_ref(), decimals).map_err(refuse)?,
             },
-            Value::Integer(number) => {
-                parse_decimal(&number.to_string(), decimals).map_err(|error| refuse(error.to_string()))?
-            }
-            Value::Float(number) => {
-                parse_decimal(&number.to_string(), decimals).map_err(|error| refuse(error.to_string()))?
-            }
-            other => return Err(refuse(format!("{} given; expected a number", other.type_str()))),
+            number => decimal(number, decimals).map_err(refuse)?,
         };
         let kind = param.kind.unwrap_or(crate::profile::Type::Long);
         check_width(raw, kind, decimals).map_err(|error| refuse(error.to_string()))?;
         Ok((param.id, set, raw))
     }
+}
 
-    fn event(&self, table: &Spanned<EventTable>, script: &mut Vec<Event>) -> Result<(), BenchError> {
-        let row = table.get_ref();
-        let at = Tick::ZERO + self.time("at", &row.at)?;
-        let mut actions = Vec::new();
-        if let Some(fault) = &row.fault {
-            let digits = fault.get_ref().strip_prefix('F').filter(|digits| digits.len() == 4);
-            let code = digits.and_then(|digits| u16::from_str_radix(digits, 16).ok());
-            let message = || format!("fault = \"{}\"; expected F and 4 digits, such as \"F0500\"", fault.get_ref());
-            actions.push(Action::Fault(code.ok_or_else(|| self.error(fault.span(), message()))?));
-        }
-        actions.extend(row.warning.map(Action::Warning));
-        if let Some(silent) = &row.silent {
-            actions.push(Action::Silent(self.time("silent", silent)?));
-        }
-        actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
-        actions.extend(row.mains.map(Action::Mains));
-        actions.extend(row.enable.map(Action::Enable));
-        actions.extend(row.start_right.map(Action::StartRight));
-        actions.extend(row.start_left.map(Action::StartLeft));
-        if actions.is_empty() {
-            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, mains, \
-                           enable, start_right or start_left";
-            return Err(self.error(table.span(), message.to_owned()));
-        }
-        script.extend(actions.into_iter().map(|action| Event { at, action }));
-        Ok(())
-    }
-
-    fn rule(&self, table: &Spanned<DisturbTable>) -> Result<Rule, BenchError> {
-        let row = table.get_ref();
-        let positive = |got: &Spanned<u64>| match *got.get_ref() {
-            0 => Err(self.error(got.span(), "0 hits nothing; expected 1 or more".to_owned())),
-            count => Ok(count),
-        };
-        let when = match (&row.every, &row.once, &row.at) {
-            (Some(every), None, None) => When::Every(positive(every)?),
-            (None, Some(once), None) => When::Once(positive(once)?),
-            (None, None, Some(at)) => When::From(Tick::ZERO + self.time("at", at)?),
-            _ => return Err(self.error(table.span(), "expected exactly one of: every, once, at".to_owned())),
-        };
-        let by = self.time_or("by", row.by.as_ref(), Span::from_millis(150))?;
-        let kinds = [
-            ("late", Kind::Late(by)),
-            ("lost", Kind::Lost),
-            ("garbled", Kind::Garbled),
-            ("truncated", Kind::Truncated),
-            ("noise", Kind::Noise(row.byte.unwrap_or(0))),
-            ("echo", Kind::Echo),
-            ("doubled", Kind::Doubled),
-            ("foreign", Kind::Foreign),
-        ];
-        let kind = self.word("kind", &row.kind, &kinds)?;
-        if let Some(by) = row.by.as_ref().filter(|_| !matches!(kind, Kind::Late(_))) {
-            return Err(self.error(by.span(), "by goes only with kind = \"late\"".to_owned()));
-        }
-        if row.byte.is_some() && !matches!(kind, Kind::Noise(_)) {
-            return Err(self.error(table.span(), "byte goes only with kind = \"noise\"".to_owned()));
-        }
-        let station = row.address.as_ref().map(|got| self.station(got)).transpose()?;
-        Ok(Rule::new(when, kind, station))
-    }
+/// Reads a number, written as one or as text.
+fn decimal(value: &Value, decimals: u8) -> Result<i64, String> {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Integer(number) => number.to_string(),
+        Value::Float(number) => number.to_string(),
+        other => return Err(format!("{} given; expected a number", other.type_str())),
+    };
+    parse_decimal(&text, decimals).map_err(|error| error.to_string())
 }
 
 /// Reads `750us`, `10ms`, `1.5s`.
@@ -467,16 +315,9 @@ mod tests {
         bench(text).unwrap_err().to_string()
     }
 
-    /// The example of the module's comment, as it stands there.
-    fn example() -> String {
-        let lines = include_str!("file.rs").lines().map_while(|line| line.strip_prefix("//!"));
-        let lines = lines.skip_while(|line| line.trim() != "```toml").skip(1).take_while(|line| line.trim() != "```");
-        lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
-    }
-
     #[test]
     fn the_example_of_the_manual_page_is_a_bench() {
-        let bench = bench(&example()).unwrap();
+        let bench = bench(include_str!("bench.toml")).unwrap();
         let models: Vec<_> = bench.drives().map(|drive| (drive.model(), drive.address())).collect();
         assert_eq!(models, [("acu", 2), ("foreign", 9)]);
         let acu = bench.drive(2).unwrap();
@@ -505,7 +346,23 @@ mod tests {
         assert!(drive("modules = [\"X\"]").contains("expected one of: EM-RES-03"));
         assert!(drive("reply_delay = \"10\"").contains("a time with unit"));
         assert!(drive("[[drive.event]]\nat = \"1s\"").contains("nothing happens"));
-        assert!(drive("[[drive.event]]\nat = \"1s\"\nfault = \"500\"").contains("F and 4 digits"));
+        for fault in ["500", "F50", "F0000", "F-123"] {
+            let text = format!("[[drive.event]]\nat = \"1s\"\nfault = \"{fault}\"");
+            assert!(drive(&text).contains("F and 4 digits"), "{fault}");
+        }
+        assert!(drive("[[drive.event]]\nfault = \"F0500\"").contains("exactly one of: at, when, after_writes"));
+        assert!(drive("[[drive.event]]\nat = \"1s\"\nwhen = \"running\"\nmains = false").contains("exactly one of"));
+        for when in ["standing", "above", "above Hz", "above -3Hz", "above 20"] {
+            let text = format!("[[drive.event]]\nwhen = \"{when}\"\nmains = false");
+            assert!(drive(&text).contains("\"above 20Hz\""), "{when}");
+        }
+        assert!(drive("[[drive.event]]\nafter_writes = 0\nmains = false").contains("1 or more"));
+        assert!(drive("[[drive.event]]\nat = \"1s\"\nstob = false").contains("only an ACU"));
+        assert!(drive("stoa = false").contains("only an ACU"));
+        assert!(drive("torque = 1001").contains("expected 0 to 1000"));
+        assert!(drive("ramps = { up_right = 0 }").contains("0.01 to 9999.99"));
+        assert!(drive("ramps = { up_right = 1.234 }").contains("more decimals"));
+        assert!(drive("ramps = { up = 1 }").contains("unknown field `up`"));
         assert!(drive("[[disturb]]\nkind = \"lost\"").contains("exactly one of"));
         assert!(refused("").contains("at least one"));
     }

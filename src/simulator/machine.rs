@@ -2,40 +2,64 @@
 //!
 //! Choices where the manual is silent or contradicts itself:
 //! - status bit 4 of the ACU shows the mains in every state (text of 10.1; its table prints 0 for "switched on");
-//! - the commands of the control word are obeyed also without the external enable, but for transition 4, which needs
-//!   it; losing enable or start contact while enabled lets the shaft coast and leads to "switched on";
+//! - transition 4 needs the external enable and a start contact; the other commands do without them, unless the bench
+//!   file says `strict_remote`: 9.1.2 and 10.2 write once that only transition 4 needs them, and once that without the
+//!   Remote bit the control word does nothing at all;
+//! - losing enable or start contact while enabled lets the shaft coast and leads to "switched on"; in a quick stop it
+//!   ends the quick stop (12);
+//! - the control word is a level: what stands in it is obeyed as soon as the state allows, also at the end of a ramp, of
+//!   DC braking, of a quick stop, of a reset, or when the enable comes back. Only bit 7 acts on its edge. So 0x8F
+//!   acknowledges and starts in one go, as the table of commands has it (bits 3 to 0 are "any");
+//! - in a quick stop nothing is obeyed but "disable voltage" (12);
+//! - a braking time P.632 of 0 brakes for no time at all;
+//! - the rules of transition 5 and quick stop hold in positioning configurations too, for which 10.2 leaves them open;
+//! - under contacts a missing start contact stops by the ramp, a missing enable lets the shaft coast; start contacts for
+//!   both directions mean clockwise; a fault can be acknowledged only under the state machine;
 //! - with P.412 above 2 the keypad starts the drive, and nobody presses its keys here: "switched on" it remains;
-//! - the fault reaction takes no time; losing the mains while enabled is fault F0702;
-//! - after a software reset or power-on a fault is gone.
+//! - a fault switches the output stage off at once, so the shaft coasts. If it worked, "fault reaction active" is shown
+//!   for 0.1 s, in which the drive already tells the fault; else there is nothing to react with, and no time passes. A
+//!   further fault does not take the place of the first;
+//! - losing the mains while the output stage works is fault F0702; in the other states nothing happens but bit 4;
+//! - after a software reset or power-on a fault is gone, and "not ready" lasts as long as the drive is off the bus.
 
+use super::motor::Motor;
 use super::shaft::{Ramps, Shaft};
 use crate::tick::{Span, Tick};
 
+#[cfg(test)]
+mod tests;
+
 /// A fault cannot be acknowledged earlier (CM-485 manual 9.1.2).
 const FAULT_LOCK: Span = Span::from_secs(15);
+/// How long "fault reaction active" is shown: a bench value.
+const REACTION: Span = Span::from_millis(100);
 /// Mains failure (CM-485 manual 12.2).
 const MAINS_FAILURE: u16 = 0x0702;
 
 /// States of the drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum State {
+    NotReady,
     SwitchOnInhibit,
     Ready,
     SwitchedOn,
     Enabled,
     QuickStop,
+    FaultReaction,
     Fault,
 }
 
 impl State {
-    /// Bits 0-6 of the status word (CM-485 manual 9.1.2).
+    /// Bits 0-6 of the status word (CM-485 manual 9.1.2, 10.2).
     fn bits(self) -> u16 {
         match self {
+            State::NotReady => 0x00,
             State::SwitchOnInhibit => 0x40,
             State::Ready => 0x21,
             State::SwitchedOn => 0x23,
             State::Enabled => 0x27,
             State::QuickStop => 0x07,
+            State::FaultReaction => 0x0F,
             State::Fault => 0x08,
         }
     }
@@ -62,8 +86,10 @@ pub(super) struct Inputs {
     pub(super) right: bool,
     pub(super) left: bool,
     pub(super) mains: bool,
-    /// Configuration x40: start contacts have no function (CM-485 manual 10.2).
+    /// Configuration x40: start contacts have no function, and there is no short cut (CM-485 manual 10.2).
     pub(super) positioning: bool,
+    /// Without the Remote bit no command is obeyed.
+    pub(super) strict_remote: bool,
     /// Reference frequency, 0.01 Hz, inside P.419.
     pub(super) goal: i64,
     pub(super) ramps: Ramps,
@@ -76,31 +102,43 @@ pub(super) struct Inputs {
     pub(super) holding: Span,
     /// P.632.
     pub(super) braking: Span,
+    pub(super) motor: Motor,
 }
 
 impl Inputs {
-    /// The external enable and a start contact are there.
-    pub(super) fn released(&self) -> bool {
-        self.enable && (self.right || self.left || self.positioning)
+    fn started(&self) -> bool {
+        self.enable && (self.right || self.left)
     }
 
-    fn may_start(&self) -> bool {
-        self.released() && (self.mains || !self.acu)
+    /// The external enable and a start contact are there.
+    pub(super) fn released(&self) -> bool {
+        self.started() || (self.enable && self.positioning)
+    }
+
+    fn voltage(&self) -> bool {
+        self.mains || !self.acu
     }
 }
 
-/// A stop that is under way, and when it will be over.
+/// Something under way that will end by itself.
 #[derive(Clone, Copy, Debug)]
-struct Stop {
-    kind: StopKind,
+struct Phase {
+    kind: Kind,
     ends: Tick,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum StopKind {
+enum Kind {
+    /// Coming up after power-on.
+    Boot,
+    /// Ramp of transition 5, or of a missing start contact.
     Ramp,
+    /// DC braking of transition 5.
     Brake,
+    /// Quick stop.
     Quick,
+    /// Reaction to a fault.
+    Reaction,
 }
 
 /// Commands of the control word (CM-485 manual 9.1.2, 10.2).
@@ -132,21 +170,22 @@ pub(super) struct Machine {
     pub(super) fault: u16,
     fault_at: Tick,
     last_word: u16,
-    stop: Option<Stop>,
+    phase: Option<Phase>,
     pub(super) shaft: Shaft,
 }
 
 impl Machine {
-    /// After power-on: switch-on inhibit (CM-485 manual 9.1.2).
+    /// A drive without power, with its shaft at rest.
     pub(super) fn new(at: Tick) -> Self {
-        Machine {
-            state: State::SwitchOnInhibit,
-            fault: 0,
-            fault_at: at,
-            last_word: 0,
-            stop: None,
-            shaft: Shaft::new(at),
-        }
+        Machine { state: State::NotReady, fault: 0, fault_at: at, last_word: 0, phase: None, shaft: Shaft::new(at) }
+    }
+
+    /// Power-on or reset (0): "not ready" until the drive is up (1). Never up, if the power is gone for good. A shaft
+    /// that turns coasts on.
+    pub(super) fn restart(&mut self, now: Tick, up: Option<Tick>) {
+        self.leave(now, State::NotReady);
+        self.phase = up.map(|ends| Phase { kind: Kind::Boot, ends });
+        (self.fault, self.last_word) = (0, 0);
     }
 
     /// Whether the output stage works.
@@ -154,21 +193,30 @@ impl Machine {
         matches!(self.state, State::Enabled | State::QuickStop)
     }
 
+    /// Whether a fault stands.
+    pub(super) fn in_fault(&self) -> bool {
+        matches!(self.state, State::FaultReaction | State::Fault)
+    }
+
     /// When the state will change by itself.
     pub(super) fn next(&self) -> Option<Tick> {
-        self.stop.map(|stop| stop.ends)
+        self.phase.map(|phase| phase.ends)
     }
 
     /// Lets the time pass with inputs that do not change.
     pub(super) fn settle(&mut self, now: Tick, inputs: &Inputs) {
-        // A stop that ends can, by the commands that stand, lead to at most a few further steps.
+        // What ends can, by the commands that stand, lead to at most a few further steps.
         for _ in 0..8 {
-            let Some(stop) = self.stop.filter(|stop| stop.ends <= now) else { break };
-            self.shaft.advance(stop.ends);
-            self.stop = None;
-            self.state = if stop.kind == StopKind::Quick { State::SwitchOnInhibit } else { State::SwitchedOn };
-            self.shaft.coast(stop.ends);
-            self.react(stop.ends, inputs);
+            let Some(phase) = self.phase.filter(|phase| phase.ends <= now) else { break };
+            self.shaft.advance(phase.ends);
+            let next = match phase.kind {
+                Kind::Boot => State::SwitchOnInhibit,          // 1
+                Kind::Ramp | Kind::Brake => State::SwitchedOn, // 5
+                Kind::Quick => State::SwitchOnInhibit,         // 12
+                Kind::Reaction => State::Fault,                // 14
+            };
+            self.leave(phase.ends, next);
+            self.react(phase.ends, inputs);
         }
         self.shaft.advance(now);
     }
@@ -176,78 +224,85 @@ impl Machine {
     /// Obeys what the inputs say now.
     pub(super) fn react(&mut self, now: Tick, inputs: &Inputs) {
         let rising = inputs.word & !self.last_word;
-        if inputs.control == Control::StateMachine {
-            // Transition 15: rising edge of bit 7, after the lock.
-            if self.state == State::Fault && rising & 0x80 != 0 && now.since(self.fault_at) >= FAULT_LOCK {
-                self.state = State::SwitchOnInhibit;
-                self.fault = 0;
-            }
-        }
         self.last_word = inputs.word;
-        if self.state == State::Fault {
+        self.shaft.advance(now);
+        self.shaft.fit(inputs.motor);
+        let commanded = inputs.control == Control::StateMachine && (inputs.released() || !inputs.strict_remote);
+        // Transition 15: rising edge of bit 7, after the lock.
+        if self.state == State::Fault && commanded && rising & 0x80 != 0 && now.since(self.fault_at) >= FAULT_LOCK {
+            self.state = State::SwitchOnInhibit;
+            self.fault = 0;
+        }
+        if self.in_fault() || self.state == State::NotReady {
             return;
         }
-        if self.runs() && inputs.acu && !inputs.mains {
+        if self.runs() && !inputs.voltage() {
             return self.trip(now, MAINS_FAILURE);
         }
         match inputs.control {
-            Control::StateMachine => {
-                // 0x0F leads from "ready" over "switched on" to "enabled": a few steps at once.
-                for _ in 0..4 {
-                    if !self.obey(now, Command::of(inputs.word), inputs) {
-                        break;
-                    }
-                }
-            }
-            Control::Contacts => self.obey_contacts(now, inputs, inputs.released()),
+            Control::StateMachine => self.obey(now, inputs, commanded),
+            Control::Contacts => self.obey_contacts(now, inputs, inputs.started() && inputs.voltage()),
             Control::Keypad => self.obey_contacts(now, inputs, false),
         }
-        if self.state == State::Enabled && self.stop.is_none() {
-            self.shaft.follow(now, inputs.goal, inputs.ramps);
+        if self.state == State::Enabled && self.phase.is_none() {
+            let goal = if inputs.motor.overloaded() { 0 } else { inputs.goal };
+            self.shaft.follow(now, goal, inputs.ramps);
         }
     }
 
-    /// A fault: transitions 13 and 14. A standing fault keeps its code.
+    /// A fault: transition 13, and 14 at once if nothing is on. A standing fault keeps its code, and what is off has none.
     pub(super) fn trip(&mut self, now: Tick, code: u16) {
-        if self.state != State::Fault {
-            self.leave(now, State::Fault);
-            self.fault = code;
-            self.fault_at = now;
+        if self.in_fault() || (self.state == State::NotReady && self.phase.is_none()) {
+            return;
         }
+        match self.runs() {
+            true => {
+                self.leave(now, State::FaultReaction);
+                self.phase = Some(Phase { kind: Kind::Reaction, ends: now + REACTION });
+            }
+            false => self.leave(now, State::Fault),
+        }
+        (self.fault, self.fault_at) = (code, now);
     }
 
     /// Bits 0-6 of the status word, and bits 4, 9, 10, 11 as the drive shows them.
     pub(super) fn status(&self, inputs: &Inputs, reached: bool, limited: bool) -> u16 {
         let bit = |on: bool, number: u8| u16::from(on) << number;
-        let remote = match inputs.control {
-            Control::StateMachine => inputs.released(),
-            Control::Contacts | Control::Keypad => false,
-        };
+        let remote = inputs.control == Control::StateMachine && inputs.released();
         self.state.bits()
             | bit(inputs.acu && inputs.mains, 4)
             | bit(remote, 9)
-            | bit(self.state == State::Enabled && self.stop.is_none() && reached, 10)
+            | bit(self.state == State::Enabled && self.phase.is_none() && reached, 10)
             | bit(self.state == State::Enabled && limited, 11)
     }
 
-    /// One transition of the control word; tells whether there was one.
-    fn obey(&mut self, now: Tick, command: Command, inputs: &Inputs) -> bool {
-        use Command::{DisableVoltage, EnableOperation, QuickStop, ShutDown, SwitchOn};
-        let braking = self.stop.is_some_and(|stop| stop.kind == StopKind::Brake);
-        if self.runs() && !inputs.released() {
-            self.leave(now, State::SwitchedOn);
-            return true;
+    fn obey(&mut self, now: Tick, inputs: &Inputs, commanded: bool) {
+        match self.state {
+            State::Enabled if !inputs.released() => self.leave(now, State::SwitchedOn),
+            State::QuickStop if !inputs.released() => self.leave(now, State::SwitchOnInhibit),
+            _ => {}
         }
-        if braking {
+        // 0x0F leads from "ready" over "switched on" to "enabled": a few steps at once.
+        for _ in 0..4 {
+            if !commanded || !self.step(now, Command::of(inputs.word), inputs) {
+                break;
+            }
+        }
+    }
+
+    /// One transition of the control word; tells whether there was one.
+    fn step(&mut self, now: Tick, command: Command, inputs: &Inputs) -> bool {
+        use Command::{DisableVoltage, EnableOperation, QuickStop, ShutDown, SwitchOn};
+        if self.phase.is_some_and(|phase| phase.kind == Kind::Brake) {
             return false; // CM-485 manual 9.1.2.2: no new control word before the brake is done
         }
-        let mains = inputs.mains || !inputs.acu;
+        let may_start = inputs.released() && inputs.voltage();
         let next = match (self.state, command) {
             (State::SwitchOnInhibit, ShutDown) => State::Ready, // 2
-            (State::SwitchOnInhibit, EnableOperation) if inputs.may_start() && !inputs.positioning => State::Enabled, // 4'
-            (State::Ready, SwitchOn | EnableOperation) if mains => State::SwitchedOn, // 3
-            (State::SwitchedOn, EnableOperation) if inputs.may_start() => State::Enabled, // 4
-            (State::SwitchedOn | State::Enabled, ShutDown) => State::Ready,           // 6, 8
+            (State::SwitchOnInhibit, EnableOperation) if may_start && !inputs.positioning => State::Enabled, // 4'
+            (State::Ready, SwitchOn | EnableOperation) if inputs.voltage() => State::SwitchedOn, // 3
+            (State::SwitchedOn, EnableOperation) if may_start => State::Enabled, // 4
+            (State::SwitchedOn | State::Enabled, ShutDown) => State::Ready, // 6, 8
             (State::Ready | State::SwitchedOn | State::Enabled | State::QuickStop, DisableVoltage) => {
                 State::SwitchOnInhibit // 7, 9, 10, 12
             }
@@ -255,13 +310,13 @@ impl Machine {
             (State::Ready | State::SwitchedOn, QuickStop) if inputs.acu => State::SwitchOnInhibit,
             (State::Enabled, QuickStop) => {
                 self.shaft.follow(now, 0, inputs.quick_ramps);
-                self.begin_stop(StopKind::Quick, inputs);
+                self.slow_down(Kind::Quick, inputs);
                 self.state = State::QuickStop; // 11
                 return true;
             }
-            (State::Enabled, SwitchOn) if self.stop.is_none() => return self.transition_5(now, inputs),
+            (State::Enabled, SwitchOn) if self.phase.is_none() => return self.transition_5(now, inputs),
             (State::Enabled, EnableOperation) => {
-                self.stop = None; // the ramp of transition 5 can be called back
+                self.phase = None; // the ramp of transition 5 can be called back
                 return false;
             }
             _ => return false,
@@ -274,168 +329,48 @@ impl Machine {
         match inputs.transition5 {
             0 => self.leave(now, State::SwitchedOn),
             1 => {
-                self.shaft.coast(now);
-                self.stop = Some(Stop { kind: StopKind::Brake, ends: now + inputs.braking });
+                self.shaft.brake(now);
+                self.phase = Some(Phase { kind: Kind::Brake, ends: now + inputs.braking });
             }
             _ => {
                 self.shaft.follow(now, 0, inputs.ramps);
-                self.begin_stop(StopKind::Ramp, inputs);
+                self.slow_down(Kind::Ramp, inputs);
             }
         }
         true
     }
 
-    /// Under contacts only "switched on", "enabled" and "fault" are shown (CM-485 manual 9.1.1).
+    /// Under contacts only "switched on", "enabled" and the fault are shown (CM-485 manual 9.1.1).
     fn obey_contacts(&mut self, now: Tick, inputs: &Inputs, run: bool) {
-        let run = run && inputs.may_start();
         match self.state {
-            State::Enabled if run => self.stop = None,
+            State::Enabled if run => self.phase = None,
             State::Enabled if inputs.enable && inputs.control == Control::Contacts => {
-                if self.stop.is_none() {
+                if self.phase.is_none() {
                     self.shaft.follow(now, 0, inputs.ramps);
-                    self.begin_stop(StopKind::Ramp, inputs);
+                    self.slow_down(Kind::Ramp, inputs);
                 }
             }
             _ if run => {
                 self.state = State::Enabled;
-                self.stop = None;
+                self.phase = None;
             }
             State::SwitchedOn => {}
             _ => self.leave(now, State::SwitchedOn),
         }
     }
 
-    fn begin_stop(&mut self, kind: StopKind, inputs: &Inputs) {
-        self.stop = Some(Stop { kind, ends: self.shaft.falls_to(inputs.threshold) + inputs.holding });
+    /// Below P.637 the holding time P.638 runs; only then the output stage is switched off (CM-485 manual 9.1.2.1,
+    /// 9.1.2.2).
+    fn slow_down(&mut self, kind: Kind, inputs: &Inputs) {
+        self.phase = Some(Phase { kind, ends: self.shaft.falls_to(inputs.threshold) + inputs.holding });
     }
 
     /// Goes to a state, with the output stage off in all but "enabled".
     fn leave(&mut self, now: Tick, next: State) {
-        self.stop = None;
+        self.phase = None;
         self.state = next;
         if next != State::Enabled {
             self.shaft.coast(now);
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const RAMP: Ramps = Ramps::all(500);
-
-    fn inputs(acu: bool, word: u16) -> Inputs {
-        Inputs {
-            acu,
-            control: Control::StateMachine,
-            word,
-            enable: true,
-            right: true,
-            left: false,
-            mains: true,
-            positioning: false,
-            goal: 1_000,
-            ramps: RAMP,
-            quick_ramps: Ramps::all(1_000),
-            transition5: 2,
-            threshold: 50,
-            holding: Span::from_secs(1),
-            braking: Span::from_secs(3),
-        }
-    }
-
-    /// Goes through control words, one a second, and returns bits 0-6 after each.
-    fn walk(acu: bool, words: &[u16]) -> Vec<u16> {
-        let mut machine = Machine::new(Tick::ZERO);
-        let mut states = Vec::new();
-        for (second, &word) in (0..).zip(words) {
-            let now = Tick::ZERO + Span::from_secs(second);
-            machine.react(now, &inputs(acu, word));
-            states.push(machine.state.bits());
-        }
-        states
-    }
-
-    #[test]
-    fn the_long_way_and_the_short_cut() {
-        assert_eq!(walk(false, &[0, 6, 7, 0xF, 0]), [0x40, 0x21, 0x23, 0x27, 0x40]);
-        assert_eq!(walk(true, &[0xF, 6, 0xF, 6]), [0x27, 0x21, 0x27, 0x21]);
-        assert_eq!(walk(false, &[7]), [0x40]);
-        assert_eq!(walk(true, &[6, 2]), [0x21, 0x40]);
-        assert_eq!(walk(false, &[6, 2]), [0x21, 0x21]);
-    }
-
-    #[test]
-    fn quick_stop_ends_in_switch_on_inhibit_after_the_holding_time() {
-        let mut machine = Machine::new(Tick::ZERO);
-        machine.react(Tick::ZERO, &inputs(true, 0xF));
-        let at = Tick::ZERO + Span::from_secs(2);
-        machine.settle(at, &inputs(true, 0xF));
-        machine.react(at, &inputs(true, 2));
-        assert_eq!(machine.state, State::QuickStop);
-        // 10.00 Hz down to 0.50 Hz with 10.00 Hz/s, then 1 s.
-        assert_eq!(machine.next(), Some(at + Span::from_millis(1_950)));
-        machine.settle(at + Span::from_millis(1_950), &inputs(true, 2));
-        assert_eq!((machine.state, machine.shaft.powered()), (State::SwitchOnInhibit, false));
-    }
-
-    #[test]
-    fn the_ramp_of_transition_5_can_be_called_back() {
-        let mut machine = Machine::new(Tick::ZERO);
-        machine.react(Tick::ZERO, &inputs(true, 0xF));
-        let second = |count| Tick::ZERO + Span::from_secs(count);
-        machine.settle(second(2), &inputs(true, 0xF));
-        machine.react(second(2), &inputs(true, 7));
-        assert_eq!(machine.state, State::Enabled);
-        machine.settle(second(3), &inputs(true, 7));
-        assert_eq!(machine.shaft.speed(), 500);
-        machine.react(second(3), &inputs(true, 0xF));
-        machine.settle(second(4), &inputs(true, 0xF));
-        assert_eq!((machine.state, machine.shaft.speed()), (State::Enabled, 1_000));
-    }
-
-    #[test]
-    fn without_enable_or_mains_nothing_starts() {
-        let mut machine = Machine::new(Tick::ZERO);
-        machine.react(Tick::ZERO, &Inputs { enable: false, ..inputs(false, 0xF) });
-        assert_eq!(machine.state, State::SwitchOnInhibit);
-        machine.react(Tick::ZERO, &Inputs { mains: false, ..inputs(true, 6) });
-        machine.react(Tick::ZERO, &Inputs { mains: false, ..inputs(true, 7) });
-        assert_eq!(machine.state, State::Ready);
-    }
-
-    #[test]
-    fn losing_the_enable_coasts_to_switched_on() {
-        let mut machine = Machine::new(Tick::ZERO);
-        machine.react(Tick::ZERO, &inputs(true, 0xF));
-        machine.react(Tick::from_micros(9), &Inputs { enable: false, ..inputs(true, 0xF) });
-        assert_eq!((machine.state, machine.shaft.powered()), (State::SwitchedOn, false));
-    }
-
-    #[test]
-    fn a_fault_is_locked_for_15_seconds_and_needs_an_edge() {
-        let mut machine = Machine::new(Tick::ZERO);
-        machine.trip(Tick::ZERO, 0x0500);
-        let at = |millis| Tick::ZERO + Span::from_millis(millis);
-        machine.react(at(14_999), &inputs(true, 0x80));
-        machine.react(at(16_000), &inputs(true, 0x80));
-        assert_eq!((machine.state, machine.fault), (State::Fault, 0x0500));
-        machine.react(at(16_001), &inputs(true, 0));
-        machine.react(at(16_002), &inputs(true, 0x80));
-        assert_eq!((machine.state, machine.fault), (State::SwitchOnInhibit, 0));
-    }
-
-    #[test]
-    fn contacts_show_three_states_only() {
-        let mut machine = Machine::new(Tick::ZERO);
-        let contacts = Inputs { control: Control::Contacts, ..inputs(false, 0) };
-        machine.react(Tick::ZERO, &contacts);
-        assert_eq!(machine.state, State::Enabled);
-        machine.react(Tick::ZERO + Span::from_secs(1), &Inputs { right: false, ..contacts });
-        machine.settle(Tick::ZERO + Span::from_secs(60), &Inputs { right: false, ..contacts });
-        assert_eq!(machine.state, State::SwitchedOn);
-        machine.react(Tick::ZERO, &Inputs { control: Control::Keypad, ..contacts });
-        assert_eq!(machine.state, State::SwitchedOn);
     }
 }

@@ -4,7 +4,7 @@
 //! and never from our own master: it answers as CM-485 manual chapters 5 to 12 say, and it notes every timing or
 //! framing sin of the master as a [`Remark`]. It reads no clock, does no I/O, and never panics on any input.
 //!
-//! What a file of the bench may say is told in [`file`].
+//! What a file of the bench may say is told in [`mod@file`].
 
 mod active;
 mod dice;
@@ -14,6 +14,8 @@ pub mod file;
 mod foreign;
 mod judge;
 mod machine;
+mod motor;
+mod script;
 mod setup;
 mod shaft;
 mod slave;
@@ -82,6 +84,10 @@ pub struct Totals {
     pub eeprom_writes: u64,
     /// Remarks of the judge.
     pub remarks: u64,
+    /// Shafts that turn now, with power or without.
+    pub turning: u64,
+    /// Drives whose output stage feeds the motor now, turning or not.
+    pub energised: u64,
 }
 
 /// Why telegrams were ignored.
@@ -113,7 +119,7 @@ impl Bench {
         Bench::standard(&Registry::open(&[]).unwrap())
     }
 
-    /// The bench of a file. `path` is only for the messages; see [`file`] for the format.
+    /// The bench of a file. `path` is only for the messages; see [`mod@file`] for the format.
     pub fn from_toml(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
         file::read(path, text, registry)
     }
@@ -199,8 +205,14 @@ impl Bench {
             exceptions: self.drives.iter().map(|drive| drive.exceptions).sum(),
             eeprom_writes: self.drives.iter().map(Drive::eeprom_writes).sum(),
             remarks: self.judge.count(),
+            turning: self.count(|drive| drive.shaft_speed(self.now) != 0),
+            energised: self.count(Drive::is_energised),
             ..self.totals
         }
+    }
+
+    fn count(&self, what: impl Fn(&Drive) -> bool) -> u64 {
+        self.drives.iter().map(|drive| u64::from(what(drive))).sum()
     }
 
     fn run_to(&mut self, to: Tick) {

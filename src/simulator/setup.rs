@@ -1,10 +1,21 @@
-//! Everything that makes a station before it is switched on, and the script of its life.
+//! Everything that makes a station before it is switched on.
 
 use super::active::Contacts;
+use super::script::Event;
+use super::shaft::Ramps;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
-use crate::tick::{Span, Tick};
+use crate::tick::Span;
 use std::collections::BTreeMap;
+
+/// Earliest reply (CM-485 manual 6.8).
+pub(super) const REPLY_DELAY: Span = Span::from_millis(10);
+/// Slopes that P.420-423 would give; nothing in the store tells their factory setting: 5 Hz/s on this bench.
+const RAMPS: Ramps = Ramps::all(500);
+/// The load that this bench hangs at a shaft, percent of the rated torque.
+const TORQUE: i64 = 30;
+/// The wires of a drive that may run.
+const CONTACTS: Contacts = Contacts { sto_a: true, sto_b: true, right: true, left: false, mains: true };
 
 /// P.10 and what it means (CM-485 manual 5.2.1).
 pub(super) const BAUD_RATES: [(i64, u32); 6] =
@@ -40,7 +51,12 @@ pub(super) struct Setup {
     pub(super) delay: Span,
     pub(super) jitter: Span,
     pub(super) strict_silence: bool,
+    /// Without the Remote bit it obeys no command.
+    pub(super) strict_remote: bool,
     pub(super) contacts: Contacts,
+    /// Load at the shaft, percent of the rated torque.
+    pub(super) torque: i64,
+    pub(super) ramps: Ramps,
     pub(super) modules: Vec<String>,
     /// Number, data set (0 for all), raw value.
     pub(super) values: Vec<(u32, u8, i64)>,
@@ -49,27 +65,39 @@ pub(super) struct Setup {
     pub(super) seed: u64,
 }
 
-/// Something that the script lets happen.
-#[derive(Clone, Debug)]
-pub(super) struct Event {
-    pub(super) at: Tick,
-    pub(super) action: Action,
-}
+impl Setup {
+    /// A station with nothing special about it, RTU at 19200 8E1.
+    pub(super) fn plain(model: Model, address: u8) -> Self {
+        Setup {
+            model,
+            address,
+            framing: Some(Framing::Rtu),
+            line: LineSetting::rtu(19_200, Parity::Even),
+            delay: REPLY_DELAY,
+            jitter: Span::ZERO,
+            strict_silence: false,
+            strict_remote: false,
+            contacts: CONTACTS,
+            torque: TORQUE,
+            ramps: RAMPS,
+            modules: Vec::new(),
+            values: Vec::new(),
+            registers: BTreeMap::new(),
+            script: Vec::new(),
+            seed: address.into(),
+        }
+    }
 
-#[derive(Clone, Debug)]
-pub(super) enum Action {
-    Fault(u16),
-    Warning(u16),
-    PowerCycle,
-    Silent(Span),
-    Mains(bool),
-    Enable(bool),
-    StartRight(bool),
-    StartLeft(bool),
+    /// Values at power-on, with those that hold the settings of the line.
+    pub(super) fn all_values(&self) -> Vec<(u32, u8, i64)> {
+        let mut values = settings(self.framing, self.line, self.address);
+        values.extend(&self.values);
+        values
+    }
 }
 
 /// The parameters that hold the settings of the line.
-pub(super) fn settings(framing: Option<Framing>, line: LineSetting, address: u8) -> Vec<(u32, u8, i64)> {
+fn settings(framing: Option<Framing>, line: LineSetting, address: u8) -> Vec<(u32, u8, i64)> {
     let protocol = match framing {
         None => 0,
         Some(Framing::Rtu) => 2,

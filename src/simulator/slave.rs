@@ -98,13 +98,13 @@ fn diagnostics(counters: &mut Counters, sub: u16, data: u16) -> Result<Reply, Ex
 mod tests {
     use super::*;
     use crate::profile::Registry;
-    use crate::simulator::active::Contacts;
+    use crate::simulator::setup::{Model, Setup};
 
     fn drive(model: &str) -> Active {
         let registry = Registry::open(&[]).unwrap();
         let family = registry.family(model).unwrap();
-        let contacts = Contacts { enable: true, right: true, left: false, mains: true };
-        Active::new(model == "acu", Some(&family), &[], contacts, &[])
+        let model = if model == "acu" { Model::Acu } else { Model::Act };
+        Active::new(&Setup::plain(model, 1), Some(&family))
     }
 
     /// What one request gives: the reply PDU.
@@ -173,7 +173,7 @@ mod tests {
         assert_eq!((act.eeprom_writes(), act.eeprom(372, 2), act.ram(372, 2)), (5, Some(1_400), Some(1_500)));
         assert_eq!(ask(&mut act, &[3, 0x21, 0x74, 0, 1]), [3, 2, 0x05, 0x78]);
         assert_eq!(ask(&mut act, &[3, 0x71, 0x74, 0, 1]), [3, 2, 0x05, 0xDC]);
-        act.power_up(Tick::from_micros(9));
+        act.power_up(Tick::from_micros(9), Tick::from_micros(9));
         assert_eq!(ask(&mut act, &[3, 0x71, 0x74, 0, 1]), [3, 2, 0x05, 0x78]);
         // The control word never goes to the EEPROM, and only data set 0 has it.
         ask(&mut act, &[6, 0x01, 0x9A, 0, 6]);

@@ -72,6 +72,8 @@ const LOCKED_WHILE_RUNNING: &[u32] = &[34];
 /// Raw values of the bench for factory settings that no source tells.
 const BENCH_VALUES: &[(u32, i64)] = &[
     (30, 110),    // a V/f configuration, named in CM-485 manual 9.1.2.2
+    (68, 71),     // S2IND, CM-485 manual 9.1.3
+    (69, 72),     // S3IND, facts B
     (372, 1_390), // CM-485 manual 8.1.1
     (373, 2),     // fits 1390 1/min at 50 Hz
     (375, 5_000),

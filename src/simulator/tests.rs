@@ -4,6 +4,10 @@ use super::*;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::Framing;
 
+mod hand;
+mod motion;
+mod transitions;
+
 /// Request and reply of every worked example in RTU (CM-485 manual 8.1).
 const RTU: &[(&str, &str, &str)] = &[
     ("8.1.1 ex 1", "01 03 21 74 00 01 CE 2C", "01 03 02 05 6E 3A F8"),
@@ -36,8 +40,13 @@ const ASCII: &[(&str, &str, &str)] = &[
 
 const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
 
+thread_local! {
+    /// Read once for a test, not for every bench of it.
+    static REGISTRY: Registry = Registry::open(&[]).unwrap();
+}
+
 fn bench(text: &str) -> Bench {
-    Bench::from_toml("test.toml", text, &Registry::open(&[]).unwrap()).unwrap()
+    REGISTRY.with(|registry| Bench::from_toml("test.toml", text, registry)).unwrap()
 }
 
 fn standard() -> Bench {

@@ -1,0 +1,181 @@
+//! The ears and the voice of a station: which telegrams it takes off the wire, and when its replies go out.
+//!
+//! Choices where the manual is silent:
+//! - a drive hears other drives' telegrams and counts them (RS485), but not itself;
+//! - a telegram that is torn, too short or too long, or in another character format counts as bus error 0x0C;
+//! - two requests in a row are answered in a row; of more than [`QUEUE`] the rest is forgotten;
+//! - the watchdog counts from the last request to this station that had a right check value, from the first one on
+//!   after power-on or after P.413 was set; a broadcast is no exchange and does not hold it off.
+
+use super::{Body, Drive};
+use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::{BROADCAST, FrameError, Framing, rtu};
+use crate::simulator::active::Effect;
+use crate::simulator::disturb::Outgoing;
+use crate::simulator::judge::TURNAROUND;
+use crate::simulator::slave::{Counters, answer};
+use crate::simulator::wire::{Slot, fits};
+use crate::tick::{Span, Tick};
+
+/// Most replies that wait to be sent.
+const QUEUE: usize = 4;
+
+/// A reply that waits for its time.
+#[derive(Clone, Debug)]
+pub(super) struct Pending {
+    start: Tick,
+    frame: Vec<u8>,
+    effect: Effect,
+    exception: bool,
+}
+
+impl Drive {
+    /// Takes a byte off the wire that somebody else put there.
+    pub(in crate::simulator) fn hear(&mut self, slot: &Slot) {
+        let sending = self.sending.is_some_and(|(until, _)| slot.start < until);
+        let Some(framing) = self.framing.filter(|_| self.awake() && !sending) else { return };
+        if !fits(self.line, slot.line) {
+            let new = self.unread.is_none_or(|last| slot.start.since(last) >= self.line.t35());
+            if new {
+                self.counters.count(Counters::ERRORS);
+            }
+            self.unread = Some(slot.end);
+            return;
+        }
+        match framing {
+            Framing::Rtu => {
+                let last = self.last_byte;
+                let begins = self.rtu.ends().is_none_or(|ends| ends <= slot.start);
+                if let Some(burst) = self.rtu.feed(slot.end, slot.byte) {
+                    self.take_burst(last, burst);
+                }
+                let early = self.own_last.is_some_and(|own| slot.start.since(own) < self.line.t35());
+                if begins && self.strict_silence && early {
+                    self.deaf = true;
+                }
+                self.last_byte = slot.end;
+            }
+            Framing::Ascii => {
+                self.last_byte = slot.end;
+                if let Some(frame) = self.ascii.feed(slot.end, slot.byte) {
+                    self.take_frame(slot.end, slot.end, Framing::Ascii, &frame);
+                }
+            }
+        }
+    }
+
+    fn take_burst(&mut self, last: Tick, burst: rtu::Burst) {
+        if std::mem::take(&mut self.deaf) {
+            return;
+        }
+        if burst.broken {
+            self.counters.count(Counters::ERRORS); // discarded, CM-485 manual 6.7.1.3
+            return;
+        }
+        self.take_frame(last, last + self.line.t35(), Framing::Rtu, &burst.bytes);
+    }
+
+    /// Takes a telegram whose last bit was on the wire at `last`, and which is known to be over `now`.
+    fn take_frame(&mut self, last: Tick, now: Tick, framing: Framing, frame: &[u8]) {
+        let adu = match framing.decode(frame) {
+            Ok(adu) => adu,
+            Err(error) => {
+                self.counters.count(Counters::ERRORS);
+                if matches!(error, FrameError::TooLong { .. }) {
+                    self.counters.count(Counters::OVERRUNS);
+                }
+                return;
+            }
+        };
+        self.counters.count(Counters::MESSAGES);
+        if adu.station == BROADCAST {
+            self.counters.count(Counters::BROADCASTS);
+            // Broadcasts are writes only (CM-485 manual 6.1).
+            if Request::decode(&adu.pdu).is_ok_and(|request| request.is_write()) {
+                let (_, effect) = self.execute(now, &adu.pdu);
+                self.follow_up(now, effect);
+            }
+            return;
+        }
+        if adu.station != self.address {
+            return;
+        }
+        self.counters.count(Counters::OWN);
+        if let Body::Active(active) = &mut self.body {
+            active.catch_up(now);
+            active.heard(last);
+        }
+        let (reply, effect) = self.execute(now, &adu.pdu);
+        self.prepare(last, framing, &reply, effect);
+    }
+
+    fn execute(&mut self, now: Tick, pdu: &[u8]) -> (Reply, Effect) {
+        self.writes += u64::from(Request::decode(pdu).is_ok_and(|request| request.is_write()));
+        match &mut self.body {
+            Body::Active(active) => answer(active, &mut self.counters, now, pdu),
+            Body::Foreign(foreign) => (foreign.answer(pdu), Effect::None),
+        }
+    }
+
+    /// Puts a reply into the queue: not before 10 ms or what the bench file says, and never before t3.5
+    /// (CM-485 manual 6.8, 6.7.1.3).
+    fn prepare(&mut self, last: Tick, framing: Framing, reply: &Reply, effect: Effect) {
+        if self.pending.len() >= QUEUE {
+            return;
+        }
+        let rest = match framing {
+            Framing::Rtu => self.line.t35(),
+            Framing::Ascii => Span::ZERO,
+        };
+        let jitter = Span::from_micros(self.dice.below(self.jitter.as_micros().saturating_add(1)));
+        let mut start = last + self.delay + jitter;
+        let before = self.pending.back().map(|reply| reply.start + self.line.chars(reply.frame.len() as u64));
+        if let Some(free) = before.or(self.sending.map(|(until, _)| until)) {
+            start = start.max(free + TURNAROUND.longer(rest));
+        }
+        let frame = framing.encode(self.address, &reply.encode());
+        let exception = matches!(reply, Reply::Exception { .. });
+        self.pending.push_back(Pending { start: start.max(last + rest), frame, effect, exception });
+    }
+
+    /// When something will happen if nobody speaks.
+    pub(in crate::simulator) fn next_event(&self) -> Option<Tick> {
+        let sending = self.sending.map(|(until, _)| until);
+        let pending = self.pending.front().filter(|_| self.sending.is_none()).map(|reply| reply.start);
+        let body = match &self.body {
+            Body::Active(active) => active.next(),
+            Body::Foreign(_) => None,
+        };
+        [self.next_scene(), sending, pending, self.away, self.rtu.ends(), body].into_iter().flatten().min()
+    }
+
+    /// Lets everything happen that is due by `now`; returns a reply that starts now, and has to be called again then.
+    pub(in crate::simulator) fn run(&mut self, now: Tick) -> Option<Outgoing> {
+        self.play(now);
+        if self.away.is_some_and(|until| until <= now) {
+            self.away = None;
+        }
+        if let Some((until, effect)) = self.sending.filter(|(until, _)| *until <= now) {
+            self.sending = None;
+            self.own_last = Some(until);
+            self.follow_up(until, effect);
+        }
+        if let Some(burst) = self.rtu.idle(now) {
+            self.take_burst(self.last_byte, burst);
+        }
+        if let Body::Active(active) = &mut self.body {
+            active.catch_up(now);
+        }
+        self.play(now);
+        if self.sending.is_some() {
+            return None;
+        }
+        self.pending.front().filter(|reply| reply.start <= now)?;
+        let reply = self.pending.pop_front()?;
+        let framing = self.framing.unwrap_or(Framing::Rtu);
+        self.sending = Some((now + self.line.chars(reply.frame.len() as u64), reply.effect));
+        self.answered += 1;
+        self.exceptions += u64::from(reply.exception);
+        Some(Outgoing { station: self.address, framing, line: self.line, frame: reply.frame })
+    }
+}

@@ -1,0 +1,106 @@
+//! The tables of a bench file as TOML has them. What their keys mean is told in `bench.toml`.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::{Spanned, Value};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct File {
+    #[serde(default)]
+    pub(super) line: LineTable,
+    #[serde(default)]
+    pub(super) drive: Vec<Spanned<DriveTable>>,
+    #[serde(default)]
+    pub(super) disturb: Vec<Spanned<DisturbTable>>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LineTable {
+    #[serde(default)]
+    pub(super) seed: u64,
+    #[serde(default)]
+    pub(super) echo: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DriveTable {
+    pub(super) model: Spanned<String>,
+    pub(super) address: Option<Spanned<i64>>,
+    pub(super) protocol: Option<Spanned<String>>,
+    pub(super) baud: Option<Spanned<i64>>,
+    pub(super) parity: Option<Spanned<String>>,
+    pub(super) data_bits: Option<Spanned<i64>>,
+    pub(super) reply_delay: Option<Spanned<String>>,
+    pub(super) jitter: Option<Spanned<String>>,
+    pub(super) load: Option<Spanned<String>>,
+    pub(super) slow: Option<Spanned<String>>,
+    #[serde(default)]
+    pub(super) strict_silence: bool,
+    #[serde(default)]
+    pub(super) strict_remote: bool,
+    #[serde(default = "given")]
+    pub(super) enable: bool,
+    pub(super) stoa: Option<Spanned<bool>>,
+    pub(super) stob: Option<Spanned<bool>>,
+    pub(super) start_right: Option<bool>,
+    pub(super) start_left: Option<bool>,
+    pub(super) mains: Option<bool>,
+    pub(super) torque: Option<Spanned<i64>>,
+    pub(super) ramps: Option<RampTable>,
+    #[serde(default)]
+    pub(super) modules: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub(super) set: BTreeMap<String, Spanned<Value>>,
+    #[serde(default)]
+    pub(super) registers: BTreeMap<String, Spanned<i64>>,
+    #[serde(default)]
+    pub(super) event: Vec<Spanned<EventTable>>,
+}
+
+/// Hertz per second.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RampTable {
+    pub(super) up_right: Option<Spanned<Value>>,
+    pub(super) down_right: Option<Spanned<Value>>,
+    pub(super) up_left: Option<Spanned<Value>>,
+    pub(super) down_left: Option<Spanned<Value>>,
+}
+
+fn given() -> bool {
+    true
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EventTable {
+    pub(super) at: Option<Spanned<String>>,
+    pub(super) when: Option<Spanned<String>>,
+    pub(super) after_writes: Option<Spanned<u64>>,
+    pub(super) fault: Option<Spanned<String>>,
+    pub(super) warning: Option<u16>,
+    pub(super) power_cycle: Option<bool>,
+    pub(super) silent: Option<Spanned<String>>,
+    pub(super) mains: Option<bool>,
+    pub(super) enable: Option<bool>,
+    pub(super) stoa: Option<Spanned<bool>>,
+    pub(super) stob: Option<Spanned<bool>>,
+    pub(super) start_right: Option<bool>,
+    pub(super) start_left: Option<bool>,
+    pub(super) torque: Option<Spanned<i64>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DisturbTable {
+    pub(super) every: Option<Spanned<u64>>,
+    pub(super) once: Option<Spanned<u64>>,
+    pub(super) at: Option<Spanned<String>>,
+    pub(super) kind: Spanned<String>,
+    pub(super) by: Option<Spanned<String>>,
+    pub(super) byte: Option<u8>,
+    pub(super) address: Option<Spanned<i64>>,
+}
