@@ -1025,6 +1025,10 @@ pub struct Simulate {
     pub exceptions: u64,
     /// EEPROM cells that were written.
     pub eeprom_writes: u64,
+    /// Shafts that still turn at the end, coasting ones included.
+    pub turning: u64,
+    /// Motors that are still powered at the end.
+    pub energised: u64,
     /// What the judge noted about the master.
     pub remarks: Vec<String>,
 }

@@ -1,5 +1,7 @@
 //! Completions and man pages are committed; this keeps them true. `UPDATE=1 cargo test --test generated` writes them.
 
+#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
+
 use antrieb::args::Environment;
 use antrieb::render::Streams;
 use std::cell::RefCell;
@@ -65,6 +67,7 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
+#[expect(clippy::disallowed_methods, reason = "UPDATE=1 is how a test is told to write")]
 fn check(arguments: &[&str], file: &Path) {
     let text = printed(arguments);
     if std::env::var_os("UPDATE").is_some() {

@@ -1,5 +1,6 @@
 //! `monitor` in process: every form of its stream, gaps, ends, and that it never writes; on the bench in virtual time,
 //! and in real time where real time is the point.
+#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
 #[path = "verbs/run.rs"]
 #[expect(dead_code, reason = "shared with the tests of the other verbs")]

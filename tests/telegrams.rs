@@ -1,5 +1,7 @@
 //! Every telegram printed in chapter 8 of the CM-485 manual, both ways, and what the codecs promise for any bytes.
 
+#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
+
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::pdu::{Exception, Reply, Request};
 use antrieb::protocol::modbus::{Adu, Framing, Hex, MAX_PDU, ascii, rtu};

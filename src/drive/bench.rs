@@ -75,6 +75,8 @@ pub async fn serve(
         answered: totals.answered,
         exceptions: totals.exceptions,
         eeprom_writes: totals.eeprom_writes,
+        turning: totals.turning,
+        energised: totals.energised,
         remarks: bench.remarks().iter().map(ToString::to_string).collect(),
     })
 }

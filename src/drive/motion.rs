@@ -213,7 +213,7 @@ impl<'a, 's> Motor<'a, 's> {
                 // A stop is never refused: it goes out even if the state says that there is nothing to stop.
                 let command = machine.command(slug).cloned();
                 let command = command.ok_or_else(|| Failure::new(Class::Usage, "usage.command", slug.to_owned()))?;
-                self.write_control(command.word).await.map(|()| ())
+                self.write_control(command.word).await
             }
         }
     }

@@ -157,7 +157,7 @@ enum OrWrite<D> {
 #[expect(dead_code, reason = "only its schema is used")]
 enum OrMotion<D> {
     Found(D),
-    Motion(crate::outcome::Motion),
+    Motion(Box<crate::outcome::Motion>),
     Plan(crate::outcome::Plan),
 }
 

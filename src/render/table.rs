@@ -33,13 +33,16 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
         Data::Motion(motion) => page.motion(motion),
         Data::Simulate(served) => {
             let mut text = format!(
-                "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} remarks\n",
+                "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} shafts turning, \
+                 {} motors powered, {} remarks\n",
                 served.port,
                 served.clients,
                 served.received,
                 served.answered,
                 served.exceptions,
                 served.eeprom_writes,
+                served.turning,
+                served.energised,
                 served.remarks.len()
             );
             served.remarks.iter().for_each(|remark| text += &format!("remark: {}\n", clean(remark)));
