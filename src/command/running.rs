@@ -73,10 +73,10 @@ pub(super) async fn run<C>(
         .await;
     let (steps, changed, setpoint) =
         (std::mem::take(&mut motor.steps), std::mem::take(&mut motor.changes), motor.setpoint.take());
+    let mut notes = std::mem::take(&mut motor.notes);
     let after = look(&mut session, &mut target, lang).await.ok();
     let to = after.as_ref().map(|after| describe::state(&target.family, after.status, lang));
     let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
-    let mut notes = Vec::new();
     if running == Some(true) {
         notes.push(lang.pick("the drive keeps running", "der Antrieb läuft weiter").to_owned());
     }
@@ -130,6 +130,17 @@ pub(super) async fn run<C>(
                 Some(note) => failure.hint(note.clone()),
                 None => failure,
             })
+        }
+        // A run that was to end must have ended, whatever was acknowledged on the way.
+        (None, _) if plan.args.hold && plan.args.on_exit != StopArg::Keep && running != Some(false) => {
+            let text = lang.pick(
+                "the drive is running at the end of a run that was to stop it",
+                "der Antrieb läuft am Ende eines Laufs, der ihn anhalten sollte",
+            );
+            Some(Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(lang.pick(
+                "stop it with `statemachine quick-stop`, or by its contacts",
+                "anhalten mit `statemachine quick-stop` oder über seine Kontakte",
+            )))
         }
         (failure, _) => failure,
     };

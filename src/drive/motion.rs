@@ -23,6 +23,8 @@ const REMOTE_BIT: u32 = 1 << 9;
 const REACHED_BIT: u32 = 1 << 10;
 /// Control by the control word (P.412 = 1; CM-485 manual 9).
 const STATE_MACHINE: i64 = 1;
+/// Control by digital inputs (P.412 = 0; CM-485 manual 9).
+const CONTACTS: i64 = 0;
 /// A fault cannot be reset earlier (CM-485 manual 9.1.2).
 const FAULT_LOCK: Span = Span::from_secs(15);
 /// How often the state is looked at while waiting.
@@ -119,6 +121,8 @@ pub struct Motor<'a, 's> {
     pub changes: Vec<Change>,
     /// The setpoint that was given.
     pub setpoint: Option<Setpoint>,
+    /// What is worth knowing besides.
+    pub notes: Vec<String>,
 }
 
 /// How a run ended.
@@ -142,7 +146,19 @@ impl<'a, 's> Motor<'a, 's> {
         let patience = patience.unwrap_or(PATIENCE);
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
-        Motor { session, target, permit, lang, patience, touched: false, lever, steps, changes, setpoint: None }
+        Motor {
+            session,
+            target,
+            permit,
+            lang,
+            patience,
+            touched: false,
+            lever,
+            steps,
+            changes,
+            setpoint: None,
+            notes: Vec::new(),
+        }
     }
 
     /// Takes the state machine as what the stop acts on, if the drive is controlled by it already.
@@ -465,11 +481,34 @@ impl<'a, 's> Motor<'a, 's> {
         for index in (0..self.changes.len()).rev() {
             let Some(change) = self.changes.get(index).cloned() else { continue };
             let param = self.target.family.param_or_unknown(change.param);
+            if self.target.family.role("control-mode").is_some_and(|mode| mode.id == param.id)
+                && !self.may_give_control_back(change.old).await
+            {
+                continue;
+            }
             let restored = self.write(&param, change.data_set + DataSets::RAM_OFFSET, change.old).await.is_ok();
             if let Some(change) = self.changes.get_mut(index) {
                 change.restored = restored;
             }
         }
+    }
+
+    /// Whether the drive stays where it is when P.412 goes back. The control word of the stop would close contacts under
+    /// P.412 = 2, so it is cleared first; and contacts that are closed now would start the drive under P.412 = 0.
+    async fn may_give_control_back(&mut self, old: i64) -> bool {
+        if self.write_control(0).await.is_err() {
+            return false;
+        }
+        let Ok(status) = self.status().await else { return false };
+        if old != CONTACTS || status & REMOTE_BIT == 0 {
+            return true;
+        }
+        let note = self.lang.pick(
+            "P.412 stays 1: enable and start contact are closed and would start the drive under P.412 = 0",
+            "P.412 bleibt 1: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter P.412 = 0 starten",
+        );
+        self.notes.push(note.to_owned());
+        false
     }
 
     /// Sends the stop and waits for the state that proves it. Never fails: it reports.
