@@ -18,6 +18,8 @@ mod judge;
 mod line;
 #[path = "verbs/matrix.rs"]
 mod matrix;
+#[path = "verbs/motion.rs"]
+mod motion;
 #[path = "verbs/output.rs"]
 mod output;
 #[path = "verbs/reading.rs"]

@@ -199,10 +199,14 @@ impl<'a, 's> Motor<'a, 's> {
         look(self.session, self.target, self.lang).await
     }
 
-    /// Walks to a state, step by step, each proven.
+    /// Walks to a state, step by step, each proven. A fault is never reset on the way.
     pub async fn walk(&mut self, goal: &str) -> Result<(), Failure> {
         let situation = self.look().await?;
         self.demand_control(&situation)?;
+        if situation.state.starts_with("fault") {
+            // A fault is reset only when somebody says so.
+            return Err(self.fault_failure().await);
+        }
         let facts = situation.facts(has_voltage_bit(self.target));
         let machine = self.target.family.machine.clone();
         let way = machine.plan(&situation.state, goal, facts).map_err(|why| no_plan(&why, self.target, self.lang))?;
