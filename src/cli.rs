@@ -124,7 +124,14 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let printed = match view {
         None => {
             let outcome = carry_out(None);
-            render::print(&outcome, verb, format, lang, width, out.as_mut(), &console).map(|()| outcome)
+            match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
+                // Nobody reads any more, but a shaft that may still turn must be heard of.
+                Err(_closed) if outcome.leaves_danger() => {
+                    outcome.failure.iter().for_each(|failure| render::print_failure(failure, &console));
+                    Ok(outcome)
+                }
+                printed => printed.map(|()| outcome),
+            }
         }
         Some(view) => {
             let manner = Manner { lang, width, color, holds_stderr: err_is_terminal };

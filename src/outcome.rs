@@ -30,6 +30,18 @@ impl Outcome {
     }
 }
 
+impl Outcome {
+    /// Whether a shaft may still turn that was to be stopped.
+    pub fn leaves_danger(&self) -> bool {
+        match &self.data {
+            Some(Data::Motion(motion)) => {
+                self.failure.is_some() && motion.stop.as_ref().is_none_or(|stop| !stop.acknowledged)
+            }
+            _ => false,
+        }
+    }
+}
+
 impl From<Failure> for Outcome {
     fn from(failure: Failure) -> Self {
         Outcome { failure: Some(failure), ..Outcome::default() }

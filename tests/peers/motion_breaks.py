@@ -86,7 +86,7 @@ class Setup:
     own_watchdog: bool = False
 
     def toml(self, watchdog):
-        values = {"412": 1, "434": 2, "413": watchdog, "418": 0, "424": 10, "425": 10, "549": 2, "638": "0.1"}
+        values = {"412": 1, "434": 2, "413": watchdog, "418": 0, "424": 10, "425": 10, "549": 4, "638": "0.1"}
         values |= dict(self.values)
         if self.own_watchdog:
             values["413"] = 0
@@ -108,7 +108,7 @@ SOLLWERT = ("sollwert", "4Hz", "--enable", "--until", "reached")
 # P.418 makes the drive turn as soon as it is enabled.
 LIFTED = (("418", 3),)
 CONTACTS = (("412", 2), ("418", 3))
-CONTACTS_BACK = (("412@5", 2), ("413@5", 0))
+CONTACTS_BACK = (("412@6", 2), ("413@5", 0))
 
 QUICK = Setup("sollwert, quick-stop", SOLLWERT, "quick-stop")
 RAMP = Setup("sollwert, ramp, ACU", SOLLWERT, "ramp", model="acu")
