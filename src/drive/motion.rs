@@ -490,7 +490,11 @@ impl<'a, 's> Motor<'a, 's> {
             {
                 continue;
             }
-            let restored = self.write(&param, change.data_set + DataSets::RAM_OFFSET, change.old).await.is_ok();
+            let mut restored = false;
+            for _ in 0..STOP_TRIES {
+                restored =
+                    restored || self.write(&param, change.data_set + DataSets::RAM_OFFSET, change.old).await.is_ok();
+            }
             if let Some(change) = self.changes.get_mut(index) {
                 change.restored = restored;
             }

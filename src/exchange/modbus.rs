@@ -100,8 +100,18 @@ pub struct Master {
     /// Stations that owe replies: function codes (and sub-functions of code 8) that may still come, and since when.
     doubts: BTreeMap<u8, Doubt>,
     job: Option<Job>,
+    /// A question that was given up before its time, and whose reply may be on its way.
+    orphan: Option<Orphan>,
     tally: Tally,
     records: Vec<Record>,
+}
+
+#[derive(Debug)]
+struct Orphan {
+    station: u8,
+    request: Request,
+    deadline: Tick,
+    buffer: Vec<u8>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -138,6 +148,7 @@ impl Master {
             ready_at: Tick::ZERO + line.t35(),
             doubts: BTreeMap::new(),
             job: None,
+            orphan: None,
             tally: Tally::default(),
             records: Vec::new(),
         }
@@ -174,7 +185,10 @@ impl Master {
     }
 
     /// Begins to ask. Ask [`Master::step`] what to do until it is done.
+    ///
+    /// A question that is still open is given up: its reply or its time-out is waited for before anything is sent.
     pub fn ask(&mut self, station: u8, request: Request, now: Tick) {
+        self.abandon(now);
         let phase = if station == BROADCAST && !request.is_write() {
             Phase::Done(Err(ExchangeError::BroadcastRead))
         } else {
@@ -182,6 +196,43 @@ impl Master {
         };
         let fence = self.fence_for(station, &request, now);
         self.job = Some(Job { station, request, fence, asked: 0, phase });
+    }
+
+    /// Gives the open question up, but does not forget that its reply may be on its way.
+    fn abandon(&mut self, now: Tick) {
+        let Some(Job { station, request, fence, phase: Phase::Reply { deadline, buffer, .. }, .. }) = self.job.take()
+        else {
+            return;
+        };
+        let request = fence.unwrap_or(request);
+        self.doubt(station, request.clone(), now);
+        self.orphan = Some(Orphan { station, request, deadline, buffer });
+    }
+
+    /// Notes that a station owes the reply to a question.
+    fn doubt(&mut self, station: u8, missing: Request, now: Tick) {
+        let doubt = self.doubts.entry(station).or_default();
+        doubt.since = now;
+        if !doubt.missing.contains(&missing) {
+            doubt.missing.push(missing);
+        }
+    }
+
+    /// Takes bytes for the question that was given up; its reply settles the doubt.
+    fn feed_orphan(&mut self, at: Tick, bytes: &[u8]) -> bool {
+        let Some(orphan) = &mut self.orphan else { return false };
+        orphan.buffer.extend_from_slice(bytes);
+        if find_reply(self.framing, &orphan.buffer, orphan.station, &orphan.request).is_none() {
+            return true;
+        }
+        let (station, bytes) = (orphan.station, std::mem::take(&mut orphan.buffer));
+        self.orphan = None;
+        self.doubts.remove(&station);
+        if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
+            job.fence = None;
+        }
+        self.note_stray(at, &bytes);
+        true
     }
 
     /// A question that parts old replies from new ones, if the station owes a reply to another question.
@@ -203,6 +254,9 @@ impl Master {
     pub fn step(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
         match &mut job.phase {
+            Phase::Gap if self.orphan.as_ref().is_some_and(|orphan| now < orphan.deadline) => {
+                Step::Wait(self.orphan.as_ref().map_or(now, |orphan| orphan.deadline))
+            }
             Phase::Gap if now < self.ready_at => Step::Wait(self.ready_at),
             Phase::Gap => self.send(now),
             Phase::Turnaround { until } if now < *until => Step::Wait(*until),
@@ -222,6 +276,7 @@ impl Master {
     }
 
     fn send(&mut self, now: Tick) -> Step<Outcome> {
+        self.orphan = None;
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         let request = job.fence.as_ref().unwrap_or(&job.request);
         let verdict = if job.fence.is_some() { Verdict::Fence } else { Verdict::Request };
@@ -245,6 +300,9 @@ impl Master {
     /// Takes bytes that came in at `at`.
     pub fn feed(&mut self, at: Tick, bytes: &[u8]) {
         self.ready_at = self.ready_at.max(at + self.gap());
+        if self.feed_orphan(at, bytes) {
+            return;
+        }
         let Some(job) = &mut self.job else { return self.note_stray(at, bytes) };
         let Phase::Reply { sent_end, buffer, last, .. } = &mut job.phase else { return self.note_stray(at, bytes) };
         buffer.extend_from_slice(bytes);
@@ -286,11 +344,9 @@ impl Master {
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         let Phase::Reply { stray, .. } = job.phase else { return Step::Wait(now) };
         let missing = job.fence.clone().unwrap_or_else(|| job.request.clone());
-        let doubt = self.doubts.entry(job.station).or_default();
-        doubt.since = now;
-        if !doubt.missing.contains(&missing) {
-            doubt.missing.push(missing);
-        }
+        let station = job.station;
+        self.doubt(station, missing, now);
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
         let asked = job.asked;
         let error = match stray {
             _ if !bytes.is_empty() && self.framing.decode(&bytes).is_err() => ExchangeError::Garbled { asked, bytes },
@@ -583,6 +639,37 @@ mod tests {
         let Step::Wait(until) = line.master.step(line.now) else { panic!("sends at once") };
         assert_eq!(until.since(replied), line.master.line.t35());
         assert!(until.since(replied) >= Span::from_millis(2));
+    }
+
+    #[test]
+    fn a_question_given_up_is_waited_for_before_the_next_is_sent() {
+        let mut line = Line::new(Framing::Rtu);
+        // Asked, sent, and given up 5 ms later; its reply comes 10 ms after its end.
+        line.master.ask(1, READ, line.now);
+        while !matches!(line.master.step(line.now), Step::Send(_)) {
+            line.now = line.now + Span::from_micros(100);
+        }
+        let end = line.now + line.master.line.chars(8);
+        line.now = line.now + Span::from_millis(5);
+        line.coming.push((end + Span::from_millis(10), value(1390)));
+        let outcome = line.ask(1, OTHER, &[&[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        let telegrams: Vec<_> = line.master.take_records();
+        let times: Vec<_> = telegrams.iter().map(|record| (record.at, record.verdict)).collect();
+        let second = times.iter().filter(|row| row.1 == Verdict::Request).nth(1).unwrap().0;
+        assert_eq!(second, end + Span::from_millis(10) + line.master.line.t35());
+        assert_eq!(line.master.tally().fences, 0, "the reply came, so there is no doubt");
+        // The same without a reply: nothing is sent before the time-out, and then a fence.
+        let mut line = Line::new(Framing::Rtu);
+        line.master.ask(1, READ, line.now);
+        while !matches!(line.master.step(line.now), Step::Send(_)) {
+            line.now = line.now + Span::from_micros(100);
+        }
+        let begun = line.now;
+        let outcome = line.ask(1, OTHER, &[&[(10, fence_reply(0x12))], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert!(line.now.since(begun) > Span::from_millis(500));
+        assert_eq!(line.master.tally().fences, 1);
     }
 
     #[test]

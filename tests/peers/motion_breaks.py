@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Breaks a run that turns a shaft, at every one of its steps, and then asks the drive whether the shaft stands.
 
-    tests/peers/motion_breaks.py [--quick] [WORD...]     only groups with one of these words in their name
+    tests/peers/motion_breaks.py [--quick] [--step K] [WORD...]     only groups with one of these words in their name
 
 Our program and our bench are two processes with a pty between them, in real time. Step k is the moment at which the
 k-th request telegram is on the line: `--trace` writes into a FIFO, so the telegrams are counted as they go out. What
@@ -512,6 +512,11 @@ def acknowledged(run):
     return bool(stop and stop["acknowledged"])
 
 
+def proven_by_state(run):
+    """The run saw the drive switched off by a command, and not tripped."""
+    return acknowledged(run) and stop_of(run)["state"]["slug"] != "fault"
+
+
 def is_touched(run):
     return any(frame.startswith((CONTROL_WORD, SETPOINT)) for _, frame in run.sent)
 
@@ -535,7 +540,8 @@ def judge(case, run, bench, breaks, verdict):
     if truth is None:
         verdict.shaft = "gone"
     elif stands(truth, case, bench):
-        by_watchdog = truth.fault == WATCHDOG_FAULT
+        # A drive that stands already trips as well once nobody talks to it.
+        by_watchdog = truth.fault == WATCHDOG_FAULT and not proven_by_state(run)
         verdict.shaft = "never" if not turned else "watchdog" if by_watchdog else "tool"
     else:
         verdict.shaft = "kept" if keep else "TURNING"
@@ -548,8 +554,13 @@ def judge(case, run, bench, breaks, verdict):
     check_report(case, run, truth, turned, keep)
     check_prompt(case, run, breaks, truth, keep)
     check_given_back(case, run, truth)
-    if truth is not None and not case.has("relayed"):
-        demand(bench.counts()["eeprom_writes"] == 0, "the EEPROM was written")
+    if truth is not None:
+        # What the bench knows by itself, without any telegram.
+        counts = bench.counts()
+        verdict.story.append(f"the bench: {counts}")
+        turns = counts["turning"] + counts["energised"] > 0
+        demand(turns == (verdict.shaft == "kept"), f"the drive said {truth}, the bench says {counts}")
+        demand(counts["eeprom_writes"] == 0, "the EEPROM was written")
 
 
 def check_report(case, run, truth, turned, keep):
@@ -583,7 +594,7 @@ def check_report(case, run, truth, turned, keep):
     tripped = (stop["state"] or {}).get("slug") == "fault"
     if stop["acknowledged"]:
         # It was the tool's doing, unless the report itself says that the drive had tripped.
-        if truth is not None and not tripped:
+        if truth is not None and not tripped and case.watchdog() == SLOW:
             demand(truth.fault == 0, f"said to be the tool's stop, but the watchdog tripped: {truth}")
         if tripped:
             demand(truth is None or truth.fault == WATCHDOG_FAULT, f"said to have tripped, but: {truth}")
@@ -624,12 +635,17 @@ def check_prompt(case, run, breaks, truth, keep):
 
 def check_given_back(case, run, truth):
     """What the run changed is as before, if the drive obeyed at all."""
-    stop = stop_of(run)
-    proven = stop is None or (stop["acknowledged"] and (stop["state"] or {}).get("slug") != "fault")
-    if truth is None or run.out is None or not proven or not case.has("prompt"):
+    told = document(run)
+    if truth is None or told is None or not case.setup.gives_back:
         return
+    rows = {f"{row['param']}@{row['data_set'] + 5}": row for row in (told["data"] or {}).get("changed", [])}
     for name, value in case.setup.gives_back:
-        demand(truth.others[name] == value, f"P.{name} is {truth.others[name]}, not given back as {value}")
+        is_back = truth.others[name] == value
+        if name in rows and rows[name]["restored"]:
+            demand(is_back, f"said to be restored, but P.{name} is {truth.others[name]}, not {value}")
+        demand(is_back or name in rows, f"P.{name} is {truth.others[name]}, and the report knows of no change")
+        if case.first.prompt and not case.second and (stop_of(run) is None or proven_by_state(run)):
+            demand(is_back, f"P.{name} is {truth.others[name]}, not given back as {value}")
 
 
 def attempt(case):
@@ -779,8 +795,12 @@ def counted(shafts):
 
 
 def main(words):
-    quick = "--quick" in words
-    words = [word for word in words if not word.startswith("--")]
+    quick, only = "--quick" in words, None
+    if "--step" in words:
+        at = words.index("--step")
+        only = int(words[at + 1])
+        del words[at : at + 2]
+    words = [word for word in words if word != "--quick"]
     if not BINARY.is_file():
         sys.exit(f"{BINARY} is missing: `cargo build` makes it, or name another one with ANTRIEB")
     started = time.monotonic()
@@ -789,6 +809,8 @@ def main(words):
     with ThreadPoolExecutor(AT_ONCE) as pool:
         lengths = dict(zip(setups, pool.map(measure, setups), strict=True))
         wanted = [group for group in groups(lengths, quick) if not words or any(word in group.name for word in words)]
+        for group in wanted if only else []:
+            group.cases = [Case(group.cases[0].setup, group.cases[0].first, only)]
         todo = [(group, [pool.submit(attempt, case) for case in group.cases]) for group in wanted]
         for group, results in todo:
             verdicts = [result.result() for result in results]

@@ -1,0 +1,165 @@
+//! What `scan`, `identify` and `diag` found.
+
+use super::{ErrorDoc, Fault, Register, State, Value, Word};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Result of `scan`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Scan {
+    /// Port that was searched.
+    pub port: String,
+    /// Line setting that was used.
+    pub line: String,
+    /// Protocol that was used.
+    pub protocol: &'static str,
+    /// How many addresses were to be asked.
+    pub addresses: usize,
+    /// How many were asked.
+    pub asked: usize,
+    /// Whether every address was asked.
+    pub complete: bool,
+    /// What answered.
+    pub drives: Vec<FoundDrive>,
+}
+
+/// Something that answered a scan.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct FoundDrive {
+    /// Address.
+    pub address: u8,
+    /// Family, or `unknown`.
+    pub drive: String,
+    /// Title of the family, or what answered in its place.
+    pub title: String,
+    /// What the device answered that tells the family.
+    pub evidence: Vec<Evidence>,
+    /// State, if it is a drive that we know.
+    pub state: Option<State>,
+    /// Active fault, if there is one.
+    pub fault: Option<String>,
+}
+
+/// One thing that tells a family.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Evidence {
+    /// What was asked.
+    pub asked: String,
+    /// What came.
+    pub answered: String,
+    /// What it tells.
+    pub tells: String,
+}
+
+/// Result of `identify`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Identify {
+    /// One entry a drive.
+    pub drives: Vec<Identity>,
+}
+
+/// What can be told of one drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Identity {
+    /// Address.
+    pub address: u8,
+    /// Family, or `unknown`.
+    pub drive: String,
+    /// Title of the family.
+    pub title: String,
+    /// What the device answered that tells the family.
+    pub evidence: Vec<Evidence>,
+    /// Option modules that answered, and those that did not.
+    pub modules: Vec<Module>,
+    /// Settings that matter for talking to it.
+    pub values: Vec<Value>,
+    /// Why it could not be identified.
+    pub error: Option<ErrorDoc>,
+}
+
+/// An option module.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Module {
+    /// Name.
+    pub name: String,
+    /// Whether its parameters answer.
+    pub present: bool,
+    /// How that was found out.
+    pub evidence: String,
+}
+
+/// Result of `diag`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Diag {
+    /// One entry a drive.
+    pub drives: Vec<Diagnosis>,
+}
+
+/// What ails a drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Diagnosis {
+    /// Address.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// Whether neither fault nor warning is present.
+    pub healthy: bool,
+    /// Status word with its state.
+    pub status: Option<Word>,
+    /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
+    pub fault_code: Option<i64>,
+    /// Active fault; null if there is none, or if it could not be read.
+    pub fault: Option<Fault>,
+    /// Warning word.
+    pub warnings: Option<Word>,
+    /// Error register, as it stood before this command asked anything; reading clears it.
+    pub error_register: Option<Register>,
+    /// Diagnostic counters.
+    pub counters: Vec<Counter>,
+    /// Whether the counters were set to zero.
+    pub counters_cleared: bool,
+    /// Result of the link test.
+    pub link: Option<LinkTest>,
+    /// Why it could not be diagnosed.
+    pub error: Option<ErrorDoc>,
+}
+
+/// A diagnostic counter.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Counter {
+    /// Sub-function of code 8.
+    pub sub: u16,
+    /// Stable name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Count; null if it could not be read.
+    pub count: Option<u16>,
+    /// What it counts and what a high value means.
+    pub help: String,
+}
+
+/// Result of a link test.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct LinkTest {
+    /// Questions asked.
+    pub asked: u64,
+    /// Good replies.
+    pub replies: u64,
+    /// Questions without a reply.
+    pub silent: u64,
+    /// Questions answered by garbage.
+    pub garbled: u64,
+    /// Telegrams that belonged to no question.
+    pub strays: u64,
+    /// Share of questions that failed, in percent.
+    pub error_rate_percent: f64,
+    /// Shortest time from the end of a request to the last byte of its reply.
+    pub fastest_us: Option<u64>,
+    /// Half of the replies were faster.
+    pub median_us: Option<u64>,
+    /// 95 of 100 replies were faster.
+    pub p95_us: Option<u64>,
+    /// Longest time.
+    pub slowest_us: Option<u64>,
+}

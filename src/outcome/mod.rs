@@ -1,0 +1,166 @@
+//! What a verb found, and what happens on the way: plain types for JSON, CSV and tables.
+//!
+//! The shapes here are the contract with scripts ([`SCHEMA_VERSION`]); `antrieb schema` prints them. Texts are in the
+//! language that the user chose; numbers, slugs and codes are the same in every language.
+
+mod found;
+mod motion;
+mod offline;
+mod stream;
+mod transfer;
+mod value;
+
+pub use found::{Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan};
+pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
+pub use offline::{ChoiceDoc, Decode, Field, ParamDoc, Params, Simulate, TelegramDoc};
+pub use stream::{Column, Monitor, PortChange, Record, Sample, SampleValue, StreamEnd, StreamStart, WatchedDrive};
+pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
+pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
+
+use crate::failure::Failure;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Version of the JSON shapes.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// What a verb found.
+#[derive(Debug, Default)]
+pub struct Outcome {
+    /// The findings; also partial ones beside a failure.
+    pub data: Option<Data>,
+    /// Remarks that do not stand in the way.
+    pub warnings: Vec<Warning>,
+    /// Why it is not all that was asked for.
+    pub failure: Option<Failure>,
+}
+
+impl Outcome {
+    /// Findings without remarks.
+    pub fn of(data: Data) -> Self {
+        Outcome { data: Some(data), ..Outcome::default() }
+    }
+}
+
+impl Outcome {
+    /// Whether a shaft may still turn that was to be stopped.
+    pub fn leaves_danger(&self) -> bool {
+        match &self.data {
+            Some(Data::Motion(motion)) => {
+                self.failure.is_some() && motion.stop.as_ref().is_none_or(|stop| !stop.acknowledged)
+            }
+            _ => false,
+        }
+    }
+}
+
+impl From<Failure> for Outcome {
+    fn from(failure: Failure) -> Self {
+        Outcome { failure: Some(failure), ..Outcome::default() }
+    }
+}
+
+/// A remark.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Warning {
+    /// Stable and dotted.
+    pub code: String,
+    /// For people.
+    pub message: String,
+}
+
+/// The findings of every verb.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Data {
+    /// `scan`
+    Scan(Scan),
+    /// `identify`
+    Identify(Identify),
+    /// `read`
+    Read(Read),
+    /// `write`
+    Write(Write),
+    /// `dataset show`, `dataset copy` …
+    Dataset(Dataset),
+    /// `diag`
+    Diag(Diag),
+    /// `statemachine`
+    Statemachine(Statemachine),
+    /// `sollwert`
+    Sollwert(Sollwert),
+    /// `params`
+    Params(Params),
+    /// `decode`
+    Decode(Decode),
+    /// `simulate`
+    Simulate(Simulate),
+    /// `monitor`, behind its stream
+    Monitor(Monitor),
+    /// `--dry-run` of a verb that reads
+    Plan(Plan),
+    /// `statemachine enable`, `sollwert 25Hz` …
+    Motion(Motion),
+}
+
+/// Something that happens while a verb works.
+#[derive(Clone, Debug)]
+pub enum Event {
+    /// A telegram went over the line; for `-v`.
+    Telegram {
+        /// Microseconds since the port was opened.
+        at_us: u64,
+        /// `>` sent, `<` received, `~` stray or garbage.
+        direction: char,
+        /// The bytes.
+        hex: String,
+        /// What they say.
+        meaning: String,
+    },
+    /// So much is done.
+    Progress {
+        /// Steps done.
+        done: u64,
+        /// Steps in all.
+        total: u64,
+        /// What is being tried.
+        what: String,
+    },
+    /// A drive was found.
+    Found(FoundDrive),
+    /// For people, on the way.
+    Note(String),
+    /// A line of a stream: data, as it comes.
+    Record(Box<Record>),
+}
+
+/// A failure in JSON.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ErrorDoc {
+    /// Decides the exit code.
+    pub class: crate::failure::Class,
+    /// Stable and dotted.
+    pub code: String,
+    /// For people.
+    pub message: String,
+    /// What to do next.
+    pub hint: Option<String>,
+    /// Exit code of the process for this failure.
+    pub exit: u8,
+    /// Facts for machines.
+    pub context: BTreeMap<String, String>,
+}
+
+impl From<&Failure> for ErrorDoc {
+    fn from(failure: &Failure) -> Self {
+        ErrorDoc {
+            class: failure.class,
+            code: failure.code.clone(),
+            message: failure.message.clone(),
+            hint: failure.hint.clone(),
+            exit: failure.class.exit(),
+            context: failure.context.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect(),
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! What `statemachine` and `sollwert` found and did.
+
+use super::{Decimal, ErrorDoc, Fault, State, Value, Word};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What a verb did that can turn a shaft.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Motion {
+    /// Address of the drive.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// What was asked for: `enable`, `quick-stop`, `sollwert` …
+    pub action: String,
+    /// State before.
+    pub from: Option<State>,
+    /// State at the end.
+    pub to: Option<State>,
+    /// Transitions that were walked, in order.
+    pub steps: Vec<Step>,
+    /// Setpoint that was given.
+    pub setpoint: Option<Setpoint>,
+    /// Settings that were changed for the run, and given back.
+    pub changed: Vec<Change>,
+    /// The drive's own watchdog in seconds; 0 is off, null could not be read.
+    pub watchdog_s: Option<i64>,
+    /// The stop at the end, if one was needed.
+    pub stop: Option<Stop>,
+    /// Whether the drive keeps running now that the program leaves; null if that is not known.
+    pub running: Option<bool>,
+    /// What is worth knowing besides.
+    pub notes: Vec<String>,
+}
+
+/// A transition that was walked.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Step {
+    /// Number in the manual.
+    pub transition: String,
+    /// Command; null if the drive goes by itself.
+    pub command: Option<String>,
+    /// Control word that was written, as `0x000F`.
+    pub control: Option<String>,
+    /// State that was reached.
+    pub state: State,
+    /// How long it took.
+    pub took_ms: u64,
+}
+
+/// A setpoint that was given.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Setpoint {
+    /// Parameter that it was written to.
+    pub param: u32,
+    /// Last value.
+    pub value: Decimal,
+    /// Unit.
+    pub unit: String,
+    /// How often a value was written.
+    pub writes: u64,
+    /// Whether the drive reports it as reached; null if nobody waited.
+    pub reached: Option<bool>,
+    /// Actual value at the end.
+    pub actual: Option<Decimal>,
+}
+
+/// A setting that was changed for a run.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Change {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4; always in RAM.
+    pub data_set: u8,
+    /// Raw value before.
+    pub old: i64,
+    /// Raw value during the run.
+    pub new: i64,
+    /// Whether the old value stands again.
+    pub restored: bool,
+}
+
+/// The stop at the end of a run.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Stop {
+    /// `ramp`, `quick-stop`, `coast`, `keep`.
+    pub choice: &'static str,
+    /// Why: `end`, `interrupted`, `error`.
+    pub because: &'static str,
+    /// Whether the drive's state proves that it was obeyed.
+    pub acknowledged: bool,
+    /// State that was seen last.
+    pub state: Option<State>,
+    /// What stops the drive if the line is dead.
+    pub note: Option<String>,
+}
+
+/// Result of `statemachine show`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Statemachine {
+    /// One entry a drive.
+    pub drives: Vec<StateReport>,
+}
+
+/// State of one drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct StateReport {
+    /// Address.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// State of the status word.
+    pub state: Option<State>,
+    /// Status word bit by bit.
+    pub status: Option<Word>,
+    /// Control word as last written, bit by bit, if it can be read.
+    pub control: Option<Word>,
+    /// How the drive is controlled (P.412).
+    pub control_mode: Option<Value>,
+    /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
+    pub fault_code: Option<i64>,
+    /// Active fault; null if there is none, or if it could not be read.
+    pub fault: Option<Fault>,
+    /// What keeps the drive from running by the control word, and how one sees it.
+    pub missing: Vec<String>,
+    /// The map of the state machine.
+    pub states: Vec<StateRow>,
+    /// Why it could not be read.
+    pub error: Option<ErrorDoc>,
+}
+
+/// A state and where it leads.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StateRow {
+    /// Stable name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Whether the drive is in it.
+    pub present: bool,
+    /// Transitions with their number, command and goal.
+    pub leads: Vec<String>,
+}
+
+/// Result of `sollwert` without a value.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Sollwert {
+    /// One entry a drive.
+    pub drives: Vec<SetpointReport>,
+}
+
+/// Setpoints and actual values of one drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SetpointReport {
+    /// Address.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// Setpoints.
+    pub setpoints: Vec<Value>,
+    /// Actual values.
+    pub actual: Vec<Value>,
+    /// What decides how the setpoint is formed.
+    pub sources: Vec<Value>,
+    /// Why it could not be read.
+    pub error: Option<ErrorDoc>,
+}

@@ -1,0 +1,145 @@
+//! What `params`, `decode` and `simulate` say.
+
+use super::{Bit, Decimal, Fault, Register, Word};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Result of `params`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Params {
+    /// Family.
+    pub drive: String,
+    /// One entry a parameter.
+    pub params: Vec<ParamDoc>,
+}
+
+/// A row of the catalogue.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ParamDoc {
+    /// Number.
+    pub param: u32,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Unit.
+    pub unit: Option<String>,
+    /// Data type, where a source tells it.
+    #[serde(rename = "type")]
+    pub kind: Option<&'static str>,
+    /// Places behind the point, where a source tells them.
+    pub decimals: Option<u8>,
+    /// Lower limit.
+    pub min: Option<Decimal>,
+    /// Upper limit.
+    pub max: Option<Decimal>,
+    /// Factory setting.
+    pub default: Option<Decimal>,
+    /// `r`, `w`, `rw`.
+    pub access: &'static str,
+    /// 1 or 4, where a source tells it.
+    pub data_sets: Option<u8>,
+    /// Lives in RAM only.
+    pub volatile: bool,
+    /// Takes effect only after a reset.
+    pub after_reset: bool,
+    /// `motion`, `line`, `reset`.
+    pub hazard: Option<&'static str>,
+    /// Option module that it comes with.
+    pub module: Option<String>,
+    /// Values with a name.
+    pub values: Vec<ChoiceDoc>,
+    /// Bits with a name.
+    pub bits: Vec<Bit>,
+    /// A remark.
+    pub note: Option<String>,
+    /// Facts that no second source confirms.
+    pub unconfirmed: Vec<String>,
+    /// Where the facts come from.
+    pub source: String,
+    /// Which catalogue.
+    pub origin: String,
+}
+
+/// A value with a name.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ChoiceDoc {
+    /// Raw value.
+    pub raw: i64,
+    /// Name in the chosen language.
+    pub text: String,
+}
+
+/// Result of `decode`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Decode {
+    /// `telegram`, `status`, `control`, `warnings`, `fault`, `error`.
+    pub kind: &'static str,
+    /// What was given.
+    pub input: String,
+    /// Telegrams, in order.
+    pub telegrams: Vec<TelegramDoc>,
+    /// The word bit by bit.
+    pub word: Option<Word>,
+    /// The fault.
+    pub fault: Option<Fault>,
+    /// The code of the error register.
+    pub register: Option<Register>,
+}
+
+/// A telegram taken apart.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct TelegramDoc {
+    /// Microseconds since the start of the recording, if it is from one.
+    pub at_us: Option<u64>,
+    /// `rtu` or `ascii`.
+    pub protocol: &'static str,
+    /// `request`, `reply`, or null if it could be either.
+    pub direction: Option<&'static str>,
+    /// Address of the slave; 0 is a broadcast.
+    pub address: Option<u8>,
+    /// Function code, without the exception bit.
+    pub function: Option<u8>,
+    /// Whether the check value is right.
+    pub check_ok: bool,
+    /// The bytes.
+    pub hex: String,
+    /// What it says.
+    pub meaning: String,
+    /// Field by field.
+    pub fields: Vec<Field>,
+}
+
+/// A field of a telegram.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Field {
+    /// Its bytes.
+    pub hex: String,
+    /// What it is.
+    pub name: String,
+    /// What it says.
+    pub value: String,
+}
+
+/// Result of `simulate`.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Simulate {
+    /// Where the bench could be reached.
+    pub port: String,
+    /// Clients that connected.
+    pub clients: u64,
+    /// Telegrams that the drives received.
+    pub received: u64,
+    /// Telegrams that they answered.
+    pub answered: u64,
+    /// Of these, exceptions.
+    pub exceptions: u64,
+    /// EEPROM cells that were written.
+    pub eeprom_writes: u64,
+    /// Shafts that still turn at the end, coasting ones included.
+    pub turning: u64,
+    /// Motors that are still powered at the end.
+    pub energised: u64,
+    /// What the judge noted about the master.
+    pub remarks: Vec<String>,
+}

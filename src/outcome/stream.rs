@@ -1,0 +1,168 @@
+//! What `monitor` tells as it comes.
+
+use super::{Decimal, ErrorDoc, State, TelegramDoc, Value, Warning};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A line of a stream: of `monitor`. Times are seconds since the port was opened, by the clock of the line.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Record {
+    /// What is going to be watched; the first line.
+    Start(StreamStart),
+    /// The values of one drive in one round.
+    Sample(Sample),
+    /// The port was lost; the samples until `reopened` are gaps.
+    Lost(PortChange),
+    /// The port is back.
+    Reopened(PortChange),
+    /// What would be sent, under `--dry-run`.
+    Telegram(TelegramDoc),
+    /// How it ended; the last line.
+    End(StreamEnd),
+}
+
+/// What is going to be watched.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StreamStart {
+    /// Seconds.
+    pub t: Decimal,
+    /// Version of the JSON shapes.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'static str,
+    /// Port.
+    pub port: String,
+    /// Line setting.
+    pub line: String,
+    /// Protocol.
+    pub protocol: &'static str,
+    /// Seconds from round to round; 0 is as fast as the line allows.
+    pub interval: Decimal,
+    /// One entry a drive.
+    pub drives: Vec<WatchedDrive>,
+}
+
+/// A drive that is watched.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct WatchedDrive {
+    /// Address.
+    pub address: u8,
+    /// Family; `unknown` as long as the drive does not answer.
+    pub drive: String,
+    /// Title of the family.
+    pub title: Option<String>,
+    /// The values of its samples, in their order.
+    pub columns: Vec<Column>,
+}
+
+/// A value that is watched.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Column {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4.
+    pub data_set: u8,
+    /// `eeprom` or `ram`.
+    pub store: &'static str,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Unit.
+    pub unit: Option<String>,
+    /// What the parameter is to the drive, if it is one that every family has: `status-word`, `setpoint-ramp` …
+    pub role: Option<&'static str>,
+    /// Whether raw values can be turned into values; otherwise nobody knows the decimals.
+    pub scaled: bool,
+}
+
+impl Column {
+    /// Whether both are the same parameter in the same data set.
+    pub fn is_of(&self, other: &Column) -> bool {
+        (self.param, self.data_set, self.store) == (other.param, other.data_set, other.store)
+    }
+
+    /// Whether this is the column of a value.
+    pub fn holds(&self, value: &Value) -> bool {
+        (self.param, self.data_set, self.store) == (value.param, value.data_set, value.store)
+    }
+}
+
+/// The values of one drive in one round.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Sample {
+    /// Seconds, when the round came to this drive.
+    pub t: Decimal,
+    /// Number of the round, from 0.
+    pub n: u64,
+    /// Address.
+    pub address: u8,
+    /// Family; `unknown` as long as the drive does not answer.
+    pub drive: String,
+    /// State, if the status word is watched.
+    pub state: Option<State>,
+    /// The values; null with an error where there is a gap. Bits come without their help, which `params` shows.
+    pub values: Vec<SampleValue>,
+    /// Why the whole sample is a gap.
+    pub error: Option<ErrorDoc>,
+}
+
+/// A value with its time.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SampleValue {
+    /// Seconds, when the answer had come.
+    pub t: Decimal,
+    /// The value.
+    #[serde(flatten)]
+    pub value: Value,
+}
+
+/// A port that was lost or is back.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct PortChange {
+    /// Seconds.
+    pub t: Decimal,
+    /// The port.
+    pub port: String,
+    /// Why it was lost.
+    pub error: Option<ErrorDoc>,
+}
+
+/// How a stream ended.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StreamEnd {
+    /// Seconds.
+    pub t: Decimal,
+    /// Version of the JSON shapes.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'static str,
+    /// Whether all that was asked for was done.
+    pub ok: bool,
+    /// What was streamed; null if nothing was.
+    pub summary: Option<Monitor>,
+    /// Remarks.
+    pub warnings: Vec<Warning>,
+    /// Why it is not all that was asked for.
+    pub error: Option<ErrorDoc>,
+}
+
+/// What `monitor` streamed.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Monitor {
+    /// Why it ended: `count`, `duration`, `interrupted`, `lost`, `no_drive`.
+    pub because: &'static str,
+    /// Seconds from the start to the end.
+    pub t: Decimal,
+    /// Rounds.
+    pub rounds: u64,
+    /// Samples, gaps among them.
+    pub samples: u64,
+    /// Samples that are gaps.
+    pub gaps: u64,
+}

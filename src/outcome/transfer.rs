@@ -1,0 +1,131 @@
+//! What `read`, `write` and `dataset` did.
+
+use super::{Decimal, ErrorDoc, TelegramDoc, Value};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Result of `read`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Read {
+    /// One entry a value.
+    pub values: Vec<Value>,
+}
+
+/// Result of `write` and of everything else that writes.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Write {
+    /// Whether nothing was sent.
+    pub dry_run: bool,
+    /// One entry a value.
+    pub values: Vec<Written>,
+}
+
+/// A value that was, or would be, written.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Written {
+    /// Address of the drive; 0 is a broadcast.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// Parameter number.
+    pub param: u32,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Data set, 0-4.
+    pub data_set: u8,
+    /// `eeprom` or `ram`.
+    pub store: &'static str,
+    /// Raw value before; null if it could not be read.
+    pub old_raw: Option<i64>,
+    /// Value before.
+    pub old: Option<Decimal>,
+    /// Raw value asked for.
+    pub raw: i64,
+    /// Value asked for.
+    pub value: Decimal,
+    /// Unit.
+    pub unit: Option<String>,
+    /// What the new value stands for.
+    pub text: Option<String>,
+    /// What became of it.
+    pub result: WriteResult,
+    /// The telegram that was, or would be, sent.
+    pub telegram: Option<String>,
+    /// What the telegram says.
+    pub meaning: Option<String>,
+    /// When it takes effect, if not at once.
+    pub note: Option<String>,
+    /// Why it was not written.
+    pub error: Option<ErrorDoc>,
+}
+
+/// What became of a write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WriteResult {
+    /// Echoed and read back.
+    Verified,
+    /// Echoed; cannot be read back.
+    Written,
+    /// The drive has this value already; nothing was sent.
+    Unchanged,
+    /// A dry run: nothing was sent.
+    Planned,
+    /// The drive, or we, refused.
+    Refused,
+    /// The reply is missing and the value could not be read back.
+    Unknown,
+    /// The drive took the telegram but reads back another value.
+    Differs,
+    /// Sent to everybody; nobody answers a broadcast.
+    Broadcast,
+    /// Not tried, because something before it failed.
+    Skipped,
+}
+
+/// What a verb that reads would send, under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Plan {
+    /// True: nothing was opened, nothing was sent.
+    pub dry_run: bool,
+    /// The telegrams, as far as they do not depend on answers.
+    pub telegrams: Vec<TelegramDoc>,
+}
+
+/// Result of `dataset`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Dataset {
+    /// Address of the drive.
+    pub address: u8,
+    /// Family.
+    pub drive: String,
+    /// Data set that the drive works with (P.249).
+    pub active: Option<i64>,
+    /// How it is selected (P.414).
+    pub selection: Option<Value>,
+    /// Parameters beside each other.
+    pub rows: Vec<DatasetRow>,
+    /// Values that were, or would be, written.
+    pub written: Vec<Written>,
+    /// Whether nothing was sent.
+    pub dry_run: bool,
+}
+
+/// A parameter in several data sets.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DatasetRow {
+    /// Parameter number.
+    pub param: u32,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: String,
+    /// Unit.
+    pub unit: Option<String>,
+    /// Whether the values are the same.
+    pub equal: bool,
+    /// One value a data set.
+    pub values: Vec<Value>,
+}
