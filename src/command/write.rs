@@ -21,7 +21,7 @@ use clap::Args as ClapArgs;
 /// read back. What the drive has already is not sent again.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What to write: PARAMETER[@SET]=VALUE, such as 376@4=1.5kW
+    /// What to write: `PARAMETER[@SET]=VALUE`, such as 376@4=1.5kW
     #[arg(value_name = "PARAMETER=VALUE", required = true)]
     pub assignments: Vec<String>,
 
