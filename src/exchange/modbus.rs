@@ -647,10 +647,10 @@ mod tests {
         // Asked, sent, and given up 5 ms later; its reply comes 10 ms after its end.
         line.master.ask(1, READ, line.now);
         while !matches!(line.master.step(line.now), Step::Send(_)) {
-            line.now = line.now + Span::from_micros(100);
+            line.now += Span::from_micros(100);
         }
         let end = line.now + line.master.line.chars(8);
-        line.now = line.now + Span::from_millis(5);
+        line.now += Span::from_millis(5);
         line.coming.push((end + Span::from_millis(10), value(1390)));
         let outcome = line.ask(1, OTHER, &[&[(10, value(7))]]);
         assert_eq!(taken(outcome), Reply::Registers(vec![7]));
@@ -663,7 +663,7 @@ mod tests {
         let mut line = Line::new(Framing::Rtu);
         line.master.ask(1, READ, line.now);
         while !matches!(line.master.step(line.now), Step::Send(_)) {
-            line.now = line.now + Span::from_micros(100);
+            line.now += Span::from_micros(100);
         }
         let begun = line.now;
         let outcome = line.ask(1, OTHER, &[&[(10, fence_reply(0x12))], &[(10, value(7))]]);
