@@ -234,6 +234,16 @@ impl<'a> Session<'a> {
     }
 }
 
+/// A drive that answers late may still owe a reply. Nobody else gets the line before it has come or cannot come any
+/// more: the next program would take it for the answer to its own question. Costs nothing unless a reply is missing.
+impl Drop for Session<'_> {
+    fn drop(&mut self) {
+        if let Some(until) = self.master.owes_until(self.link.now()) {
+            self.link.outlast(until);
+        }
+    }
+}
+
 /// The port that was named, or the one USB serial adapter that is plugged in, which is said.
 pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
     if let Some(port) = named {

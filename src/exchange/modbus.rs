@@ -11,7 +11,7 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::{COUNTERS, Reply, Request};
 use crate::protocol::modbus::{BROADCAST, Framing, ascii, rtu};
 use crate::tick::{Span, Tick};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Time limits of a conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +100,8 @@ pub struct Master {
     /// Stations that owe replies: function codes (and sub-functions of code 8) that may still come, and since when.
     doubts: BTreeMap<u8, Doubt>,
     job: Option<Job>,
+    /// Stations that have sent anything valid.
+    heard: BTreeSet<u8>,
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
     tally: Tally,
@@ -118,6 +120,8 @@ struct Orphan {
 struct Doubt {
     missing: Vec<Request>,
     since: Tick,
+    /// How many replies may still come.
+    owed: u32,
 }
 
 #[derive(Debug)]
@@ -148,6 +152,7 @@ impl Master {
             ready_at: Tick::ZERO + line.t35(),
             doubts: BTreeMap::new(),
             job: None,
+            heard: BTreeSet::new(),
             orphan: None,
             tally: Tally::default(),
             records: Vec::new(),
@@ -213,8 +218,24 @@ impl Master {
     fn doubt(&mut self, station: u8, missing: Request, now: Tick) {
         let doubt = self.doubts.entry(station).or_default();
         doubt.since = now;
+        doubt.owed += 1;
         if !doubt.missing.contains(&missing) {
             doubt.missing.push(missing);
+        }
+    }
+
+    /// Until when a station that has answered before may still send a reply that it owes; nothing must be closed, or
+    /// another program would take that reply for its own. `None` if nobody owes anything.
+    pub fn owes_until(&self, now: Tick) -> Option<Tick> {
+        let owing = self.doubts.iter().filter(|(station, doubt)| doubt.owed > 0 && self.heard.contains(station));
+        owing.map(|(_, doubt)| doubt.since + FORGET).filter(|&until| until > now).max()
+    }
+
+    /// A valid telegram that nobody waited for: one reply less that its station owes.
+    fn paid(&mut self, station: u8) {
+        self.heard.insert(station);
+        if let Some(doubt) = self.doubts.get_mut(&station) {
+            doubt.owed = doubt.owed.saturating_sub(1);
         }
     }
 
@@ -316,6 +337,9 @@ impl Master {
         }
         self.records.push(Record { at, verdict: Verdict::Reply, bytes: taken });
         self.tally.replies += 1;
+        if let Some(job) = &self.job {
+            self.heard.insert(job.station);
+        }
         self.tally.exceptions += u64::from(matches!(found.reply, Reply::Exception { .. }));
         let Some(job) = &mut self.job else { return };
         if job.fence.take().is_some() {
@@ -379,6 +403,9 @@ impl Master {
             Ok(adu) => Verdict::Stray { station: adu.station },
             Err(_) => Verdict::Garbage,
         };
+        if let Verdict::Stray { station } = verdict {
+            self.paid(station);
+        }
         self.tally.strays += u64::from(verdict != Verdict::Garbage);
         self.records.push(Record { at, verdict, bytes: bytes.to_vec() });
     }

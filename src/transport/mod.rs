@@ -182,6 +182,14 @@ impl Link {
         Ok(wake)
     }
 
+    /// Keeps the line until a moment without listening, whatever else happens; on the bench there is nobody to wait for.
+    pub fn outlast(&mut self, until: Tick) {
+        match &self.carrier {
+            Carrier::Serial(link) => link.sleep_until(until),
+            Carrier::Sim(_) => {}
+        }
+    }
+
     /// The bench behind the link, if it is one.
     pub fn bench(&mut self) -> Option<&mut Bench> {
         match &mut self.carrier {

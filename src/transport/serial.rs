@@ -114,7 +114,7 @@ impl SerialLink {
     }
 
     #[expect(clippy::disallowed_methods, reason = "the end of a wait is exact to a fraction of a character")]
-    fn sleep_until(&self, until: Tick) {
+    pub(super) fn sleep_until(&self, until: Tick) {
         loop {
             let rest = Duration::from(until.since(self.now()));
             match rest.checked_sub(SPIN_FROM) {
