@@ -120,6 +120,8 @@ pub(super) struct Judge {
     answering: Option<Tick>,
     /// Last bit of the last reply, and the rest that must follow it.
     reply: Option<(Tick, Span)>,
+    /// What the 500 ms rules allow for, where telegrams may be read late.
+    pub(super) slack: Span,
 }
 
 impl Judge {
@@ -204,7 +206,7 @@ impl Judge {
         if self.answering.is_some_and(|until| at < until) {
             return self.remark(at, Sin::WhileBusy, "the master sends while a drive answers".to_owned());
         }
-        if let Some(asked) = self.asked.filter(|asked| at.since(asked.end) < REPLY_TIMEOUT) {
+        if let Some(asked) = self.asked.filter(|asked| at.since(asked.end) + self.slack < REPLY_TIMEOUT) {
             let (since, station) = (at.since(asked.end), asked.station);
             let (kind, who) = match asked.taken {
                 true => (Sin::WhileBusy, "has not answered yet"),
