@@ -76,7 +76,7 @@ pub enum Source {
 
 const SETPOINTS: [&str; 4] = ["setpoint-internal", "setpoint-bus", "setpoint-ramp", "percent-reference"];
 const ACTUAL: [&str; 5] = ["actual-frequency", "stator-frequency", "encoder-frequency", "encoder-speed", "current"];
-const SOURCES: [&str; 3] = ["ramp-setpoint", "min-frequency", "max-frequency"];
+const SOURCES: [&str; 5] = ["ramp-setpoint", "frequency-source", "percent-source", "min-frequency", "max-frequency"];
 
 /// P.434: the internal setpoint only, so the line setpoint is ignored (CM-485 manual 9.2.1).
 const INTERNAL_ONLY: i64 = 1;

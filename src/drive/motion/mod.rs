@@ -193,7 +193,18 @@ impl<'a, 's> Motor<'a, 's> {
         }
         let machine = self.target.family.machine.clone();
         match machine.transition("fault", "reset").cloned() {
-            Some(transition) => self.pass(&transition).await,
+            Some(transition) => {
+                self.pass(&transition).await?;
+                // The numbers of the fault memory are in no source, so this is all there is to show of it.
+                let was = describe::fault(&self.target.family, situation.fault.unwrap_or(0) as u32, self.lang);
+                let now = self.role_raw("fault").await?.unwrap_or(0);
+                let now = describe::fault(&self.target.family, now as u32, self.lang);
+                let told = |fault: Option<crate::outcome::Fault>| {
+                    fault.map_or_else(|| "-".to_owned(), |fault| format!("{} {}", fault.key, fault.name))
+                };
+                self.notes.push(format!("P.260: {} -> {}", told(was), told(now)));
+                Ok(())
+            }
             None => Err(Failure::new(Class::Data, "data.machine", "this drive has no reset")),
         }
     }
