@@ -224,11 +224,16 @@ impl Master {
         }
     }
 
-    /// Until when a station that has answered before may still send a reply that it owes; nothing must be closed, or
-    /// another program would take that reply for its own. `None` if nobody owes anything.
+    /// Until when a reply may still come: to a question that is open, or from a station that has answered before and owes
+    /// one. Nothing must be closed before, or another program would take that reply for its own. `None` if nobody owes
+    /// anything.
     pub fn owes_until(&self, now: Tick) -> Option<Tick> {
         let owing = self.doubts.iter().filter(|(station, doubt)| doubt.owed > 0 && self.heard.contains(station));
-        owing.map(|(_, doubt)| doubt.since + FORGET).filter(|&until| until > now).max()
+        let open = match &self.job {
+            Some(Job { phase: Phase::Reply { deadline, .. }, .. }) => Some(*deadline),
+            _ => self.orphan.as_ref().map(|orphan| orphan.deadline),
+        };
+        owing.map(|(_, doubt)| doubt.since + FORGET).chain(open).filter(|&until| until > now).max()
     }
 
     /// A valid telegram that nobody waited for: one reply less that its station owes.
