@@ -236,10 +236,14 @@ impl Master {
         owing.map(|(_, doubt)| doubt.since + FORGET).chain(open).filter(|&until| until > now).max()
     }
 
-    /// A valid telegram that nobody waited for: one reply less that its station owes.
-    fn paid(&mut self, station: u8) {
+    /// A valid telegram that nobody waited for. If it answers what its station was asked, that is one reply less that
+    /// it owes.
+    fn paid(&mut self, station: u8, pdu: &[u8]) {
         self.heard.insert(station);
-        if let Some(doubt) = self.doubts.get_mut(&station) {
+        let Ok(reply) = Reply::decode(pdu) else { return };
+        if let Some(doubt) = self.doubts.get_mut(&station)
+            && doubt.missing.iter().any(|missing| missing.is_answered_by(&reply))
+        {
             doubt.owed = doubt.owed.saturating_sub(1);
         }
     }
@@ -347,8 +351,13 @@ impl Master {
         }
         self.tally.exceptions += u64::from(matches!(found.reply, Reply::Exception { .. }));
         let Some(job) = &mut self.job else { return };
-        if job.fence.take().is_some() {
+        if let Some(fence) = job.fence.take() {
+            // Everything older has come; of a fence that was asked more than once further replies may.
+            let owed = u32::from(job.asked.saturating_sub(1));
             self.doubts.remove(&job.station);
+            if owed > 0 {
+                self.doubts.insert(job.station, Doubt { missing: vec![fence], since: at, owed });
+            }
             job.asked = 0;
             job.phase = Phase::Gap;
         } else {
@@ -405,12 +414,12 @@ impl Master {
     /// Counts bytes that nobody waits for.
     fn note_stray(&mut self, at: Tick, bytes: &[u8]) {
         let verdict = match self.framing.decode(bytes) {
-            Ok(adu) => Verdict::Stray { station: adu.station },
+            Ok(adu) => {
+                self.paid(adu.station, &adu.pdu);
+                Verdict::Stray { station: adu.station }
+            }
             Err(_) => Verdict::Garbage,
         };
-        if let Verdict::Stray { station } = verdict {
-            self.paid(station);
-        }
         self.tally.strays += u64::from(verdict != Verdict::Garbage);
         self.records.push(Record { at, verdict, bytes: bytes.to_vec() });
     }
@@ -582,6 +591,21 @@ mod tests {
         let late = frame(1, &Reply::Diagnostics { sub: 0x12, data: 99 });
         let outcome = line.ask(1, OTHER, &[&[(10, late), (60, fence_reply(0x11))], &[(10, value(7))]]);
         assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn a_fence_that_was_asked_twice_is_itself_in_doubt() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 1, ..Limits::default() });
+        assert!(line.ask(1, READ, &[]).is_err());
+        // The first fence is answered only after it was repeated; the reply to the repeat comes later still.
+        let outcome =
+            line.ask(1, OTHER, &[&[(700, fence_reply(0x12))], &[(400, fence_reply(0x12))], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert!(line.master.owes_until(line.now).is_some(), "the second fence's reply is still to come");
+        let (at, late) = line.coming.remove(0);
+        line.master.feed(at, &late);
+        assert_eq!(line.master.owes_until(at), None);
     }
 
     #[test]
