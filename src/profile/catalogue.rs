@@ -279,7 +279,6 @@ impl Catalogue {
 
     /// Adds the rows of this file that concern the family's drive.
     fn pour(&self, family: &mut Family) -> Result<(), CatalogueError> {
-        let origin = &self.path;
         for (name, table) in &self.body.enums {
             let into = family.enums.entry(name.clone()).or_default();
             for (value, row) in self.table(name, table, |value| into.contains_key(&value))? {
@@ -325,7 +324,6 @@ impl Catalogue {
                 let message = format!("slug '{}' is already the one of parameter {}", param.slug, twin.id);
                 return Err(self.error(at, message));
             }
-            debug_assert_eq!(&param.origin, origin);
             family.params.insert(param.id, param);
         }
         for row in &self.body.faults {

@@ -146,7 +146,7 @@ impl Page {
             let mut row = if several { vec![value.address.to_string()] } else { Vec::new() };
             row.extend([
                 value.param.to_string(),
-                set_name(value.data_set, value.store, value.kind),
+                set_name(value.data_set, value.store),
                 value.name.clone(),
                 number(value),
                 value.unit.clone().unwrap_or_default(),
@@ -199,7 +199,7 @@ impl Page {
             vec![
                 row.address.to_string(),
                 row.param.to_string(),
-                set_name(row.data_set, row.store, None),
+                set_name(row.data_set, row.store),
                 row.store.to_owned(),
                 row.name.clone(),
                 old,
@@ -583,7 +583,7 @@ fn number(value: &Value) -> String {
 }
 
 /// `2`, or `2ram`; volatile parameters have no EEPROM set.
-fn set_name(set: u8, store: &str, _kind: Option<&str>) -> String {
+fn set_name(set: u8, store: &str) -> String {
     if store == "ram" && set > 0 { format!("{set}ram") } else { set.to_string() }
 }
 
