@@ -7,7 +7,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::{Lang, Registry};
 use crate::render::{self, Console, Format, Keys, Manner, Stream, Streams, Terminal, View};
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -38,6 +38,8 @@ enum Verb {
     #[command(visible_alias = "setpoint")]
     Sollwert(command::sollwert::Args),
     Monitor(command::monitor::Args),
+    Protocol(command::protocol::Args),
+    Line(command::line::Args),
     Params(command::params::Args),
     Decode(command::decode::Args),
     Simulate(command::simulate::Args),
@@ -182,7 +184,19 @@ fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bo
     }
 }
 
+/// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
+/// is built where something is to be explained.
 fn parse(arguments: &[OsString]) -> Result<Cli, clap::Error> {
+    let root = || clap::Command::new("antrieb").disable_help_subcommand(true);
+    let is_mentioned = |verb: &&clap::Command| {
+        let mut names = verb.get_name_and_visible_aliases().into_iter();
+        names.any(|name| arguments.iter().any(|word| word == name))
+    };
+    let verbs = Verb::augment_subcommands(root());
+    let few = Globals::augment_args(root()).subcommands(verbs.get_subcommands().filter(is_mentioned).cloned());
+    if let Ok(cli) = few.try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches)) {
+        return Ok(cli);
+    }
     let matches = Cli::command().try_get_matches_from(arguments)?;
     Cli::from_arg_matches(&matches)
 }
@@ -294,6 +308,8 @@ async fn dispatch(verb: &Verb, context: &mut Context<'_>) -> Result<Outcome, Fai
         Verb::Statemachine(args) => command::statemachine::run(args, context).await,
         Verb::Sollwert(args) => command::sollwert::run(args, context).await,
         Verb::Monitor(args) => command::monitor::run(args, context).await,
+        Verb::Protocol(args) => command::protocol::run(args, context).await,
+        Verb::Line(args) => command::line::run(args, context).await,
         Verb::Params(args) => command::params::run(args, context),
         Verb::Decode(args) => command::decode::run(args, context),
         Verb::Simulate(args) => command::simulate::run(args, context).await,
@@ -312,6 +328,8 @@ fn verb_name(verb: &Verb) -> &'static str {
         Verb::Statemachine(_) => "statemachine",
         Verb::Sollwert(_) => "sollwert",
         Verb::Monitor(_) => "monitor",
+        Verb::Protocol(_) => "protocol",
+        Verb::Line(_) => "line",
         Verb::Params(_) => "params",
         Verb::Decode(_) => "decode",
         Verb::Simulate(_) => "simulate",

@@ -1,4 +1,5 @@
-//! Completions and man pages are committed; this keeps them true. `UPDATE=1 cargo test --test generated` writes them.
+//! Completions, man pages and the JSON of the catalogues are committed; this keeps them true.
+//! `UPDATE=1 cargo test --test generated` writes them.
 
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
 
@@ -19,6 +20,8 @@ const VERBS: &[&str] = &[
     "statemachine",
     "sollwert",
     "monitor",
+    "protocol",
+    "line",
     "params",
     "decode",
     "simulate",
@@ -39,6 +42,19 @@ fn man_pages_are_up_to_date() {
     check(&["man"], &root().join("man/antrieb.1"));
     for verb in VERBS {
         check(&["man", verb], &root().join(format!("man/antrieb-{verb}.1")));
+    }
+}
+
+/// Two lines: what the catalogue is about, and the whole of it.
+#[test]
+fn the_json_of_the_catalogues_is_up_to_date() {
+    for family in ["active", "lexium05"] {
+        let file = root().join("src/profile/data").join(format!("{family}.toml"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        let whole: serde_json::Map<String, serde_json::Value> = toml::from_str(&text).unwrap();
+        let head = ["family", "title", "drives"].map(|key| (key, whole[key].clone()));
+        let head = serde_json::Value::from_iter(head);
+        check_text(&format!("{head}\n{}\n", serde_json::Value::Object(whole)), &file.with_extension("ndjson"));
     }
 }
 
@@ -67,9 +83,12 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-#[expect(clippy::disallowed_methods, reason = "UPDATE=1 is how a test is told to write")]
 fn check(arguments: &[&str], file: &Path) {
-    let text = printed(arguments);
+    check_text(&printed(arguments), file);
+}
+
+#[expect(clippy::disallowed_methods, reason = "UPDATE=1 is how a test is told to write")]
+fn check_text(text: &str, file: &Path) {
     if std::env::var_os("UPDATE").is_some() {
         std::fs::create_dir_all(file.parent().unwrap()).unwrap();
         std::fs::write(file, text).unwrap();

@@ -85,9 +85,9 @@ fn both() -> [Family; 2] {
 }
 
 #[test]
-fn two_drives_are_shipped() {
+fn three_drives_are_shipped() {
     let drives: Vec<_> = Registry::open(&[]).unwrap().drives().into_iter().map(|drive| drive.id).collect();
-    assert_eq!(drives, ["act", "acu"]);
+    assert_eq!(drives, ["act", "acu", "lxm05"]);
 }
 
 #[test]

@@ -123,7 +123,7 @@ proptest! {
             Request::Diagnostics { sub: address, data: word },
             Request::ReadLong { address },
             Request::WriteLong { address, value },
-            Request::Other { function: 43, data: vec![14, 1, 0] },
+            Request::Other { function: 43, data: vec![13, 1, 0] },
         ] {
             prop_assert_eq!(Request::decode(&request.encode()), Ok(request));
         }

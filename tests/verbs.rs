@@ -14,6 +14,8 @@ mod decoding;
 mod exits;
 #[path = "verbs/judge.rs"]
 mod judge;
+#[path = "verbs/lexium.rs"]
+mod lexium;
 #[path = "verbs/line.rs"]
 mod line;
 #[path = "verbs/matrix.rs"]
@@ -28,8 +30,12 @@ mod reading;
 mod regressions;
 #[path = "verbs/run.rs"]
 mod run;
+#[path = "verbs/scanning.rs"]
+mod scanning;
 #[path = "verbs/settings.rs"]
 mod settings;
+#[path = "verbs/tape.rs"]
+mod tape;
 #[path = "verbs/worked.rs"]
 mod worked;
 #[path = "verbs/writing.rs"]

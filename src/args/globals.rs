@@ -4,18 +4,20 @@ use crate::profile::Lang;
 use crate::protocol::line::Parity;
 use crate::render::Format;
 use crate::tick::Span;
-use crate::transport::Port;
+use crate::transport::{Port, Rs485Mode};
 use clap::{ArgAction, Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Options of every verb.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Globals {
-    /// Where the drives are: a tty (/dev/ttyUSB0, COM3), or `sim` / `sim:FILE.toml`, the built-in bench [env: ANTRIEB_PORT]
+    /// Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]
     ///
-    /// Without it the one USB serial adapter that is plugged in is taken.
+    /// tcp://HOST:PORT is a raw serial server, rfc2217://HOST:PORT one whose line is set from here, mbtcp://HOST[:502] a
+    /// Modbus/TCP gateway; sim:FILE.toml is a bench of your own, tape:FILE a recording of --trace. Without a port the one
+    /// USB serial adapter that is plugged in is taken. `scan` searches several at once: -p A -p B.
     #[arg(short, long, global = true, value_name = "PORT", help_heading = "Line")]
-    pub port: Option<Port>,
+    pub port: Vec<Port>,
 
     /// Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody
     ///
@@ -23,14 +25,13 @@ pub struct Globals {
     #[arg(short, long, global = true, value_name = "LIST", help_heading = "Line")]
     pub address: Option<String>,
 
-    /// Speed in baud [default: 19200]
-    #[arg(short, long, global = true, value_name = "BAUD", help_heading = "Line",
-          value_parser = clap::value_parser!(u32).range(300..=1_250_000))]
-    pub baud: Option<u32>,
+    /// Speed in baud; `auto`: scan finds it [default: 19200]
+    #[arg(short, long, global = true, value_name = "BAUD", help_heading = "Line", value_parser = parse_baud)]
+    pub baud: Option<Auto<u32>>,
 
-    /// Parity: even, odd, none [default: even]
-    #[arg(long, global = true, value_name = "PARITY", help_heading = "Line")]
-    pub parity: Option<Parity>,
+    /// Parity: even, odd, none; `auto`: scan finds it [default: even]
+    #[arg(long, global = true, value_name = "PARITY", help_heading = "Line", value_parser = parse_parity)]
+    pub parity: Option<Auto<Parity>>,
 
     /// Stop bits [default: 1; 2 without parity]
     #[arg(long, global = true, value_name = "BITS", help_heading = "Line", value_parser = clap::value_parser!(u8).range(1..=2))]
@@ -40,13 +41,31 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "BITS", help_heading = "Line", value_parser = clap::value_parser!(u8).range(7..=8))]
     pub data_bits: Option<u8>,
 
-    /// Protocol on the line: rtu, ascii [default: rtu]
+    /// Who switches an RS-485 line between sending and listening: auto, kernel, rts, adapter [default: auto]
+    ///
+    /// auto leaves it to the adapter unless the kernel does it already.
+    #[arg(long, global = true, value_name = "WHO", help_heading = "Line")]
+    pub rs485: Option<Rs485Mode>,
+
+    /// Wait so long between switching to sending and the telegram, such as 1ms [default: 0]
+    #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
+    pub rs485_before: Option<Span>,
+
+    /// Wait so long between the telegram and switching to listening, such as 1ms [default: 0]
+    #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
+    pub rs485_after: Option<Span>,
+
+    /// Protocol on the line: rtu, ascii, vabus; `auto`: scan finds it [default: rtu]
     #[arg(long, global = true, value_name = "PROTOCOL", help_heading = "Line")]
     pub protocol: Option<String>,
 
-    /// What the drives are: auto, act, acu [default: auto, ask the drive]
+    /// What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]
     #[arg(long, global = true, value_name = "FAMILY", help_heading = "Line")]
     pub drive: Option<String>,
+
+    /// Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]
+    #[arg(long, global = true, value_name = "ORDER", help_heading = "Line")]
+    pub word_order: Option<WordOrder>,
 
     /// How long to wait for a reply, such as 500ms or 2s [default: 500ms]
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
@@ -107,6 +126,54 @@ pub struct Globals {
     /// Answer the safety question with yes; never taken from environment or files
     #[arg(long, global = true, help_heading = "Safety")]
     pub yes: bool,
+}
+
+/// A setting of the line that may have to be found out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Auto<T> {
+    /// Nobody knows it.
+    Auto,
+    /// This.
+    Is(T),
+}
+
+impl<T> Auto<T> {
+    /// What it is, if that is known.
+    pub fn known(self) -> Option<T> {
+        match self {
+            Auto::Auto => None,
+            Auto::Is(value) => Some(value),
+        }
+    }
+}
+
+/// Speeds that are believed.
+pub(super) const BAUD_RATES: std::ops::RangeInclusive<u32> = 300..=1_250_000;
+
+fn parse_baud(text: &str) -> Result<Auto<u32>, String> {
+    let known = text.parse().ok().filter(|baud| BAUD_RATES.contains(baud));
+    let auto = text.eq_ignore_ascii_case(AUTO).then_some(Auto::Auto);
+    let expected = || format!("expected {} to {}, or auto; got '{text}'", BAUD_RATES.start(), BAUD_RATES.end());
+    known.map(Auto::Is).or(auto).ok_or_else(expected)
+}
+
+fn parse_parity(text: &str) -> Result<Auto<Parity>, String> {
+    if text.eq_ignore_ascii_case(AUTO) {
+        return Ok(Auto::Auto);
+    }
+    text.parse().map(Auto::Is).map_err(|why: String| why.replace("none,", "none or auto,"))
+}
+
+/// What says that a setting is to be found out.
+pub(super) const AUTO: &str = "auto";
+
+/// Which half of a value in two registers goes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum WordOrder {
+    /// The upper 16 bits.
+    High,
+    /// The lower 16 bits.
+    Low,
 }
 
 /// When to use colour.

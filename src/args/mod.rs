@@ -4,6 +4,6 @@ mod globals;
 mod motion;
 mod settings;
 
-pub use globals::{ColorChoice, Globals, parse_span};
+pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use motion::{MotionArgs, StopArg};
-pub use settings::{Addresses, Environment, Settings, user_config_directory};
+pub use settings::{Addresses, Environment, Settings, Unknown, parse_addresses, user_config_directory};

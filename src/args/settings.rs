@@ -1,13 +1,14 @@
 //! The settings of a run: flag before environment before project file before user configuration before default.
 
-use super::globals::{ColorChoice, Globals, parse_span};
+use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, WordOrder, parse_span};
 use crate::failure::{Class, Failure};
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::Protocol;
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::render::Format;
 use crate::tick::Span;
-use crate::transport::Port;
+use crate::transport::{Port, Rs485, Rs485Mode};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -35,16 +36,24 @@ pub enum Addresses {
 /// Everything that a verb needs to know besides its own arguments.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Where the drives are; `None` if nobody said.
+    /// Where the drives are; `None` if nobody said. The first of [`Settings::ports`].
     pub port: Option<Port>,
+    /// Every port that was named.
+    pub ports: Vec<Port>,
     /// Which drives.
     pub addresses: Addresses,
     /// Speed and format.
     pub line: LineSetting,
-    /// RTU or ASCII.
-    pub framing: Framing,
+    /// Who switches the direction of an RS-485 line.
+    pub rs485: Rs485,
+    /// What is spoken.
+    pub protocol: Protocol,
+    /// What of this is only a guess, because it is to be found out.
+    pub unknown: Unknown,
     /// Family, or `None` to ask the drive.
     pub drive: Option<String>,
+    /// The upper half of a value in two registers goes first; `None` to ask the drive.
+    pub high_first: Option<bool>,
     /// How long to wait for a reply; `None` for the manual's time.
     pub timeout: Option<Span>,
     /// How often to repeat a question; `None` for the usual number.
@@ -71,6 +80,17 @@ pub struct Settings {
     pub yes: bool,
 }
 
+/// What is to be found out of a line (`auto`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unknown {
+    /// Its speed.
+    pub baud: bool,
+    /// Its parity.
+    pub parity: bool,
+    /// What is spoken.
+    pub protocol: bool,
+}
+
 /// `antrieb.toml` and the user's `config.toml`.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -81,6 +101,9 @@ struct File {
     parity: Option<String>,
     stop_bits: Option<u8>,
     data_bits: Option<u8>,
+    rs485: Option<String>,
+    rs485_before: Option<String>,
+    rs485_after: Option<String>,
     protocol: Option<String>,
     drive: Option<String>,
     timeout: Option<String>,
@@ -122,41 +145,46 @@ impl Settings {
         let named = named.as_ref();
         let layers = [&project, &user];
 
-        let port = match &globals.port {
-            Some(port) => Some(port.clone()),
-            None => {
-                let variable = environment.variables.get("ANTRIEB_PORT").filter(|text| !text.is_empty());
-                let text = variable.or(named.and_then(|drive| drive.port.as_ref()));
-                text.or(first(layers, |file| file.port.as_ref()))
-                    .map(|text| text.parse().map_err(|why: String| bad_setting("port", &why)))
-                    .transpose()?
-            }
-        };
-        let framing_text = globals.protocol.as_ref().or(named.and_then(|drive| drive.protocol.as_ref()));
-        let framing_text = framing_text.or(first(layers, |file| file.protocol.as_ref()));
-        let framing = framing_text
-            .map_or(Ok(Framing::Rtu), |text| text.parse().map_err(|why: String| protocol_failure(text, &why)))?;
+        let mut ports = globals.port.clone();
+        if ports.is_empty() {
+            let variable = environment.variables.get("ANTRIEB_PORT").filter(|text| !text.is_empty());
+            let text = variable.or(named.and_then(|drive| drive.port.as_ref()));
+            let text = text.or(first(layers, |file| file.port.as_ref()));
+            let port = text.map(|text| text.parse().map_err(|why: String| bad_setting("port", &why)));
+            ports.extend(port.transpose()?);
+        }
+        let protocol_text = globals.protocol.as_ref().or(named.and_then(|drive| drive.protocol.as_ref()));
+        let protocol_text = protocol_text.or(first(layers, |file| file.protocol.as_ref()));
+        let protocol_text = protocol_text.map(String::as_str);
+        let protocol = protocol_text.filter(|&text| text != AUTO).map_or(Ok(Protocol::Modbus(Framing::Rtu)), |text| {
+            text.parse().map_err(|why: String| protocol_failure(text, &why))
+        })?;
+        let protocol = fitting(protocol, protocol_text.is_some(), &ports)?;
         let parity_text = named.and_then(|drive| drive.parity.as_ref()).or(first(layers, |file| file.parity.as_ref()));
-        let parity = match (globals.parity, parity_text) {
+        let parity = match (globals.parity.and_then(Auto::known), parity_text) {
             (Some(parity), _) => parity,
             (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("parity", &why))?,
             (None, None) => Parity::Even,
         };
-        let baud = globals.baud.or(named.and_then(|drive| drive.baud)).or(first(layers, |file| file.baud));
+        let baud = globals.baud.and_then(Auto::known).or(named.and_then(|drive| drive.baud));
+        let baud = baud.or(first(layers, |file| file.baud));
         let baud = baud.unwrap_or(19_200); // CM-485 manual 5: factory setting
-        if !(300..=1_250_000).contains(&baud) {
-            return Err(bad_setting("baud", &format!("expected 300 to 1250000, got {baud}")));
+        if !BAUD_RATES.contains(&baud) {
+            let expected = format!("expected {} to {}, got {baud}", BAUD_RATES.start(), BAUD_RATES.end());
+            return Err(bad_setting("baud", &expected));
         }
-        let mut line = match framing {
-            Framing::Rtu => LineSetting::rtu(baud, parity),
-            Framing::Ascii => LineSetting::ascii(baud, parity),
+        let unknown = Unknown {
+            baud: globals.baud == Some(Auto::Auto),
+            parity: globals.parity == Some(Auto::Auto),
+            protocol: protocol_text == Some(AUTO),
         };
+        let mut line = protocol.line(baud, parity);
         line.data_bits =
             choose("data_bits", 7..=8, globals.data_bits.or(first(layers, |file| file.data_bits)), line.data_bits)?;
         line.stop_bits =
             choose("stop_bits", 1..=2, globals.stop_bits.or(first(layers, |file| file.stop_bits)), line.stop_bits)?;
 
-        if framing == Framing::Rtu && line.data_bits != 8 {
+        if protocol == Framing::Rtu.into() && line.data_bits != 8 {
             return Err(bad_setting("data_bits", "RTU needs 8 data bits").hint("7 data bits are for --protocol ascii"));
         }
 
@@ -182,11 +210,15 @@ impl Settings {
             (None, None) => locale(environment),
         };
         Ok(Settings {
-            port,
+            port: ports.first().cloned(),
+            ports,
             addresses,
             line,
-            framing,
+            rs485: rs485(globals, environment, layers)?,
+            protocol,
+            unknown,
             drive,
+            high_first: globals.word_order.map(|order| order == WordOrder::High),
             timeout,
             retries: globals.retries.or(first(layers, |file| file.retries)),
             format,
@@ -203,11 +235,78 @@ impl Settings {
     }
 }
 
+impl Settings {
+    /// Refuses what only a search can do: several ports at once, and settings that are to be found out.
+    pub fn check_one_line(&self) -> Result<(), Failure> {
+        if self.ports.len() > 1 {
+            let ports: Vec<String> = self.ports.iter().map(ToString::to_string).collect();
+            let several = format!("expected one port, got {}: {}", ports.len(), ports.join(", "));
+            return Err(bad_setting("port", &several).hint("only `scan` works on several ports at once"));
+        }
+        if self.unknown != Unknown::default() {
+            let why = "auto is for `scan`; expected the settings of the line";
+            return Err(bad_setting("auto", why).hint("`antrieb scan` with auto finds them, and says what to give here"));
+        }
+        Ok(())
+    }
+}
+
 /// The directory of the user's configuration, by the custom of the system: `~/.config/antrieb`.
 pub fn user_config_directory() -> Option<PathBuf> {
     use etcetera::BaseStrategy;
     etcetera::choose_base_strategy().ok().map(|strategy| strategy.config_dir().join("antrieb"))
 }
+
+/// A gateway speaks Modbus/TCP and nothing else; nobody speaks it on a serial line.
+fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, Failure> {
+    let tcp = Protocol::Modbus(Framing::Tcp);
+    let has_gateway = ports.iter().any(|port| matches!(port, Port::Mbtcp(_)));
+    let has_line = ports.iter().any(|port| matches!(port, Port::Serial(_) | Port::Rfc2217(_) | Port::Sim(_)));
+    match (protocol == tcp, named) {
+        (false, true) if has_gateway => {
+            let why = format!("a gateway (mbtcp://) speaks {tcp}, got {protocol}");
+            Err(bad_setting("protocol", &why).hint("a device server that passes bytes on as they are is tcp://HOST:PORT"))
+        }
+        (true, _) if has_line => {
+            let why = format!("{tcp} is not spoken on a serial line");
+            Err(bad_setting("protocol", &why).hint("name the gateway with -p mbtcp://HOST"))
+        }
+        (false, false) if has_gateway => Ok(tcp),
+        _ => Ok(protocol),
+    }
+}
+
+/// Who switches the direction of an RS-485 line, and its delays.
+fn rs485(globals: &Globals, environment: &Environment, layers: [&File; 2]) -> Result<Rs485, Failure> {
+    let text = |variable: &str, pick: fn(&File) -> Option<&String>| {
+        let set = environment.variables.get(variable).filter(|text| !text.is_empty());
+        set.or(first(layers, pick)).cloned()
+    };
+    let delay = |name: &str, flag: Option<Span>, text: Option<String>| match (flag, text) {
+        (Some(span), _) => Ok(span),
+        (None, Some(text)) => parse_span(&text).map_err(|why| bad_setting(name, &why)),
+        (None, None) => Ok(Span::ZERO),
+    };
+    let mode = match (globals.rs485, text("ANTRIEB_RS485", |file| file.rs485.as_ref())) {
+        (Some(mode), _) => mode,
+        (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("rs485", &why))?,
+        (None, None) => Rs485Mode::Auto,
+    };
+    let before = text("ANTRIEB_RS485_BEFORE", |file| file.rs485_before.as_ref());
+    let after = text("ANTRIEB_RS485_AFTER", |file| file.rs485_after.as_ref());
+    let rs485 = Rs485 {
+        mode,
+        before: delay("rs485_before", globals.rs485_before, before)?,
+        after: delay("rs485_after", globals.rs485_after, after)?,
+    };
+    if rs485.before.max(rs485.after) > LONGEST_RS485_DELAY {
+        return Err(bad_setting("rs485_before, rs485_after", "expected at most 100ms"));
+    }
+    Ok(rs485)
+}
+
+/// The Linux kernel takes no longer ones (RS485_MAX_RTS_DELAY).
+const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
 
 fn first<'a, T>(layers: [&'a File; 2], pick: impl Fn(&'a File) -> Option<T>) -> Option<T> {
     layers.into_iter().find_map(pick)
@@ -227,7 +326,7 @@ fn bad_setting(name: &str, why: &str) -> Failure {
 }
 
 fn protocol_failure(text: &str, why: &str) -> Failure {
-    let later = ["vabus", "profibus", "sdo", "mbtcp"].contains(&text.to_ascii_lowercase().as_str());
+    let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
     if later { failure.hint(format!("{text} is not supported by this version")) } else { failure }
 }
@@ -274,8 +373,8 @@ fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresse
     parse_addresses(text, &names).map(|list| (Addresses::Named(list), None))
 }
 
-/// Reads `1`, `1,2,5-9`.
-fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
+/// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
+pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
     let bad = || {
         let known = if names.is_empty() { String::new() } else { format!(", or one of: {}", names.join(", ")) };
         let expected = format!("expected addresses such as 1 or 1,2,5-9{known}; got '{text}'");
@@ -365,11 +464,51 @@ mod tests {
         assert_eq!(settings.lang, Lang::De);
 
         environment.variables.insert("ANTRIEB_PORT".to_owned(), "sim".to_owned());
-        let flags = Globals { baud: Some(57_600), address: Some("3".to_owned()), ..Globals::default() };
+        let flags = Globals { baud: Some(Auto::Is(57_600)), address: Some("3".to_owned()), ..Globals::default() };
         let settings = Settings::resolve(&flags, &environment).unwrap();
         assert_eq!(settings.port, Some(Port::Sim(None)));
         assert_eq!(settings.addresses, Addresses::Named(vec![3]));
         assert_eq!(settings.line.to_string(), "57600 8E1");
+    }
+
+    #[test]
+    fn a_gateway_speaks_modbus_tcp_and_a_serial_line_does_not() {
+        let resolve = |port: &str, protocol: Option<&str>| {
+            let globals = Globals {
+                port: vec![port.parse().unwrap()],
+                protocol: protocol.map(str::to_owned),
+                ..Globals::default()
+            };
+            let settings = Settings::resolve(&globals, &Environment::default());
+            settings.map(|settings| settings.protocol.name()).map_err(|failure| failure.code)
+        };
+        assert_eq!(resolve("mbtcp://gateway", None), Ok("mbtcp"));
+        assert_eq!(resolve("mbtcp://gateway", Some("mbtcp")), Ok("mbtcp"));
+        assert_eq!(resolve("tape:run.trace", Some("mbtcp")), Ok("mbtcp"));
+        assert_eq!(resolve("tcp://server:4001", None), Ok("rtu"));
+        for (port, protocol) in [("mbtcp://gateway", "rtu"), ("mbtcp://gateway", "auto"), ("/dev/ttyS0", "mbtcp")] {
+            assert_eq!(resolve(port, Some(protocol)), Err("usage.protocol".into()), "{port} {protocol}");
+        }
+    }
+
+    #[test]
+    fn who_switches_the_direction_comes_from_flags_environment_and_files() {
+        let directory = tempfile::tempdir().unwrap();
+        let file = "rs485 = \"kernel\"\nrs485_before = \"1ms\"\nrs485_after = \"2ms\"\n";
+        std::fs::write(directory.path().join("antrieb.toml"), file).unwrap();
+        let mut environment = Environment { directory: directory.path().to_owned(), ..Environment::default() };
+        environment.variables.insert("ANTRIEB_RS485".to_owned(), "rts".to_owned());
+        let flags = Globals { rs485_after: Some(Span::from_millis(3)), ..Globals::default() };
+        let rs485 = Settings::resolve(&flags, &environment).unwrap().rs485;
+        let expected = Rs485 { mode: Rs485Mode::Rts, before: Span::from_millis(1), after: Span::from_millis(3) };
+        assert_eq!(rs485, expected);
+
+        environment.variables.insert("ANTRIEB_RS485".to_owned(), "automatic".to_owned());
+        let failure = Settings::resolve(&flags, &environment).unwrap_err();
+        assert!(failure.message.contains("expected auto, kernel, rts or adapter, got 'automatic'"), "{failure}");
+        environment.variables.clear();
+        let flags = Globals { rs485_before: Some(Span::from_millis(101)), ..Globals::default() };
+        assert!(Settings::resolve(&flags, &environment).unwrap_err().message.contains("at most 100ms"));
     }
 
     #[test]

@@ -95,7 +95,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         // Names are checked before the port is opened.
         Work { target: Target::new(address, offline_family(settings, registry)?), settings }.params(params)?;
     }
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
     let session = &mut session;
     match &args.action {
@@ -122,8 +122,8 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
         Action::Show { params } => (params, &[1, 2, 3, 4]),
         Action::Diff { a, b, params } => (params, &[*a, *b]),
         Action::Active => {
-            let questions = role_questions(context, &["active-set", "set-selection"])?;
-            return plan(context, &questions);
+            let family = &work.target.family;
+            return plan(context, family, &role_questions(family, &["active-set", "set-selection"]));
         }
         Action::Select { set, ram } => {
             let step = work.selection(*set, *ram)?;
@@ -138,9 +138,9 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
     let questions: Vec<_> = work
         .params(params)?
         .iter()
-        .flat_map(|param| sets.iter().filter_map(move |&set| read_question(param, set)))
+        .flat_map(|param| sets.iter().map(move |&set| read_question(param, set)))
         .collect();
-    plan(context, &questions)
+    plan(context, &work.target.family, &questions)
 }
 
 struct Work<'s> {
@@ -182,7 +182,7 @@ impl Work<'_> {
             let message = format!("nothing of {} exists in four data sets", texts.join(" "));
             return Err(Failure::new(Class::No, "no.switchable", message).hint("`read` shows what exists once"));
         }
-        params.iter().try_for_each(super::check_number)?;
+        params.iter().try_for_each(|param| super::check_number(family, param, self.settings.lang))?;
         Ok(params)
     }
 

@@ -1,7 +1,7 @@
 //! `decode`: what do these bytes, this word, this code say? Without a drive.
 
 use super::{Context, offline_family};
-use crate::drive::decode::{Reader, parse_input};
+use crate::drive::decode::Reader;
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Decode, Outcome};
@@ -18,9 +18,9 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
-    /// A Modbus telegram: hex bytes, or an ASCII telegram from its colon on
+    /// A telegram of Modbus or VABus: hex bytes, or an ASCII telegram from its colon on
     Telegram {
-        /// 01 03 21 74 00 01 CE 2C, or :01032174000166
+        /// 01 03 21 74 00 01 CE 2C, or :01032174000166, or 04 41 30 32 33 37 32 05
         #[arg(required = true, value_name = "BYTES")]
         bytes: Vec<String>,
     },
@@ -63,7 +63,7 @@ enum What {
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let family = offline_family(context.settings, context.registry)?;
     let lang = context.settings.lang;
-    let reader = Reader { framing: context.settings.framing, family: Some(&family), lang };
+    let reader = Reader { protocol: context.settings.protocol, family: Some(&family), lang };
     let blank = |kind, input: &str| Decode {
         kind,
         input: input.to_owned(),
@@ -75,9 +75,9 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let decode = match &args.what {
         What::Telegram { bytes } => {
             let input = bytes.join(" ");
-            let (framing, bytes) =
-                parse_input(&input).map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.to_string()))?;
-            let doc = Reader { framing, ..reader }.telegram(&bytes, None);
+            let doc = reader
+                .typed(&input)
+                .map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.to_string()))?;
             let failure =
                 (!doc.check_ok).then(|| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
             let data = Data::Decode(Decode { telegrams: vec![doc], ..blank("telegram", &input) });

@@ -2,17 +2,18 @@
 
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
 use crate::args::Settings;
-use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, link_test};
+use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Outcome};
-use crate::profile::Registry;
+use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Outcome, Value};
+use crate::profile::{Cause, DataSets, Family, Registry};
 use clap::Args as ClapArgs;
 
 /// Diagnoses a drive and the line to it.
 ///
-/// Shows the state, the active fault (P.260) with cause and remedy, every warning bit (P.270), the error register
-/// (P.11; reading clears it) and the drive's diagnostic counters with what each means.
+/// Shows the state, the active fault with cause and remedy, every warning bit, the entry of the fault memory, why the
+/// drive refused something last (P.11, which reading clears, or the last synchronous error), its watchdog, and its
+/// diagnostic counters with what each means.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// Set the diagnostic counters to zero after showing them
@@ -31,8 +32,8 @@ pub struct Args {
 /// Diagnoses every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
-        let questions = questions(args, context)?;
-        return plan(context, &questions);
+        let family = super::offline_family(context.settings, context.registry)?;
+        return plan(context, &family, &questions(args, &family));
     }
     let permit = if args.clear { Some(ask_to_clear(context)?) } else { None };
     let (drives, failures, succeeded) = each_drive(
@@ -54,12 +55,17 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 }
 
 /// What is asked, in this order; the link test repeats one of them.
-fn questions(args: &Args, context: &Context<'_>) -> Result<Vec<Inquiry>, Failure> {
-    let mut questions = role_questions(context, &["error-register", "status-word", "fault", "warnings"])?;
-    let family = super::offline_family(context.settings, context.registry)?;
+fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
+    let mut questions = role_questions(family, &["error-register"]);
+    if let Cause::Diagnostics(sub) = family.link.cause {
+        questions.push(Inquiry::Counter(sub));
+    }
+    questions.extend(role_questions(family, &["status-word", "fault", "warnings", "watchdog"]));
+    let memory = family.group("faults").unwrap_or_default();
+    questions.extend(memory.iter().filter_map(|&id| family.param(id)).map(|param| super::read_question(param, 0)));
     questions.extend(family.counters.iter().map(|row| Inquiry::Counter(row.sub)));
     questions.extend(args.clear.then_some(Inquiry::ClearCounters));
-    Ok(questions)
+    questions
 }
 
 fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit, Failure> {
@@ -80,12 +86,27 @@ fn blank(address: u8) -> Diagnosis {
         fault: None,
         fault_code: None,
         warnings: None,
+        memory: Vec::new(),
+        watchdog: None,
         error_register: None,
         counters: Vec::new(),
         counters_cleared: false,
         link: None,
         error: None,
     }
+}
+
+/// The parameters that show the entry of the fault memory, where the family has some.
+async fn memory(reader: &mut Reader<'_, '_, '_>, family: &Family) -> Result<Vec<Value>, Failure> {
+    let Some(ids) = family.group("faults") else { return Ok(Vec::new()) };
+    let params: Vec<_> = ids.iter().filter_map(|&id| family.param(id).cloned()).collect();
+    reader.lenient = true;
+    reader.fetch(&params).await?;
+    let mut memory = Vec::new();
+    for param in &params {
+        memory.extend(reader.rows(param, DataSets::Unnamed).await?);
+    }
+    Ok(memory)
 }
 
 async fn diagnose(
@@ -98,32 +119,45 @@ async fn diagnose(
 ) -> Result<Row<Diagnosis>, Failure> {
     let lang = settings.lang;
     let mut target = target(session, settings, registry, address, true).await?;
-    let mut reader = Reader::new(session, &mut target, settings);
+    let family = target.family.clone();
+    let failed = |error: AccessError| error.failure(address, Some(&family), lang);
     // First of all: any refused question would overwrite it.
+    let refusal = last_refusal(session, &mut target).await.map_err(failed)?;
+    let mut reader = Reader::new(session, &mut target, settings);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
+    let watchdog = reader.role("watchdog").await?;
+    let memory = memory(&mut reader, &family).await?;
     let (mut failures, good) = reader.into_failures();
-    let family = &target.family;
+    let present = status.as_ref().zip(fault).map(|(word, code)| family.present_fault(word.raw, code as u32));
+    let code = present.map(|code| code.unwrap_or(0));
+    let warns = match (family.role("warnings"), &warnings) {
+        (Some(_), word) => word.as_ref().is_none_or(|word| word.raw != 0),
+        (None, _) => false,
+    };
     let mut report = Diagnosis {
         drive: family.drive.clone(),
-        healthy: fault == Some(0) && warnings.as_ref().is_some_and(|word| word.raw == 0),
+        healthy: code == Some(0) && !warns,
         status,
-        fault_code: fault,
-        fault: fault.and_then(|code| describe::fault(family, code as u32, lang)),
+        fault_code: code.map(i64::from),
+        fault: code.and_then(|code| describe::fault(&family, code, lang)),
         warnings,
-        error_register: register.map(|code| describe::register(family, code as u32, lang)),
+        memory,
+        watchdog,
+        error_register: register
+            .or(refusal.map(i64::from))
+            .map(|code| describe::register(&family, code as u32, lang)),
         ..blank(address)
     };
-    let failed = |error: AccessError| error.failure(address, Some(&target.family), lang);
-    match counters(session, &target, lang).await {
+    match counters(session, &mut target, lang).await {
         Ok(counters) => report.counters = counters,
         Err(error) if error.is_fatal() => return Err(failed(error)),
         Err(error) => failures.push(failed(error)),
     }
     if let Some(count) = args.link_test {
-        let (test, cut) = link_test(session, &target, count.into()).await;
+        let (test, cut) = link_test(session, &mut target, count.into()).await.map_err(failed)?;
         report.link = Some(test);
         if let Some(error) = cut {
             failures.push(failed(error));
@@ -131,7 +165,7 @@ async fn diagnose(
         }
     }
     if let Some(permit) = permit {
-        report.counters_cleared = clear_counters(session, &target, permit).await.map_err(failed)?;
+        report.counters_cleared = clear_counters(session, &mut target, permit).await.map_err(failed)?;
     }
     Ok((report, failures, good))
 }

@@ -31,8 +31,8 @@ const ROLES: [&str; 9] = [
 /// Identifies every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
-        let questions = role_questions(context, &ROLES)?;
-        return plan(context, &questions);
+        let family = super::offline_family(context.settings, context.registry)?;
+        return plan(context, &family, &role_questions(&family, &ROLES));
     }
     let (drives, failures, succeeded) = each_drive(
         context,
@@ -71,7 +71,8 @@ async fn identify(
         }
         None => {
             let finding =
-                recognise(session, address, lang, false).await.map_err(|error| error.failure(address, None, lang))?;
+                recognise(session, registry, address, lang, false).await;
+            let finding = finding.map_err(|error| error.failure(address, None, lang))?;
             (finding.target(address, registry), finding.evidence)
         }
     };

@@ -4,8 +4,10 @@ pub mod dataset;
 pub mod decode;
 pub mod diag;
 pub mod identify;
+pub mod line;
 pub mod monitor;
 pub mod params;
+pub mod protocol;
 pub mod read;
 mod running;
 pub mod scan;
@@ -16,7 +18,7 @@ pub mod write;
 
 use crate::args::{Addresses, Settings};
 use crate::drive::{
-    AccessError, Inquiry, Interrupt, Opening, Reading, RegisterAddress, Session, Target, describe, open_port, recognise,
+    AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Session, Target, describe, open_port, recognise,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
@@ -46,24 +48,37 @@ impl std::fmt::Debug for Context<'_> {
 }
 
 /// Opens the line that the settings name.
-fn connect<'a>(
+async fn connect<'a>(
     settings: &Settings,
     registry: &Registry,
     interrupt: &Interrupt,
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
+    settings.check_one_line()?;
     let port = open_port(settings.port.as_ref(), settings.lang, observe)?;
+    open(&port, settings, registry, interrupt, observe).await
+}
+
+/// Opens one of the lines that the settings name.
+async fn open<'a>(
+    port: &Port,
+    settings: &Settings,
+    registry: &Registry,
+    interrupt: &Interrupt,
+    observe: &'a mut dyn FnMut(Event),
+) -> Result<Session<'a>, Failure> {
     let opening = Opening {
-        port: &port,
+        port,
         line: settings.line,
-        framing: settings.framing,
+        rs485: settings.rs485,
+        protocol: settings.protocol,
         timeout: settings.timeout,
         retries: settings.retries,
         trace: settings.trace.as_deref(),
         verbose: settings.verbose,
         lang: settings.lang,
     };
-    Session::open(opening, registry, interrupt.clone(), observe)
+    Session::open(opening, registry, interrupt.clone(), observe).await
 }
 
 /// Addresses to read from: those that were named, or the factory address, which is said.
@@ -108,12 +123,13 @@ async fn target(
     shows_register: bool,
 ) -> Result<Target, Failure> {
     if let Some(name) = &settings.drive {
-        return Ok(Target::new(address, named_family(registry, name)?));
+        return Ok(Target::new(address, named_family(registry, name)?).in_word_order(settings.high_first));
     }
-    let finding = recognise(session, address, settings.lang, shows_register)
+    let finding = recognise(session, registry, address, settings.lang, shows_register)
         .await
         .map_err(|error| error.failure(address, None, settings.lang))?;
-    finding.target(address, registry).ok_or_else(|| {
+    let target = finding.target(address, registry);
+    target.map(|target| target.in_word_order(settings.high_first)).ok_or_else(|| {
         let told: Vec<_> =
             finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
         Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
@@ -136,38 +152,52 @@ fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>
     named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
 }
 
+/// Work without a line, in the words of the family that was named; of the drives that it could be otherwise, the first
+/// that understands, or what the usual one says to it.
+fn offline<T>(
+    settings: &Settings,
+    registry: &Registry,
+    work: impl Fn(&Family) -> Result<T, Failure>,
+) -> Result<(Rc<Family>, T), Failure> {
+    let usual = offline_family(settings, registry)?;
+    let failure = match work(&usual) {
+        Ok(done) => return Ok((usual, done)),
+        Err(failure) => failure,
+    };
+    let others = if settings.drive.is_some() { Vec::new() } else { registry.families() };
+    let understood = others.into_iter().find_map(|family| Some((family.clone(), work(&family).ok()?)));
+    understood.ok_or(failure)
+}
+
 /// What a verb that reads would ask every drive that was named, without opening anything.
-fn plan(context: &mut Context<'_>, questions: &[Inquiry]) -> Result<Outcome, Failure> {
+fn plan(context: &mut Context<'_>, family: &Family, questions: &[Inquiry]) -> Result<Outcome, Failure> {
     let addresses = addresses_to_read(context.settings, context.observe)?;
-    let family = offline_family(context.settings, context.registry)?;
-    let reader = telegram_reader(context.settings, &family);
-    let each = |address: u8| questions.iter().map(move |question| reader.question(address, *question));
+    let reader = telegram_reader(context.settings, family);
+    let each = |address: u8| questions.iter().filter_map(move |question| reader.question(address, *question));
     let telegrams = addresses.into_iter().flat_map(each).collect();
     Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })))
 }
 
 /// The questions that read the parameters with these roles.
-fn role_questions(context: &Context<'_>, roles: &[&str]) -> Result<Vec<Inquiry>, Failure> {
-    let family = offline_family(context.settings, context.registry)?;
-    let params = roles.iter().filter_map(|role| family.role(role));
-    Ok(params.filter_map(|param| read_question(param, 0)).collect())
+fn role_questions(family: &Family, roles: &[&str]) -> Vec<Inquiry> {
+    roles.iter().filter_map(|role| family.role(role)).map(|param| read_question(param, 0)).collect()
 }
 
-fn read_question(param: &Param, set: u8) -> Option<Inquiry> {
-    RegisterAddress::new(param.id, set).map(|at| Inquiry::Read(at, param.kind.unwrap_or(Type::Word)))
+fn read_question(param: &Param, set: u8) -> Inquiry {
+    Inquiry::Read(Cell { number: param.id, set }, param.kind.unwrap_or(Type::Word))
 }
 
 fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> crate::drive::decode::Reader<'f> {
-    crate::drive::decode::Reader { framing: settings.framing, family: Some(family), lang: settings.lang }
+    crate::drive::decode::Reader { protocol: settings.protocol, family: Some(family), lang: settings.lang }
 }
 
-/// Refuses numbers that no telegram can carry.
-fn check_number(param: &Param) -> Result<(), Failure> {
-    if RegisterAddress::new(param.id, 0).is_some() {
+/// Refuses numbers that no telegram of the family can carry.
+fn check_number(family: &Family, param: &Param, lang: Lang) -> Result<(), Failure> {
+    if family.link.carries(param.id) {
         return Ok(());
     }
-    let message = format!("there is no parameter {}: expected a number from 0 to 4095", param.id);
-    Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint("the ACTIVE family knows 0 to 1599"))
+    let message = format!("there is no parameter {}: expected a number from 0 to {}", param.id, family.link.last);
+    Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint(family.link.numbers.get(lang)))
 }
 
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
@@ -176,6 +206,8 @@ struct Reader<'t, 's, 'o> {
     target: &'t mut Target,
     settings: &'s Settings,
     modes: BTreeMap<u32, i64>,
+    /// Values that came with their neighbours.
+    fetched: BTreeMap<u32, Reading>,
     /// Not every drive has everything: what it does not know is a row with an error, but no failure of the verb.
     lenient: bool,
     /// Values that were read.
@@ -194,6 +226,7 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
             target,
             settings,
             modes: BTreeMap::new(),
+            fetched: BTreeMap::new(),
             lenient: false,
             good: 0,
             forgiven: Vec::new(),
@@ -225,9 +258,23 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
         Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
     }
 
+    /// Reads in few telegrams what lies next to each other; [`Reader::rows`] takes it from there.
+    async fn fetch(&mut self, params: &[Param]) -> Result<(), Failure> {
+        match self.target.neighbours(self.session, params).await {
+            Ok(readings) => {
+                self.fetched.extend(readings);
+                Ok(())
+            }
+            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family), self.settings.lang)),
+        }
+    }
+
     /// One row per data set. Refusals are rows with an error; what ends the session is an error.
     async fn rows(&mut self, param: &Param, sets: DataSets) -> Result<Vec<Value>, Failure> {
         self.learn_modes(param).await?;
+        if let Some(reading) = self.fetched.remove(&param.id).filter(|_| sets == DataSets::Unnamed) {
+            return Ok(vec![self.row(param, 0, Ok(reading))?]);
+        }
         let mut rows = Vec::new();
         for (set, result) in self.target.read(self.session, param, sets).await {
             rows.push(self.row(param, set, result)?);
@@ -340,7 +387,7 @@ async fn each_drive<R>(
 ) -> Result<Rows<R>, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (mut rows, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
     for address in addresses {
         match work(&mut session, settings, registry, address).await {

@@ -4,7 +4,7 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
-use super::{Context, Reader, addresses_to_read, check_number, connect, is_over, offline_family, plan, read_question};
+use super::{Context, Reader, addresses_to_read, check_number, connect, is_over, offline, offline_family, plan, read_question};
 use crate::args::{Settings, parse_span};
 use crate::drive::{AccessError, Session, Target, describe};
 use crate::failure::{Class, Failure};
@@ -67,15 +67,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         .collect::<Result<_, _>>()?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
-    // Names are checked before the port is opened; the drive may be of another family, but knows the same ones.
-    let family = offline_family(settings, registry)?;
-    let items = items(&selectors, &family)?;
+    // Names are checked before the port is opened: some drive must know all of them.
+    let (family, items) = offline(settings, registry, |family| items(&selectors, family, settings.lang))?;
     if settings.dry_run {
         let sets = items.iter().flat_map(|item| item.sets.wire().into_iter().map(move |set| (&item.param, set)));
-        let questions: Vec<_> = sets.filter_map(|(param, set)| read_question(param, set)).collect();
-        return plan(context, &questions);
+        let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
+        return plan(context, &family, &questions);
     }
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     if !args.unpaced {
         session.pace();
     }
@@ -455,7 +454,7 @@ impl Watch<'_> {
             command: "monitor",
             port: session.port().to_owned(),
             line: self.settings.line.to_string(),
-            protocol: self.settings.framing.name(),
+            protocol: self.settings.protocol.name(),
             interval: decimal(self.interval),
             drives: stations.iter().map(|station| self.watched(station)).collect(),
         };
@@ -471,7 +470,7 @@ impl Watch<'_> {
             let mut columns: Vec<Column> = Vec::new();
             for drive in self.registry.drives() {
                 let Some(family) = self.registry.family(&drive.id) else { continue };
-                for item in items(&self.selectors, &family).unwrap_or_default() {
+                for item in items(&self.selectors, &family, self.settings.lang).unwrap_or_default() {
                     let new = item.columns(&family, lang).into_iter();
                     columns.extend(new.filter(|new| !columns.iter().any(|known| known.is_of(new))).collect::<Vec<_>>());
                 }
@@ -528,7 +527,7 @@ impl Station {
         if self.target.is_none() {
             let shows_register = self.items.iter().any(|item| item.param.slug == "error-register");
             let target = super::target(session, settings, registry, self.address, shows_register).await?;
-            self.items = items(&watch.selectors, &target.family)?;
+            self.items = items(&watch.selectors, &target.family, watch.settings.lang)?;
             self.target = Some(target);
         }
         let mut haul = Haul { values: Vec::new(), warnings: Vec::new(), failure: None };
@@ -579,7 +578,7 @@ impl Item {
 }
 
 /// What the selectors mean in this family; without any, the roles of the default view.
-fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> {
+fn items(selectors: &[Selector], family: &Family, lang: Lang) -> Result<Vec<Item>, Failure> {
     if selectors.is_empty() {
         let one_of = |roles: &&[&str]| {
             let mut known = roles.iter().filter_map(|role| family.role(role));
@@ -592,7 +591,7 @@ fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> 
     for selector in selectors {
         let selections = selector.resolve(family).map_err(|error| super::read::select_failure(&error))?;
         for selection in selections {
-            check_number(&selection.param)?;
+            check_number(family, &selection.param, lang)?;
             items.push(Item::new(selection));
         }
     }

@@ -1,7 +1,7 @@
 //! `read`: values of parameters.
 
 use super::{
-    Context, Reader, addresses_to_read, check_number, connect, finish, is_over, offline_family, plan, read_question,
+    Context, Reader, addresses_to_read, check_number, connect, finish, is_over, offline, plan, read_question,
     target,
 };
 use crate::drive::describe;
@@ -37,16 +37,16 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let selectors = selectors(&args.params)?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
-    // Names are checked before the port is opened; the drive may be of another family, but knows the same ones.
-    let family = offline_family(settings, registry)?;
-    let selections = select(&selectors, &family, args)?;
+    // Names are checked before the port is opened: some drive must know all of them.
+    let (family, selections) =
+        offline(settings, registry, |family| select(&selectors, family, args, settings.lang))?;
     if settings.dry_run {
         let sets = selections.iter().flat_map(|one| one.sets.wire().into_iter().map(move |set| (&one.param, set)));
-        let questions: Vec<_> = sets.filter_map(|(param, set)| read_question(param, set)).collect();
-        return plan(context, &questions);
+        let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
+        return plan(context, &family, &questions);
     }
-    let shows_register = shows_register(&selectors, &family, args)?;
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let shows_register = shows_register(&selectors, &family, args, settings.lang)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
     for address in addresses {
         let mut target = match target(&mut session, settings, registry, address, shows_register).await {
@@ -55,7 +55,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 let over = is_over(&failure);
                 values.extend(unreachable(
                     address,
-                    &select(&selectors, &family, args)?,
+                    &select(&selectors, &family, args, settings.lang)?,
                     &family,
                     settings.lang,
                     &failure,
@@ -67,14 +67,20 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 continue;
             }
         };
-        let selections = select(&selectors, &target.family, args)?;
+        let selections = select(&selectors, &target.family, args, settings.lang)?;
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }
         let mut reader = Reader::new(&mut session, &mut target, settings);
+        let params: Vec<_> = selections.iter().map(|selection| selection.param.clone()).collect();
+        let mut fetched = reader.fetch(&params).await;
         for selection in &selections {
             reader.lenient = selection.of_group;
-            match reader.rows(&selection.param, selection.sets).await {
+            let rows = match std::mem::replace(&mut fetched, Ok(())) {
+                Ok(()) => reader.rows(&selection.param, selection.sets).await,
+                Err(failure) => Err(failure),
+            };
+            match rows {
                 Ok(rows) => values.extend(rows),
                 Err(failure) => {
                     values.push(describe::unread(
@@ -126,13 +132,13 @@ pub(super) fn select_failure(error: &crate::profile::SelectError) -> Failure {
     }
 }
 
-fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Selection>, Failure> {
+fn select(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> Result<Vec<Selection>, Failure> {
     let mut selections = Vec::new();
     for selector in selectors {
         selections.extend(selector.resolve(family).map_err(|error| select_failure(&error))?);
     }
     for selection in &mut selections {
-        check_number(&selection.param)?;
+        check_number(family, &selection.param, lang)?;
         if let Some(decimals) = args.decimals {
             selection.param.decimals = Some(decimals);
         }
@@ -145,9 +151,9 @@ fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Se
 }
 
 /// Whether the error register is among what is read.
-fn shows_register(selectors: &[Selector], family: &Family, args: &Args) -> Result<bool, Failure> {
+fn shows_register(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> Result<bool, Failure> {
     let register = family.role("error-register").map(|param| param.id);
-    Ok(select(selectors, family, args)?.iter().any(|selection| Some(selection.param.id) == register))
+    Ok(select(selectors, family, args, lang)?.iter().any(|selection| Some(selection.param.id) == register))
 }
 
 /// The rows of a drive that does not answer at all.

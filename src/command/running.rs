@@ -2,13 +2,12 @@
 
 use super::{Context, addresses_to_write, connect, target};
 use crate::args::{MotionArgs, StopArg};
-use crate::drive::motion::{Motor, Situation, StopChoice, look};
+use crate::drive::motion::{Motor, Situation, StopChoice, look, watchdog_raw, watchdog_seconds, watchdog_words};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
 use crate::outcome::{Data, Motion, Outcome};
 use crate::profile::Lang;
-use crate::tick::Span;
 
 /// What is to be done, and what the user is told about it.
 pub(super) struct Plan<'p> {
@@ -16,9 +15,11 @@ pub(super) struct Plan<'p> {
     pub(super) action: &'p str,
     /// What will happen, for the question.
     pub(super) announce: String,
+    /// What to know besides before one agrees.
+    pub(super) details: Vec<String>,
     /// How the run is bounded.
     pub(super) args: &'p MotionArgs,
-    /// The control word is needed, so P.412 must be 1.
+    /// The control word is needed, so it must be obeyed.
     pub(super) needs_control: bool,
 }
 
@@ -37,11 +38,11 @@ fn usage(text: &str) -> Failure {
 
 /// Asks, then runs `work` on the drive; stops and reports whatever happens.
 ///
-/// `check` looks at the drive before anybody is asked, and may refuse.
-pub(super) async fn run<C>(
+/// `check` looks at the drive before anybody is asked, may refuse, and may say more about what will happen.
+pub(super) async fn run<'p, C>(
     context: &mut Context<'_>,
-    plan: Plan<'_>,
-    check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation) -> Result<C, Failure>,
+    mut plan: Plan<'p>,
+    check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
     work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
@@ -49,24 +50,25 @@ pub(super) async fn run<C>(
     gate::somebody(context.ask).map_err(super::write::denied)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let before = look(&mut session, &mut target, lang).await?;
-    let checked = check(&mut session, &mut target, &before).await?;
+    let checked = check(&mut session, &mut target, &before, &mut plan).await?;
     let permit = gate::ask(*ask, &question(&plan, &target, &before, lang)).map_err(super::write::denied)?;
     let from = describe::state(&target.family, before.status, lang);
     if plan.args.hold {
         session.pace();
     }
+    let family = target.family.clone();
     let mut motor = Motor::new(&mut session, &mut target, &permit, lang, plan.args.wait);
     motor.controls(&before);
     let ended = motor
         .run(plan.args.hold, choice(plan.args.on_exit), async |motor: &mut Motor<'_, '_>| {
             if let Some(watchdog) = plan.args.watchdog {
-                motor.change("watchdog", seconds(watchdog)).await?;
+                motor.change("watchdog", watchdog_raw(&family, watchdog)).await?;
             }
-            if plan.args.take_control && plan.needs_control {
-                motor.change("control-mode", 1).await?;
+            if let Some(control) = family.motion.control.filter(|_| plan.args.take_control && plan.needs_control) {
+                motor.change("control-mode", control.obeys).await?;
             }
             work(motor, checked).await
         })
@@ -74,6 +76,7 @@ pub(super) async fn run<C>(
     let (steps, changed, setpoint) =
         (std::mem::take(&mut motor.steps), std::mem::take(&mut motor.changes), motor.setpoint.take());
     let mut notes = std::mem::take(&mut motor.notes);
+    let mode = motor.mode.take().map(|mode| mode.slug);
     let after = look(&mut session, &mut target, lang).await.ok();
     let to = after.as_ref().map(|after| describe::state(&target.family, after.status, lang));
     let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
@@ -81,28 +84,24 @@ pub(super) async fn run<C>(
         notes.push(lang.pick("the drive keeps running", "der Antrieb läuft weiter").to_owned());
     }
     let watchdog_s = before.watchdog_s;
-    if watchdog_s == Some(0) && plan.args.watchdog.is_none() && running != Some(false) {
-        let text = lang.pick(
-            "the drive's watchdog (P.413) is off: if the line breaks, nothing stops it; --watchdog 2s sets it",
-            "der Watchdog (P.413) ist aus: bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
+    let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
+    if is_off && plan.args.watchdog.is_none() && running != Some(false) {
+        let danger = lang.pick(
+            "if the line breaks, nothing stops it; --watchdog 2s sets it",
+            "bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
         );
-        notes.push(text.to_owned());
+        notes.push(format!("{}: {danger}", watchdog_words(&family, watchdog_s, lang)));
     }
-    let watching = plan.args.watchdog.map(seconds).filter(|_| !plan.args.hold).or(watchdog_s);
-    if let Some(seconds) = watching.filter(|&seconds| seconds > 0) {
-        notes.push(match lang {
-            Lang::En => {
-                format!("the drive's watchdog (P.413) is {seconds} s: it trips (F2010) once nobody talks to it")
-            }
-            Lang::De => {
-                format!("der Watchdog (P.413) steht auf {seconds} s: er löst aus (F2010), wenn niemand mehr spricht")
-            }
-        });
+    let set = plan.args.watchdog.map(|span| watchdog_seconds(&family, watchdog_raw(&family, span)));
+    let watching = set.filter(|_| !plan.args.hold).or(watchdog_s);
+    if watching.is_some_and(|seconds| seconds.raw > 0) {
+        notes.push(watchdog_words(&family, watching, lang));
     }
     let data = Motion {
         address,
         drive: target.family.drive.clone(),
         action: plan.action.to_owned(),
+        mode,
         from: Some(from),
         to,
         steps,
@@ -161,6 +160,7 @@ fn question(plan: &Plan<'_>, target: &Target, before: &Situation, lang: Lang) ->
         (false, _, Lang::En) => "what is set stays when this program ends; --hold bounds it".to_owned(),
         (false, _, Lang::De) => "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es".to_owned(),
     });
+    details.extend(plan.details.iter().cloned());
     details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
     Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
 }
@@ -181,9 +181,4 @@ fn choice(stop: StopArg) -> StopChoice {
         StopArg::Coast => StopChoice::Coast,
         StopArg::Keep => StopChoice::Keep,
     }
-}
-
-/// P.413 counts in whole seconds; a part of one counts as one.
-fn seconds(span: Span) -> i64 {
-    i64::try_from(span.as_micros().div_ceil(1_000_000)).unwrap_or(10_000).clamp(1, 10_000)
 }

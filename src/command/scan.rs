@@ -1,75 +1,364 @@
 //! `scan`: who is on the line?
 
-use super::{Context, connect};
-use crate::args::Addresses;
-use crate::drive::{ScanPlan, open_port, scan};
+use super::Context;
+use crate::args::{Addresses, Settings, parse_addresses};
+use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Unknown, open_port, scan};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Outcome, Plan, Scan, Warning};
+use crate::outcome::{Data, Event, FoundDrive, Outcome, Plan, Scan, Search, Warning};
+use crate::profile::Lang;
 use clap::Args as ClapArgs;
+use serde::Deserialize;
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::pin::pin;
+use std::task::Poll;
 
-/// Finds every drive on a line with a known setting.
+/// Finds every drive on a line, whatever its setting.
 ///
 /// Asks address after address (1-247, or those given with -a) for its status word and recognises the family from what
-/// comes back. Nothing in a drive is changed. Other Modbus devices are listed as unknown, with what they answered.
-/// Ctrl-C ends the search and shows what was found so far.
-#[derive(Clone, Debug, ClapArgs)]
-pub struct Args {}
+/// comes back. Nothing in a drive is changed. Other devices are listed as unknown, with what they answered.
+///
+/// Nobody is waited for before the next is asked, but replies are credited to the address that they name, whenever they
+/// come, and whoever may have been garbled is asked again. A drive that takes long to answer can still be lost behind the
+/// question to another; --thorough leaves nobody out.
+///
+/// What is not known of the line is found with `--baud auto`, `--parity auto`, `--protocol auto`: likely settings and low
+/// addresses first. Where a drive is found, its setting is searched to the end at once. Several ports are searched at
+/// once: -p A -p B.
+///
+/// Ctrl-C ends the search and shows what was found so far; `--resume` goes on from a result that was saved with --json.
+#[derive(Clone, Debug, Default, ClapArgs)]
+pub struct Args {
+    /// By the book: gives every address its full time before the next is asked
+    #[arg(long, conflicts_with = "fast")]
+    pub thorough: bool,
+    /// One time around, nothing is asked again; the first setting with a drive ends the search for settings
+    #[arg(long)]
+    pub fast: bool,
+    /// The first drive ends the search
+    #[arg(long)]
+    pub until_first: bool,
+    /// Go on where this result of `scan --json` ends
+    #[arg(long, value_name = "RESULT.json")]
+    pub resume: Option<PathBuf>,
+}
 
-/// Searches the line.
-pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let Context { settings, registry, interrupt, observe, .. } = context;
-    let addresses = match &settings.addresses {
-        Addresses::Named(list) if list.contains(&0) => {
-            let message = "address 0 is everybody and nobody answers it; expected addresses from 1 to 247";
-            return Err(Failure::new(Class::Usage, "usage.broadcast_read", message));
-        }
-        Addresses::Named(list) => list.clone(),
-        Addresses::Unnamed => (1..=crate::drive::LAST_STATION).collect(),
-    };
+/// Searches the lines.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let settings = context.settings;
+    let addresses = addresses(settings)?;
     if settings.dry_run {
-        let family = super::offline_family(settings, registry)?;
-        let reader = super::telegram_reader(settings, &family);
-        let probe = crate::drive::probe_question();
-        let telegrams = addresses.iter().map(|&address| reader.question(address, probe)).collect();
-        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })));
+        return dry_run(context, &addresses);
     }
-    let port = open_port(settings.port.as_ref(), settings.lang, *observe)?;
-    let mut session = connect(settings, registry, interrupt, *observe)?;
-    let plan = ScanPlan { addresses, lang: settings.lang };
-    let found = scan(&mut session, &plan, registry).await;
-    let complete = found.cut.is_none();
-    let warnings = found
-        .garbled
-        .iter()
-        .map(|address| Warning {
-            code: "scan.garbage".to_owned(),
-            message: format!(
-                "address {address}: only garbage came; another baud rate or parity, or two devices with this address"
-            ),
-        })
-        .collect();
-    let none = Failure::new(Class::No, "no.drive_found", "no drive answered").hint(
-        "check baud rate, parity and protocol (a drive leaves the factory speaking VABus, P.395 = 0), whether A and B \
-         are swapped, and termination",
-    );
-    let failure = match &found.cut {
-        Some(error) => {
-            let mut failure = error.failure(0, None, settings.lang);
-            failure.message =
-                format!("{}; {} of {} addresses were asked", failure.message, found.asked, plan.addresses.len());
-            failure.context.clear();
-            Some(failure)
+    let ports = ports(context)?;
+    let before = args.resume.as_deref().map(|path| earlier(path, &ports)).transpose()?;
+    let plan = ScanPlan {
+        unknown: unknown(settings),
+        manner: match (args.fast, args.thorough) {
+            (true, _) => Manner::Fast,
+            (_, true) => Manner::Thorough,
+            _ => Manner::Usual,
+        },
+        until_first: args.until_first.then(First::default),
+        ..ScanPlan::new(addresses, settings.lang)
+    };
+    let lines = search_all(context, &ports, &plan, before.as_ref()).await;
+    Ok(report(settings, &ports, lines, before))
+}
+
+fn addresses(settings: &Settings) -> Result<Vec<u8>, Failure> {
+    match &settings.addresses {
+        Addresses::Named(list) if list.contains(&0) => {
+            let message = settings.lang.pick(
+                "address 0 is everybody and nobody answers it; expected addresses from 1 to 247",
+                "Adresse 0 sind alle, und niemand antwortet; erwartet werden Adressen von 1 bis 247",
+            );
+            Err(Failure::new(Class::Usage, "usage.broadcast_read", message))
         }
-        None => found.drives.is_empty().then_some(none),
-    };
+        Addresses::Named(list) => Ok(list.clone()),
+        Addresses::Unnamed => Ok((1..=crate::drive::LAST_STATION).collect()),
+    }
+}
+
+fn unknown(settings: &Settings) -> Unknown {
+    let crate::args::Unknown { baud, parity, protocol } = settings.unknown;
+    Unknown { baud, parity, protocol }
+}
+
+fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> {
+    let family = super::offline_family(context.settings, context.registry)?;
+    let reader = super::telegram_reader(context.settings, &family);
+    let probe = crate::drive::probe_question();
+    let telegrams = addresses.iter().filter_map(|&address| reader.question(address, probe)).collect();
+    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })))
+}
+
+/// The ports that were named, or the only one that there is.
+fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
+    let settings = context.settings;
+    let usage = |code: &str, message: String| Err(Failure::new(Class::Usage, code, message));
+    if let Some(twice) =
+        settings.ports.iter().enumerate().find(|(at, port)| settings.ports.iter().take(*at).any(|p| p == *port))
+    {
+        return usage("usage.port", format!("port: {} is named twice; expected every port once", twice.1));
+    }
+    if settings.ports.len() > 1 && settings.trace.is_some() {
+        return usage("usage.trace", "trace: one file holds one line; expected one port".to_owned());
+    }
+    if settings.ports.is_empty() {
+        return Ok(vec![open_port(None, settings.lang, context.observe)?]);
+    }
+    Ok(settings.ports.clone())
+}
+
+/// Searches every port, all at once.
+async fn search_all(
+    context: &mut Context<'_>,
+    ports: &[Port],
+    plan: &ScanPlan,
+    before: Option<&Scan>,
+) -> Vec<Result<ScanResult, Failure>> {
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let (settings, registry, interrupt) = (*settings, *registry, &*interrupt);
+    let several = ports.len() > 1;
+    let observe = RefCell::new(observe);
+    let searches = ports.iter().map(|port| {
+        let name = port.to_string();
+        let mut tell = |event| (observe.borrow_mut())(event);
+        async move {
+            let mut tell = |event| tell(if several { of_port(&name, event) } else { event });
+            let mut session = super::open(port, settings, registry, interrupt, &mut tell).await?;
+            let before = before.map(|scan| asked_before(scan, &name)).transpose()?;
+            let plan = ScanPlan { before: before.unwrap_or_default(), ..plan.clone() };
+            Ok(scan(&mut session, &plan, registry).await)
+        }
+    });
+    side_by_side(searches.collect()).await
+}
+
+/// What happens on one of several ports, with its name.
+fn of_port(port: &str, event: Event) -> Event {
+    match event {
+        Event::Progress { done, total, what } => Event::Search { port: port.to_owned(), done, total, what },
+        Event::Telegram { at_us, direction, hex, meaning } => {
+            Event::Telegram { at_us, direction, hex, meaning: format!("{port}: {meaning}") }
+        }
+        event => event,
+    }
+}
+
+/// Runs futures at once on this thread; their results in the same order.
+async fn side_by_side<F: Future>(futures: Vec<F>) -> Vec<F::Output> {
+    let mut running: Vec<_> = futures.into_iter().map(|future| (Box::pin(future), None)).collect();
+    let all = std::future::poll_fn(|context| {
+        let mut is_over = true;
+        for (future, output) in running.iter_mut().filter(|(_, output)| output.is_none()) {
+            match future.as_mut().poll(context) {
+                Poll::Ready(value) => *output = Some(value),
+                Poll::Pending => is_over = false,
+            }
+        }
+        if is_over { Poll::Ready(()) } else { Poll::Pending }
+    });
+    pin!(all).await;
+    running.into_iter().filter_map(|(_, output)| output).collect()
+}
+
+/// One result of all that the ports brought.
+fn report(
+    settings: &Settings,
+    ports: &[Port],
+    lines: Vec<Result<ScanResult, Failure>>,
+    before: Option<Scan>,
+) -> Outcome {
+    let lang = settings.lang;
+    let (mut drives, mut searches) = before.map_or_else(Default::default, |scan| (scan.drives, scan.searches));
+    let (mut addresses, mut asked, mut complete) = (0, 0, true);
+    let (mut warnings, mut failures): (Vec<Warning>, Vec<Failure>) = (Vec::new(), Vec::new());
+    for (port, line) in ports.iter().zip(lines) {
+        let result = match line {
+            Ok(result) => result,
+            Err(failure) => {
+                complete = false;
+                failures.push(failure);
+                continue;
+            }
+        };
+        drives.extend(result.drives);
+        warnings.extend(result.warnings);
+        failures.extend(result.cut.map(|error| {
+            let mut failure = error.failure(0, None, lang);
+            failure.context.clear();
+            failure
+        }));
+        for searched in &result.searched {
+            addresses += searched.total;
+            asked += searched.asked.len();
+            complete &= searched.is_complete();
+            let search = Search {
+                port: port.to_string(),
+                line: searched.tuning.line.to_string(),
+                protocol: searched.tuning.protocol.name().to_owned(),
+                asked: ranges(&searched.asked),
+                complete: searched.is_complete(),
+                garbled: searched.garbled.iter().copied().collect(),
+            };
+            searches.retain(|old: &Search| {
+                (&old.port, &old.line, &old.protocol) != (&search.port, &search.line, &search.protocol)
+            });
+            if !search.asked.is_empty() || !search.garbled.is_empty() {
+                searches.push(search);
+            }
+        }
+    }
+    let failure = verdict(settings, failures, ports.len(), &drives, (asked, addresses));
+    let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
+    let unknown = settings.unknown;
+    let auto = |is_unknown: bool, known: String| if is_unknown { "auto".to_owned() } else { known };
     let data = Scan {
-        port: port.to_string(),
-        line: settings.line.to_string(),
-        protocol: settings.framing.name(),
-        addresses: plan.addresses.len(),
-        asked: found.asked,
+        port: names.join(", "),
+        line: auto(unknown.baud || unknown.parity, settings.line.to_string()),
+        protocol: auto(unknown.protocol, settings.protocol.name().to_owned()),
+        addresses,
+        asked,
         complete,
-        drives: found.drives,
+        drives,
+        searches,
     };
-    Ok(Outcome { data: Some(Data::Scan(data)), warnings, failure })
+    Outcome { data: Some(Data::Scan(data)), warnings, failure }
+}
+
+/// Why it is not all that was asked for: interrupted, a port that failed, or nobody there.
+fn verdict(
+    settings: &Settings,
+    failures: Vec<Failure>,
+    ports: usize,
+    drives: &[FoundDrive],
+    (asked, addresses): (usize, usize),
+) -> Option<Failure> {
+    let lang = settings.lang;
+    let count = failures.len();
+    let interrupted = failures.iter().position(|failure| failure.class == Class::Interrupted);
+    let Some(first) = failures.into_iter().nth(interrupted.unwrap_or(0)) else {
+        return drives.is_empty().then(|| nobody(settings));
+    };
+    let so_far = match lang {
+        Lang::En => format!("{}; {asked} of {addresses} addresses were asked", first.message),
+        Lang::De => format!("{}; {asked} von {addresses} Adressen wurden gefragt", first.message),
+    };
+    if interrupted.is_some() {
+        let hint = lang.pick(
+            "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
+            "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json",
+        );
+        return Some(Failure { message: so_far, ..first }.hint(hint));
+    }
+    if ports == 1 || count == ports {
+        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
+    }
+    let message = match lang {
+        Lang::En => format!("{count} of {ports} ports failed; the first: {}", first.message),
+        Lang::De => format!("{count} von {ports} Anschlüssen gescheitert; zuerst: {}", first.message),
+    };
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
+}
+
+fn nobody(settings: &Settings) -> Failure {
+    let lang = settings.lang;
+    let hint = if settings.unknown == crate::args::Unknown::default() {
+        lang.pick(
+            "if the setting of the line is not known: --baud auto --parity auto --protocol auto (a drive leaves the \
+             factory speaking VABus, P.395 = 0); else check whether A and B are swapped, and termination",
+            "falls die Einstellung der Leitung unbekannt ist: --baud auto --parity auto --protocol auto (ein Antrieb \
+             spricht ab Werk VABus, P.395 = 0); sonst prüfen, ob A und B vertauscht sind, und den Abschluss",
+        )
+    } else {
+        lang.pick(
+            "no setting brought an answer: check supply, whether A and B are swapped, termination, and the adapter",
+            "keine Einstellung brachte eine Antwort: Versorgung, Vertauschung von A und B, Abschluss und Adapter prüfen",
+        )
+    };
+    Failure::new(Class::No, "no.drive_found", lang.pick("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
+}
+
+/// Writes `1-10,17`.
+fn ranges(addresses: &BTreeSet<u8>) -> String {
+    let mut runs: Vec<(u8, u8)> = Vec::new();
+    for &address in addresses {
+        match runs.last_mut() {
+            Some((_, last)) if last.checked_add(1) == Some(address) => *last = address,
+            _ => runs.push((address, address)),
+        }
+    }
+    let shown =
+        runs.iter().map(|(first, last)| if first == last { first.to_string() } else { format!("{first}-{last}") });
+    shown.collect::<Vec<_>>().join(",")
+}
+
+/// The document of an earlier scan, as far as it matters here.
+#[derive(Deserialize)]
+struct Document {
+    schema: u32,
+    command: String,
+    data: Option<Scan>,
+}
+
+/// Reads the result of an earlier scan of these ports.
+fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
+    let shown = path.display();
+    let bad = |why: String| {
+        Failure::new(Class::Data, "data.resume", format!("{shown}: {why}"))
+            .hint("expected what `antrieb scan --json > RESULT.json` has written")
+    };
+    let text = std::fs::read_to_string(path).map_err(|error| bad(error.to_string()))?;
+    let document: Document =
+        serde_json::from_str(&text).map_err(|error| bad(format!("no result of a scan: {error}")))?;
+    let version = crate::outcome::SCHEMA_VERSION;
+    if document.schema != version {
+        return Err(bad(format!("schema {}; expected {version}", document.schema)));
+    }
+    if document.command != "scan" {
+        return Err(bad(format!("the result of `{}`; expected that of `scan`", document.command)));
+    }
+    let scan = document.data.ok_or_else(|| bad("it holds no data; nothing was asked".to_owned()))?;
+    let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
+    if !scan.searches.iter().any(|search| names.contains(&search.port)) {
+        return Err(bad(format!("a search of {}; expected one of {}", scan.port, names.join(", "))));
+    }
+    for search in &scan.searches {
+        asked_at(search).map_err(|failure| bad(failure.message))?;
+    }
+    Ok(scan)
+}
+
+/// What was asked of a port before.
+fn asked_before(scan: &Scan, port: &str) -> Result<Vec<Asked>, Failure> {
+    let of_port = scan.searches.iter().filter(|search| search.port == port);
+    let asked = of_port.map(|search| {
+        let addresses = asked_at(search)?;
+        Ok(Asked { line: search.line.clone(), protocol: search.protocol.clone(), addresses })
+    });
+    asked.collect()
+}
+
+fn asked_at(search: &Search) -> Result<BTreeSet<u8>, Failure> {
+    if search.asked.is_empty() {
+        return Ok(BTreeSet::new());
+    }
+    Ok(parse_addresses(&search.asked, &[])?.into_iter().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_are_written_as_they_are_read() {
+        let set: BTreeSet<u8> = [1, 2, 3, 17, 246, 247, 255].into();
+        assert_eq!(ranges(&set), "1-3,17,246-247,255");
+        assert_eq!(ranges(&BTreeSet::new()), "");
+        let few: BTreeSet<u8> = [1, 2, 9].into();
+        assert_eq!(parse_addresses(&ranges(&few), &[]).unwrap(), [1, 2, 9]);
+    }
 }

@@ -4,10 +4,10 @@ use super::running::{self, Plan};
 use super::{Context, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target, telegram_reader};
 use crate::args::{MotionArgs, Settings};
 use crate::drive::motion::{Motor, look, missing};
-use crate::drive::{Inquiry, RegisterAddress, Session, describe};
+use crate::drive::{Cell, Inquiry, Session, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{self, Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
-use crate::profile::{Family, Lang, Registry, Type};
+use crate::profile::{Family, Lang, Param, Registry, Type};
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows the state of the drive, and walks it through its state machine.
@@ -79,12 +79,18 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if context.settings.dry_run {
         return dry_run(context, &family, command.word);
     }
-    let plan = Plan { action: slug, announce: command.name(lang).to_owned(), args: motion, needs_control: true };
+    let plan = Plan {
+        action: slug,
+        announce: command.name(lang).to_owned(),
+        details: Vec::new(),
+        args: motion,
+        needs_control: true,
+    };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
         context,
         plan,
-        async |_, _, _| Ok(()),
+        async |_, _, _, _| Ok(()),
         async |motor, ()| {
             match slug {
                 "enable" => motor.walk("operation-enabled").await?,
@@ -116,12 +122,12 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         );
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
-    let plan = Plan { action: "goto", announce, args: motion, needs_control: true };
+    let plan = Plan { action: "goto", announce, details: Vec::new(), args: motion, needs_control: true };
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
     running::run(
         context,
         plan,
-        async |_, _, _| Ok(()),
+        async |_, _, _, _| Ok(()),
         async |motor, ()| {
             motor.walk(state).await?;
             if let (Some(duration), true) = (hold, runs) {
@@ -146,28 +152,39 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         "{}: {shown}",
         lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen")
     );
-    let plan = Plan { action: "contacts", announce, args: motion, needs_control: false };
+    let plan = Plan { action: "contacts", announce, details: Vec::new(), args: motion, needs_control: false };
     let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(
         context,
         plan,
-        async |_, _, before| {
-            if before.mode == Some(2) || take {
-                return Ok(());
+        async |_, target, before, _| {
+            let Some(control) = target.family.motion.control else {
+                let text =
+                    lang.pick("this drive has no virtual contacts", "dieser Antrieb hat keine virtuellen Kontakte");
+                return Err(Failure::new(Class::Forbidden, "forbidden.no_contacts", text));
+            };
+            if before.mode == Some(control.contacts) || take {
+                return Ok(control.contacts);
             }
             let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
+            let label = target.family.role("control-mode").map_or_else(String::new, Param::label);
+            let needed = control.contacts;
             let text = match lang {
-                Lang::En => format!("the drive does not listen to virtual contacts: P.412 is {mode}, it must be 2"),
-                Lang::De => format!("der Antrieb hört nicht auf virtuelle Kontakte: P.412 ist {mode}, nötig ist 2"),
+                Lang::En => {
+                    format!("the drive does not listen to virtual contacts: {label} is {mode}, it must be {needed}")
+                }
+                Lang::De => {
+                    format!("der Antrieb hört nicht auf virtuelle Kontakte: {label} ist {mode}, nötig ist {needed}")
+                }
             };
             Err(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
                 "--take-control sets it in RAM for the run and gives it back",
                 "--take-control stellt es für den Lauf im RAM um und danach zurück",
             )))
         },
-        async |motor, ()| {
+        async |motor, contacts| {
             if take {
-                motor.change("control-mode", 2).await?;
+                motor.change("control-mode", contacts).await?;
             }
             motor.contacts(word).await?;
             if let Some(duration) = hold {
@@ -200,18 +217,17 @@ fn contact_word(family: &Family, contacts: &[String]) -> Result<u16, Failure> {
 
 fn dry_run(context: &Context<'_>, family: &Family, word: u16) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
-    let param = family.role("control-word").map_or(0, |param| param.id);
-    let at = RegisterAddress::new(param, 0);
-    let at = at.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
-    let inquiry = Inquiry::Write(at, Type::Uint, word.into());
-    let telegrams = vec![telegram_reader(context.settings, family).question(address, inquiry)];
+    let param = family.role("control-word");
+    let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
+    let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, Type::Uint, word.into());
+    let telegrams = telegram_reader(context.settings, family).question(address, inquiry).into_iter().collect();
     Ok(Outcome::of(Data::Plan(outcome::Plan { dry_run: true, telegrams })))
 }
 
 async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
-        let questions = role_questions(context, &ROLES)?;
-        return plan(context, &questions);
+        let family = offline_family(context.settings, context.registry)?;
+        return plan(context, &family, &role_questions(&family, &ROLES));
     }
     let (drives, failures, succeeded) = each_drive(
         context,
@@ -249,6 +265,7 @@ async fn show(
     let control_mode = reader.role("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
+    let present = status.as_ref().zip(fault).map(|(word, code)| (word.raw, code as u32));
     let (failures, good) = reader.into_failures();
     let missing = if failures.is_empty() {
         let situation = look(session, &mut target, lang).await?;
@@ -257,6 +274,7 @@ async fn show(
         Vec::new()
     };
     let state = status.as_ref().and_then(|word| word.state.clone());
+    let fault = present.map(|(status, code)| target.family.present_fault(status, code).unwrap_or(0));
     let report = StateReport {
         address,
         drive: target.family.drive.clone(),
@@ -265,8 +283,8 @@ async fn show(
         status,
         control,
         control_mode,
-        fault: fault.and_then(|code| describe::fault(&target.family, code as u32, lang)),
-        fault_code: fault,
+        fault: fault.and_then(|code| describe::fault(&target.family, code, lang)),
+        fault_code: fault.map(i64::from),
         missing,
         error: None,
     };

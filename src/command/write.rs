@@ -1,9 +1,9 @@
 //! `write`: set parameters, with proof.
 
 use super::read::select_failure;
-use super::{Context, Reader, addresses_to_write, connect, is_over, offline_family, summary, target};
+use super::{Context, Reader, addresses_to_write, connect, is_over, offline, summary, target};
 use crate::args::Settings;
-use crate::drive::{Inquiry, Order, RegisterAddress, Session, Target, WriteFate, describe};
+use crate::drive::{Cell, Inquiry, Order, Session, Target, WriteFate, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Denied, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
@@ -50,20 +50,20 @@ pub(super) struct Step {
 /// Writes to every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses_to_write(context.settings)?;
-    let family = offline_family(context.settings, context.registry)?;
-    let offline = steps(args, &family)?;
+    let lang = context.settings.lang;
+    let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family, lang))?;
     if context.settings.dry_run {
-        return plan_only(context.settings, &addresses, &family, &offline);
+        return plan_only(context.settings, &addresses, &family, &planned);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
-    let mut session = connect(settings, registry, interrupt, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut jobs = Vec::new();
     for address in addresses {
         let mut target = match address {
-            0 => Target::new(0, family.clone()),
+            0 => Target::new(0, family.clone()).in_word_order(settings.high_first),
             _ => target(&mut session, settings, registry, address, false).await?,
         };
-        let steps = steps(args, &target.family)?;
+        let steps = steps(args, &target.family, settings.lang)?;
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
@@ -86,7 +86,7 @@ pub(super) struct Job {
 }
 
 /// Reads the assignments; nothing is sent until all of them make sense.
-fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
+fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for text in &args.assignments {
         let (who, what) = text.split_once('=').ok_or_else(|| {
@@ -100,7 +100,7 @@ fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
         }
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             let mut param = selection.param;
-            super::check_number(&param)?;
+            super::check_number(family, &param, lang)?;
             param.decimals = args.decimals.or(param.decimals);
             let kind = args.kind.or(param.kind);
             let raw = check(&param, family, what, kind, args.force)?;
@@ -178,9 +178,9 @@ pub(super) fn plan_only(
 
 /// The telegram of a step, taken apart.
 fn telegram(settings: &Settings, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
-    let at = RegisterAddress::new(step.param.id, step.set)?;
+    let at = Cell { number: step.param.id, set: step.set };
     let bits = value::to_wire(step.raw, kind).ok()?;
-    Some(super::telegram_reader(settings, family).question(address, Inquiry::Write(at, kind, bits)))
+    super::telegram_reader(settings, family).question(address, Inquiry::Write(at, kind, bits))
 }
 
 /// Reads the old values and says what there is to do.
@@ -435,7 +435,7 @@ fn way_back(step: &Step, row: &Written, settings: &Settings) -> Option<Warning> 
             row.param,
             row.address,
             settings.line,
-            settings.framing.name()
+            settings.protocol.name()
         ),
     })
 }

@@ -44,7 +44,7 @@ pub async fn serve(
             drive.address(),
             drive.model(),
             drive.line(),
-            drive.framing().map_or("silent on Modbus", |framing| framing.name()),
+            drive.protocol(),
         );
         observe(Event::Note(format!("{model} at address {address}, {line}, {framing}")));
     }

@@ -1,8 +1,11 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
-use super::route::Inquiry;
+mod vabus;
+
+use super::route::{Inquiry, Route};
 use crate::outcome::{Field, TelegramDoc};
-use crate::profile::{Family, Lang, format_value};
+use crate::profile::{Family, Lang, Link, format_value};
+use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{self, Exception, ParamAddress, Reply, Request};
 use crate::protocol::modbus::{Adu, BROADCAST, FrameError, Framing, Hex, ascii, rtu};
 use crate::transport::{TraceLine, read_trace};
@@ -10,8 +13,8 @@ use crate::transport::{TraceLine, read_trace};
 /// What is known besides the bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
-    /// RTU or ASCII.
-    pub framing: Framing,
+    /// What is spoken.
+    pub protocol: Protocol,
     /// Names of parameters, if the family is known.
     pub family: Option<&'a Family>,
     /// Language of names.
@@ -32,8 +35,9 @@ pub enum InputError {
 }
 
 /// Reads bytes as people type them: `01 03 21 74`, `01032174`, `0x01,0x03`; or an ASCII telegram from its colon on,
-/// with or without its CR LF.
-pub fn parse_input(text: &str) -> Result<(Framing, Vec<u8>), InputError> {
+/// with or without its CR LF. Tells what they are spoken in: no telegram of VABus is one of RTU with a right CRC, but
+/// for the rarest chance.
+fn parse_input(text: &str) -> Result<(Protocol, Vec<u8>), InputError> {
     let text = text.trim();
     if text.is_empty() {
         return Err(InputError::Empty);
@@ -41,7 +45,7 @@ pub fn parse_input(text: &str) -> Result<(Framing, Vec<u8>), InputError> {
     if text.starts_with(':') {
         let digits: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let digits = digits.replace("\\r", "").replace("\\n", "");
-        return Ok((Framing::Ascii, [digits.as_bytes(), ascii::END].concat()));
+        return Ok((Framing::Ascii.into(), [digits.as_bytes(), ascii::END].concat()));
     }
     let mut bytes = Vec::new();
     for word in text.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '-')).filter(|word| !word.is_empty())
@@ -57,13 +61,25 @@ pub fn parse_input(text: &str) -> Result<(Framing, Vec<u8>), InputError> {
         }
     }
     // The hex columns of the manual also print ASCII telegrams byte by byte.
-    let framing = if bytes.first() == Some(&ascii::START) { Framing::Ascii } else { Framing::Rtu };
-    Ok((framing, bytes))
+    let protocol = match bytes.first() {
+        Some(&ascii::START) => Framing::Ascii.into(),
+        _ if rtu::decode(&bytes).is_err() && vabus::is_telegram(&bytes) => Protocol::Vabus,
+        _ => Framing::Rtu.into(),
+    };
+    Ok((protocol, bytes))
 }
 
 impl Reader<'_> {
-    /// Takes a recording apart, telegram by telegram.
+    /// Takes one telegram apart as people type it. It shows what it is spoken in; only a damaged one of VABus does not.
+    pub fn typed(&self, text: &str) -> Result<TelegramDoc, InputError> {
+        let (shown, bytes) = parse_input(text)?;
+        let protocol = if self.protocol == Protocol::Vabus { self.protocol } else { shown };
+        Ok(Reader { protocol, ..*self }.telegram(&bytes, None))
+    }
+
+    /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.
     pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, String> {
+        let protocol = recorded_protocol(text).unwrap_or(self.protocol);
         let mut docs: Vec<(TraceLine, Vec<u8>)> = Vec::new();
         for line in read_trace(text)? {
             match docs.last_mut() {
@@ -80,21 +96,34 @@ impl Reader<'_> {
         }
         Ok(docs
             .into_iter()
-            .map(|(line, bytes)| {
-                let framing = if bytes.first() == Some(&ascii::START) { Framing::Ascii } else { self.framing };
-                let mut doc = Reader { framing, ..*self }.telegram(&bytes, Some(line.sent));
-                doc.at_us = Some(line.at_us);
-                doc
+            .flat_map(|(line, bytes)| {
+                let (protocol, telegrams) = match protocol {
+                    Protocol::Vabus => (protocol, vabus::cut(&bytes)),
+                    _ if bytes.first() == Some(&ascii::START) => (Framing::Ascii.into(), vec![bytes]),
+                    _ => (protocol, vec![bytes]),
+                };
+                telegrams.into_iter().map(move |bytes| {
+                    let mut doc = Reader { protocol, ..*self }.telegram(&bytes, Some(line.sent));
+                    doc.at_us = Some(line.at_us);
+                    doc
+                })
             })
             .collect())
     }
 
     /// Takes one telegram apart. `is_request` is `None` if the direction is unknown.
     pub fn telegram(&self, bytes: &[u8], is_request: Option<bool>) -> TelegramDoc {
-        let decoded = self.framing.decode(bytes);
+        match self.protocol {
+            Protocol::Modbus(framing) => self.modbus(framing, bytes, is_request),
+            Protocol::Vabus => self.vabus(bytes),
+        }
+    }
+
+    fn modbus(&self, framing: Framing, bytes: &[u8], is_request: Option<bool>) -> TelegramDoc {
+        let decoded = framing.decode(bytes);
         let mut doc = TelegramDoc {
             at_us: None,
-            protocol: self.framing.name(),
+            protocol: framing.name(),
             direction: None,
             address: None,
             function: None,
@@ -116,13 +145,16 @@ impl Reader<'_> {
         let (direction, meaning, fields) = self.pdu(&adu, is_request);
         doc.direction = direction;
         doc.meaning = format!("{}: {meaning}", self.station(adu.station));
-        doc.fields = self.frame_fields(&adu, fields);
+        doc.fields = self.frame_fields(framing, &adu, fields);
         doc
     }
 
-    /// A question as it would go over the line, taken apart.
-    pub fn question(&self, station: u8, question: Inquiry) -> TelegramDoc {
-        self.telegram(&self.framing.encode(station, &question.request().encode()), Some(true))
+    /// A question as it would go over the line, taken apart; `None` if the protocol or the family has no telegram for it.
+    pub fn question(&self, station: u8, inquiry: Inquiry) -> Option<TelegramDoc> {
+        let presumed = Link::default();
+        let link = self.family.map_or(&presumed, |family| &family.link);
+        let question = Route::new(self.protocol, link, station).question(inquiry)?;
+        Some(self.telegram(&question.telegram(self.protocol, station), Some(true)))
     }
 
     fn pick(&self, en: &'static str, de: &'static str) -> &'static str {
@@ -213,8 +245,9 @@ impl Reader<'_> {
                     self.written(*address, &value.to_be_bytes(), shown),
                 )
             }
-            Request::Other { function, data } => {
-                (format!("{} {function}", self.pick("function code", "Funktionscode")), vec![self.raw(data)])
+            other => {
+                let meaning = format!("{} {}", self.pick("function code", "Funktionscode"), other.function());
+                (meaning, vec![self.raw(other.encode().get(1..).unwrap_or_default())])
             }
         }
     }
@@ -258,8 +291,9 @@ impl Reader<'_> {
                 let refused = self.pick("refuses function code", "lehnt ab: Funktionscode");
                 (format!("{refused} {function}, exception {code}"), vec![self.exception(*code)])
             }
-            Reply::Other { function, data } => {
-                (format!("{} {function}", self.pick("function code", "Funktionscode")), vec![self.raw(data)])
+            other => {
+                let meaning = format!("{} {}", self.pick("function code", "Funktionscode"), other.function());
+                (meaning, vec![self.raw(other.encode().get(1..).unwrap_or_default())])
             }
         }
     }
@@ -324,7 +358,7 @@ impl Reader<'_> {
     }
 
     /// Station, function code and check value around the fields of the PDU.
-    fn frame_fields(&self, adu: &Adu, inner: Vec<Field>) -> Vec<Field> {
+    fn frame_fields(&self, framing: Framing, adu: &Adu, inner: Vec<Field>) -> Vec<Field> {
         let function = adu.pdu.first().copied().unwrap_or(0);
         let mut fields = vec![
             Field {
@@ -339,17 +373,23 @@ impl Reader<'_> {
             },
         ];
         fields.extend(inner);
-        let frame = match self.framing {
+        let frame = match framing {
+            Framing::Tcp => return fields, // no check value
             Framing::Rtu => rtu::encode(adu.station, &adu.pdu).split_off(adu.pdu.len() + 1),
             Framing::Ascii => {
                 let body = [[adu.station].as_slice(), &adu.pdu].concat();
                 vec![crate::protocol::check::lrc(&body)]
             }
         };
-        let name = if self.framing == Framing::Rtu { "CRC" } else { "LRC" };
+        let name = if framing == Framing::Rtu { "CRC" } else { "LRC" };
         fields.push(Field { hex: Hex(&frame).to_string(), name: name.to_owned(), value: "ok".to_owned() });
         fields
     }
+}
+
+/// What the first line of a recording says of its protocol, behind the setting of the line.
+fn recorded_protocol(text: &str) -> Option<Protocol> {
+    text.lines().next()?.strip_prefix('#')?.rsplit(',').next()?.parse().ok()
 }
 
 fn field8(value: u8, name: &str) -> Field {

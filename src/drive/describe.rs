@@ -82,10 +82,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
 /// A value that is, or was, to be written.
 pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: i64, lang: Lang) -> Written {
     let (data_set, store) = place(wire_set);
-    let after_reset = match lang {
-        Lang::En => "takes effect after a reset (P.34 = 123) or power-off",
-        Lang::De => "wird erst nach Reset (P.34 = 123) oder Netz-Aus wirksam",
-    };
+    let after_reset = family.link.after_reset.get(lang);
     Written {
         address,
         drive: family.drive.clone(),
@@ -162,7 +159,7 @@ pub fn fault(family: &Family, code: u32, lang: Lang) -> Option<Fault> {
     };
     Some(Fault {
         code,
-        key: format!("F{code:04X}"),
+        key: format!("{}{code:04X}", family.fault_codes.letter),
         group,
         name: row.map_or_else(unknown, |row| filled(row.name(lang))),
         cause: row.map(|row| filled(row.cause.get(lang))),

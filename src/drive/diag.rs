@@ -1,25 +1,30 @@
 //! Diagnosis of the line to a drive: its counters (code 8) and a link test.
 
+use super::route::{Cell, Inquiry};
 use super::session::{AccessError, Session};
 use super::transfer::Target;
-use crate::exchange::modbus::{Answer, ExchangeError, Limits};
+use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::Permit;
 use crate::outcome::{Counter, Event, LinkTest};
-use crate::profile::Lang;
-use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Reply, Request};
+use crate::profile::{Cause, Lang, Type};
+use crate::protocol::Protocol;
 
-/// Sub-function for link tests: the number of messages to this slave (CM-485 manual 6.4.5). Changes nothing in the
-/// drive and does not touch its error register.
-const SLAVE_MESSAGES: u16 = 0x0E;
-
-/// Reads every counter that the family defines.
-pub async fn counters(session: &mut Session<'_>, target: &Target, lang: Lang) -> Result<Vec<Counter>, AccessError> {
+/// Reads every counter that the family defines; VABus has none.
+pub async fn counters(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    lang: Lang,
+) -> Result<Vec<Counter>, AccessError> {
     let mut counters = Vec::new();
+    let route = target.route(session).await?;
+    if route.protocol == Protocol::Vabus {
+        return Ok(counters);
+    }
     for row in &target.family.counters {
-        let request = Request::Diagnostics { sub: row.sub, data: 0 };
-        let count = match session.ask(target.address, request).await? {
-            Answer::Reply { reply: Reply::Diagnostics { data, .. }, .. } => Some(data),
-            _ => None,
+        let question = route.question(Inquiry::Counter(row.sub)).ok_or(AccessError::Unspeakable)?;
+        let count = match session.ask(target.address, question).await? {
+            Answer::Reply { said, .. } => route.number(&said),
+            Answer::Broadcast => None,
         };
         counters.push(Counter {
             sub: row.sub,
@@ -32,15 +37,45 @@ pub async fn counters(session: &mut Session<'_>, target: &Target, lang: Lang) ->
     Ok(counters)
 }
 
+/// Why the drive refused something last, where the family keeps it in a sub-function of code 8.
+pub async fn last_refusal(session: &mut Session<'_>, target: &mut Target) -> Result<Option<u16>, AccessError> {
+    let Cause::Diagnostics(sub) = target.family.link.cause else { return Ok(None) };
+    let route = target.route(session).await?;
+    let question = route.question(Inquiry::Counter(sub)).ok_or(AccessError::Unspeakable)?;
+    session.number(route, question).await
+}
+
 /// Sets every counter to zero.
-pub async fn clear_counters(session: &mut Session<'_>, target: &Target, _permit: &Permit) -> Result<bool, AccessError> {
-    let request = Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 };
-    let answer = session.ask(target.address, request).await?;
-    Ok(matches!(answer, Answer::Reply { reply: Reply::Diagnostics { .. }, .. }))
+pub async fn clear_counters(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    _permit: &Permit,
+) -> Result<bool, AccessError> {
+    let route = target.route(session).await?;
+    let question = route.question(Inquiry::ClearCounters).ok_or(AccessError::Unspeakable)?;
+    let answer = session.ask(target.address, question).await?;
+    Ok(matches!(answer, Answer::Reply { said, .. } if !said.is_refusal()))
+}
+
+/// A question that changes nothing in the drive and does not touch its error register: a counter, or over VABus, which
+/// has none, the status word.
+async fn harmless(session: &mut Session<'_>, target: &mut Target) -> Result<Question, AccessError> {
+    let route = target.route(session).await?;
+    let status = target.family.role("status-word").map(|param| Cell { number: param.id, set: 0 });
+    let inquiry = match (route.protocol, status) {
+        (Protocol::Vabus, Some(status)) => Inquiry::Read(status, Type::Uint),
+        _ => Inquiry::Counter(target.family.link.echo),
+    };
+    route.question(inquiry).ok_or(AccessError::Unspeakable)
 }
 
 /// Asks the same harmless question `count` times, without repeats, and measures; says also what ended it early.
-pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -> (LinkTest, Option<AccessError>) {
+pub async fn link_test(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    count: u64,
+) -> Result<(LinkTest, Option<AccessError>), AccessError> {
+    let question = harmless(session, target).await?;
     let limits = session.limits();
     session.set_limits(Limits { retries: 0, ..limits });
     let strays = session.tally().strays;
@@ -48,8 +83,7 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
     let mut cut = None;
     for done in 0..count {
         session.tell(Event::Progress { done, total: count, what: format!("link test, address {}", target.address) });
-        let request = Request::Diagnostics { sub: SLAVE_MESSAGES, data: 0 };
-        match session.ask(target.address, request).await {
+        match session.ask(target.address, question.clone()).await {
             Ok(Answer::Reply { after, .. }) => times.push(after.as_micros()),
             Ok(Answer::Broadcast) => {}
             Err(AccessError::Exchange(ExchangeError::Silence { .. })) => silent += 1,
@@ -77,5 +111,5 @@ pub async fn link_test(session: &mut Session<'_>, target: &Target, count: u64) -
         p95_us: rank(95),
         slowest_us: times.last().copied(),
     };
-    (test, cut)
+    Ok((test, cut))
 }

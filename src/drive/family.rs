@@ -1,19 +1,21 @@
 //! Which drive is it? Asked so that nothing in the drive changes and nothing is read away.
 
-use super::route::{self, RegisterAddress};
+use super::route::{Cell, Inquiry, No, Route, no, register};
 use super::session::{AccessError, Refusal, Session};
 use super::transfer::Target;
-use crate::exchange::modbus::{Answer, ExchangeError};
+use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Lang, Registry, Type};
-use crate::protocol::modbus::pdu::{Exception, Reply, Request};
+use crate::profile::{Family, Lang, Registry, Route as Way, Type};
+use crate::protocol::Protocol;
+use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
+use std::rc::Rc;
 
 /// Stator frequency: 32 bits on both families, proved by telegrams (facts B), so code 100 reads it.
-const STATOR_FREQUENCY: u32 = 210;
+const STATOR_FREQUENCY: Cell = Cell { number: 210, set: 0 };
 /// Status word of both families (CM-485 manual 9, 10).
-const STATUS_WORD: u16 = 411;
+const STATUS_WORD: Cell = Cell { number: 411, set: 0 };
 /// Frequency setpoint in RAM: write-only on the ACU (CM-485 manual 10.2.3), readable on the ACT (chapter 9).
-const SETPOINT_RAM: u32 = 484;
+const SETPOINT_RAM: Cell = Cell { number: 484, set: 0 };
 /// Bit 4 of the status word: mains present on the ACU, always 0 on the ACT (CM-485 manual 9.1.3, 10.1).
 const VOLTAGE_BIT: u32 = 1 << 4;
 /// Error register: not readable (CM-485 manual 6.6).
@@ -44,120 +46,237 @@ impl Finding {
     }
 }
 
+/// The way to a device that nobody knows yet: as if it were an ACTIVE drive.
+fn presumed(protocol: Protocol, address: u8) -> Route {
+    Route { protocol, way: Way::Active, address, node: 0, high_first: true }
+}
+
+/// The question that every device is asked first: its status word. An ACTIVE drive answers it without touching its
+/// error register; any other Modbus device says something too. `None` if the protocol has no such address.
+pub(super) fn probe(protocol: Protocol, address: u8) -> Option<Question> {
+    presumed(protocol, address).question(Inquiry::Read(STATUS_WORD, Type::Uint))
+}
+
+/// A question whose echo cannot be taken for its reply.
+pub(super) fn sounding() -> Request {
+    Request::ReadRegisters { start: STATUS_WORD.number as u16, count: 1 }
+}
+
 /// Asks a device what it is. Ends with an error only if it does not answer at all.
 ///
 /// The last question may be refused, which overwrites the error register; with `keep_register` the register is read
 /// (and so cleared) before it, for a verb that shows it.
 pub async fn recognise(
     session: &mut Session<'_>,
+    registry: &Registry,
     address: u8,
     lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
-    let answer = session.ask(address, probe()).await?;
-    judge(session, address, &answer, lang, keep_register).await
-}
-
-/// The question that every device is asked first: its status word. An ACTIVE drive answers it without touching its
-/// error register; any other Modbus device says something too.
-pub(super) fn probe() -> Request {
-    Request::ReadRegisters { start: STATUS_WORD, count: 1 }
+    let question = probe(session.protocol(), address).ok_or(AccessError::Unspeakable)?;
+    let answer = session.ask(address, question).await?;
+    judge(session, registry, address, &answer, lang, keep_register).await
 }
 
 /// Asks on from the answer to [`probe`] what the device is.
 pub(super) async fn judge(
     session: &mut Session<'_>,
+    registry: &Registry,
     address: u8,
     answer: &Answer,
     lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
-    let mut finding = Finding::default();
-    let asked = lang.pick("code 3, P.411", "Code 3, P.411");
-    let status = match answer {
-        Answer::Reply { reply: Reply::Registers(values), .. } => values.first().copied(),
-        _ => None,
+    let route = presumed(session.protocol(), address);
+    let mut inquest = Inquest { session, registry, route, lang, finding: Finding::default() };
+    let status = inquest.status(answer);
+    let speaks = match (route.protocol, status) {
+        (Protocol::Vabus, _) => true, // nobody else is known to speak it
+        (Protocol::Modbus(_), Some(_)) => inquest.speaks_code_100().await?,
+        (Protocol::Modbus(_), None) => false,
     };
-    let answered = match answer {
-        Answer::Reply { reply: Reply::Exception { code, .. }, .. } => exception(*code, lang),
-        _ => status.map_or_else(|| "-".to_owned(), |status| format!("0x{status:04X}")),
-    };
-    let tells = lang.pick("a Modbus device", "ein Modbus-Gerät");
-    finding.note(asked, answered, tells);
-    if !speaks_code_100(session, address, lang, &mut finding).await? {
-        return Ok(finding);
+    if speaks {
+        inquest.act_or_acu(status.unwrap_or(0), keep_register).await?;
+    } else {
+        inquest.identification().await?;
     }
-    if u32::from(status.unwrap_or(0)) & VOLTAGE_BIT != 0 {
-        let bit = lang.pick("bit 4 of P.411", "Bit 4 von P.411");
-        let tells = lang.pick("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
-        finding.note(bit, "1", tells);
-        finding.drive = Some("acu".to_owned());
-        return Ok(finding);
-    }
-    if keep_register {
-        finding.kept_register = session.error_register(address).await?;
-    }
-    let asked = lang.pick("code 100, P.484", "Code 100, P.484");
-    let Some(at) = RegisterAddress::new(SETPOINT_RAM, 0) else { return Ok(finding) };
-    match session.demand(address, route::read(at, Type::Long)).await {
-        Ok(_) => {
-            let tells = lang.pick("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
-            finding.note(asked, lang.pick("a value", "ein Wert"), tells);
-            finding.drive = Some("act".to_owned());
-        }
-        Err(AccessError::Refused(Refusal { cause: Some(NOT_READABLE), .. })) => {
-            let tells = lang.pick("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
-            finding.note(asked, "P.11 = 3", tells);
-            finding.drive = Some("acu".to_owned());
-        }
-        Err(AccessError::Refused(refusal)) => {
-            let tells =
-                lang.pick("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
-            finding.note(asked, exception(refusal.exception, lang), tells);
-        }
-        Err(error) => return Err(error),
-    }
-    Ok(finding)
+    Ok(inquest.finding)
 }
 
-/// Whether the device knows the family's own function code. Silence is an answer too: many slaves ignore codes that
-/// they do not know.
-async fn speaks_code_100(
-    session: &mut Session<'_>,
-    address: u8,
+/// Asking what a device is.
+struct Inquest<'q, 's> {
+    session: &'q mut Session<'s>,
+    registry: &'q Registry,
+    route: Route,
     lang: Lang,
-    finding: &mut Finding,
-) -> Result<bool, AccessError> {
-    let asked = lang.pick("code 100, P.210", "Code 100, P.210");
-    let Some(at) = RegisterAddress::new(STATOR_FREQUENCY, 0) else { return Ok(false) };
-    let stranger = lang.pick("no ACTIVE drive: does not know code 100", "kein ACTIVE: kennt Code 100 nicht");
-    let (answered, tells, known) = match session.ask(address, route::read(at, Type::Long)).await {
-        Ok(Answer::Reply { reply: Reply::Long(value), .. }) => {
-            let tells =
-                lang.pick("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
-            (value.to_string(), tells, true)
-        }
-        Ok(Answer::Reply { reply: Reply::Exception { code: Exception::IllegalFunction, .. }, .. }) => {
-            (exception(Exception::IllegalFunction, lang), stranger, false)
-        }
-        Ok(Answer::Reply { reply: Reply::Exception { code, .. }, .. }) => {
-            let tells =
-                lang.pick("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
-            (exception(code, lang), tells, true)
-        }
-        Ok(_) => ("-".to_owned(), stranger, false),
-        Err(AccessError::Exchange(ExchangeError::Silence { .. })) => {
-            (lang.pick("no reply", "keine Antwort").to_owned(), stranger, false)
-        }
-        Err(AccessError::Exchange(_)) => {
-            (lang.pick("no valid answer", "keine gültige Antwort").to_owned(), stranger, false)
-        }
-        Err(error) => return Err(error),
-    };
-    finding.note(asked, answered, tells);
-    Ok(known)
+    finding: Finding,
 }
 
-fn exception(code: Exception, lang: Lang) -> String {
-    format!("{} {code}", lang.pick("exception", "Ausnahme"))
+impl Inquest<'_, '_> {
+    /// The status word, if the first answer is one.
+    fn status(&mut self, answer: &Answer) -> Option<u16> {
+        let Answer::Reply { said, .. } = answer else { return None };
+        let status = self.route.number(said);
+        let answered = match (no(said), status) {
+            (Some(no), _) => told(no, self.lang),
+            (None, Some(status)) => format!("0x{status:04X}"),
+            (None, None) => "-".to_owned(),
+        };
+        let asked = match self.route.protocol {
+            Protocol::Modbus(_) => self.lang.pick("code 3, P.411", "Code 3, P.411"),
+            Protocol::Vabus => "ENQUIRY P.411",
+        };
+        let tells = match self.route.protocol {
+            Protocol::Modbus(_) => self.lang.pick("a Modbus device", "ein Modbus-Gerät"),
+            Protocol::Vabus => self.lang.pick("somebody speaks VABus", "jemand spricht VABus"),
+        };
+        self.finding.note(asked, answered, tells);
+        status
+    }
+
+    /// Whether the device knows the ACTIVE family's own function code. Silence is an answer too: many slaves ignore
+    /// codes that they do not know.
+    async fn speaks_code_100(&mut self) -> Result<bool, AccessError> {
+        let lang = self.lang;
+        let asked = lang.pick("code 100, P.210", "Code 100, P.210");
+        let stranger = lang.pick("no ACTIVE drive: does not know code 100", "kein ACTIVE: kennt Code 100 nicht");
+        let (answered, tells, known) = match self.put(Inquiry::Read(STATOR_FREQUENCY, Type::Long)).await? {
+            Ok(Said::Modbus(Reply::Long(value))) => {
+                let tells = lang
+                    .pick("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
+                (value.to_string(), tells, true)
+            }
+            Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => {
+                (told(No::Exception(Exception::IllegalFunction), lang), stranger, false)
+            }
+            Ok(Said::Modbus(Reply::Exception { code, .. })) => {
+                let tells =
+                    lang.pick("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
+                (told(No::Exception(code), lang), tells, true)
+            }
+            Ok(_) => ("-".to_owned(), stranger, false),
+            Err(error) => (missing(&error, lang).to_owned(), stranger, false),
+        };
+        self.finding.note(asked, answered, tells);
+        Ok(known)
+    }
+
+    async fn act_or_acu(&mut self, status: u16, keep_register: bool) -> Result<(), AccessError> {
+        let lang = self.lang;
+        if u32::from(status) & VOLTAGE_BIT != 0 {
+            let bit = lang.pick("bit 4 of P.411", "Bit 4 von P.411");
+            let tells = lang.pick("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
+            self.finding.note(bit, "1", tells);
+            self.finding.drive = Some("acu".to_owned());
+            return Ok(());
+        }
+        let Some(family) = self.registry.family("acu") else { return Ok(()) };
+        if keep_register && let Some(question) = register(&family).and_then(|inquiry| self.route.question(inquiry)) {
+            self.finding.kept_register = self.session.number(self.route, question).await?;
+        }
+        self.reads_setpoint(&family).await
+    }
+
+    async fn reads_setpoint(&mut self, family: &Rc<Family>) -> Result<(), AccessError> {
+        let lang = self.lang;
+        let asked = match self.route.protocol {
+            Protocol::Modbus(_) => lang.pick("code 100, P.484", "Code 100, P.484"),
+            Protocol::Vabus => "ENQUIRY P.484",
+        };
+        let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
+        match self.session.demand(self.route, family, question).await {
+            Ok(_) => {
+                let tells = lang.pick("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
+                self.finding.note(asked, lang.pick("a value", "ein Wert"), tells);
+                self.finding.drive = Some("act".to_owned());
+            }
+            Err(AccessError::Refused(Refusal { cause: Some(NOT_READABLE), .. })) => {
+                let tells =
+                    lang.pick("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
+                self.finding.note(asked, "P.11 = 3", tells);
+                self.finding.drive = Some("acu".to_owned());
+            }
+            Err(AccessError::Refused(refusal)) => {
+                let tells = lang
+                    .pick("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
+                self.finding.note(asked, told(refusal.no, lang), tells);
+            }
+            Err(error) => return Err(error),
+        }
+        Ok(())
+    }
+
+    /// Asks the device for its own description, code 43: the family whose product code it begins with.
+    async fn identification(&mut self) -> Result<(), AccessError> {
+        let lang = self.lang;
+        let asked = lang.pick("code 43, identification", "Code 43, Identifikation");
+        let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
+        let (answered, tells) = match self.ask_once(request.into()).await? {
+            Ok(Said::Modbus(Reply::Identification(described))) => {
+                let product = text(&described, identification::PRODUCT_CODE);
+                let family = self.registry.families().into_iter().find(|family| {
+                    family.link.product.as_ref().is_some_and(|start| product.starts_with(start.as_str()))
+                });
+                self.finding.drive = family.as_ref().map(|family| family.drive.clone());
+                let tells = match &family {
+                    Some(family) => family.title.get(lang).to_owned(),
+                    None => lang.pick("a product that we do not know", "ein Produkt, das wir nicht kennen").to_owned(),
+                };
+                let words = described.objects.iter().map(|object| String::from_utf8_lossy(&object.value).into_owned());
+                (words.collect::<Vec<_>>().join(", "), tells)
+            }
+            Ok(said) => {
+                let answered = no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang));
+                (answered, lang.pick("does not describe itself", "beschreibt sich nicht").to_owned())
+            }
+            Err(error) => {
+                let tells = lang.pick("does not describe itself", "beschreibt sich nicht");
+                (missing(&error, lang).to_owned(), tells.to_owned())
+            }
+        };
+        self.finding.note(asked, answered, &tells);
+        Ok(())
+    }
+
+    async fn put(&mut self, inquiry: Inquiry) -> Result<Result<Said, ExchangeError>, AccessError> {
+        let question = self.route.question(inquiry).ok_or(AccessError::Unspeakable)?;
+        said(self.session.ask(self.route.address, question).await)
+    }
+
+    /// Without repeats: a device that does not know a code may just be silent.
+    async fn ask_once(&mut self, question: Question) -> Result<Result<Said, ExchangeError>, AccessError> {
+        let limits = self.session.limits();
+        self.session.set_limits(Limits { retries: 0, ..limits });
+        let answer = self.session.ask(self.route.address, question).await;
+        self.session.set_limits(limits);
+        said(answer)
+    }
+}
+
+/// An answer, or why there is none; what ends the session is an error.
+fn said(answer: Result<Answer, AccessError>) -> Result<Result<Said, ExchangeError>, AccessError> {
+    match answer {
+        Ok(Answer::Reply { said, .. }) => Ok(Ok(said)),
+        Ok(Answer::Broadcast) => Ok(Err(ExchangeError::BroadcastRead)),
+        Err(AccessError::Exchange(error)) => Ok(Err(error)),
+        Err(error) => Err(error),
+    }
+}
+
+fn text(described: &Identification, object: u8) -> String {
+    described.object(object).map_or_else(String::new, |value| String::from_utf8_lossy(value).into_owned())
+}
+
+fn missing(error: &ExchangeError, lang: Lang) -> &'static str {
+    match error {
+        ExchangeError::Silence { .. } => lang.pick("no reply", "keine Antwort"),
+        _ => lang.pick("no valid answer", "keine gültige Antwort"),
+    }
+}
+
+fn told(no: No, lang: Lang) -> String {
+    match no {
+        No::Exception(code) => format!("{} {code}", lang.pick("exception", "Ausnahme")),
+        No::Nak => "NAK".to_owned(),
+    }
 }

@@ -10,18 +10,20 @@ mod diag;
 mod family;
 pub mod motion;
 mod pump;
+pub mod relocate;
 mod route;
 mod scan;
 mod session;
 mod transfer;
 mod trouble;
 
-pub use diag::{clear_counters, counters, link_test};
+pub use diag::{clear_counters, counters, last_refusal, link_test};
 pub use family::{Finding, recognise};
 pub use pump::Interrupt;
-pub use route::{Inquiry, RegisterAddress};
-pub use scan::{ScanPlan, probe_question, scan};
+pub use route::{Cell, Inquiry, No, Route};
+pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, scan};
 pub use session::{AccessError, Opening, Refusal, Session, open_port};
 pub use transfer::{Order, Reading, Target, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;
+pub use crate::transport::Port;

@@ -1,7 +1,6 @@
 //! Carries out a conversation on a link: the only loop between `exchange` and `transport`.
 
-use crate::exchange::Step;
-use crate::exchange::modbus::{Answer, ExchangeError, Master};
+use crate::exchange::{Conversation, Master, Step};
 use crate::tick::Span;
 use crate::transport::{Link, LinkError, Wake};
 use std::sync::Arc;
@@ -68,19 +67,19 @@ pub(super) async fn rest(
     }
 }
 
-/// Runs the master's present question to its end.
-pub(super) async fn run(
-    master: &mut Master,
+/// Runs a conversation until it has something to tell.
+pub(super) async fn run<C: Conversation>(
+    conversation: &mut C,
     link: &mut Link,
     interrupt: &Interrupt,
-) -> Result<Result<Answer, ExchangeError>, PumpError> {
+) -> Result<C::End, PumpError> {
     loop {
         // Gives the signal handlers a turn, also on the bench, where nothing ever waits.
         tokio::task::yield_now().await;
         if interrupt.is_raised() {
             return Err(PumpError::Interrupted);
         }
-        match master.step(link.now()) {
+        match conversation.step(link.now()) {
             Step::Done(outcome) => return Ok(outcome),
             Step::Send(bytes) => link.send(&bytes).await?,
             Step::Wait(until) => {
@@ -89,7 +88,7 @@ pub(super) async fn run(
                     () = interrupt.raised() => return Err(PumpError::Interrupted),
                 };
                 if let Wake::Bytes(bytes) = wake {
-                    master.feed(link.now(), &bytes);
+                    conversation.feed(link.now(), &bytes);
                 }
             }
         }

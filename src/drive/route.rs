@@ -1,66 +1,239 @@
-//! From a parameter to the question that reads or writes it, over the ACTIVE family's Modbus codes.
+//! From a parameter to the question that reads or writes it, and from the answer to its bits: over every protocol, in
+//! the ways of every family.
 
-use crate::profile::Type;
-use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, ParamAddress, Request};
+use crate::exchange::{Question, Said};
+use crate::profile::{Cause, Family, Link, Route as Way, Type};
+use crate::protocol::Protocol;
+use crate::protocol::modbus::BROADCAST;
+use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request};
+use crate::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber, SystemNode};
 
 /// A parameter number and a data set as they go on the wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RegisterAddress {
-    /// Parameter number, 0-4095.
-    pub number: u16,
-    /// Data set on the wire, 0-9.
+pub struct Cell {
+    /// Parameter number or address.
+    pub number: u32,
+    /// Data set on the wire, 0-9; 0 where a family has none.
     pub set: u8,
 }
 
-impl RegisterAddress {
-    /// The address, if the number fits into its 12 bits.
-    pub fn new(number: u32, set: u8) -> Option<Self> {
-        let number = u16::try_from(number).ok()?;
-        ParamAddress::new(set, number).map(|_| RegisterAddress { number, set })
-    }
-
-    /// The address word on the wire.
-    pub fn word(self) -> u16 {
-        ParamAddress::new(self.set, self.number).map_or(0, ParamAddress::word)
-    }
-}
-
-/// The question that reads a parameter of this width: code 3 for 16 bits, 100 for 32 (CM-485 manual 6.4).
-pub(super) fn read(at: RegisterAddress, kind: Type) -> Request {
-    match kind {
-        Type::Long => Request::ReadLong { address: at.word() },
-        _ => Request::ReadRegisters { start: at.word(), count: 1 },
-    }
-}
-
-/// The question that writes a parameter of this width: code 6 for 16 bits, 101 for 32 (CM-485 manual 6.4).
-pub(super) fn write(at: RegisterAddress, kind: Type, bits: u32) -> Request {
-    match kind {
-        Type::Long => Request::WriteLong { address: at.word(), value: bits },
-        _ => Request::WriteRegister { address: at.word(), value: bits as u16 },
-    }
-}
-
-/// A question that a verb would put, for a dry run.
+/// Something that a verb asks a drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inquiry {
     /// Read a parameter.
-    Read(RegisterAddress, Type),
+    Read(Cell, Type),
+    /// Read this many neighbours in one telegram.
+    ReadMany(Cell, u16),
     /// Write these bits to a parameter.
-    Write(RegisterAddress, Type, u32),
+    Write(Cell, Type, u32),
+    /// Write these bits to a parameter and read them back in the same exchange.
+    WriteAndRead(Cell, Type, u32),
     /// Read a diagnostic counter.
     Counter(u16),
     /// Set every diagnostic counter to zero.
     ClearCounters,
 }
 
-impl Inquiry {
-    pub(super) fn request(self) -> Request {
-        match self {
-            Inquiry::Read(at, kind) => read(at, kind),
-            Inquiry::Write(at, kind, bits) => write(at, kind, bits),
+/// Why the drive said no, as far as its reply tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum No {
+    /// A Modbus exception.
+    Exception(Exception),
+    /// A NAK of VABus, which tells nothing.
+    Nak,
+}
+
+/// What an answer carries.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Content {
+    /// Bits, and how wide they came.
+    Bits(u32, Width),
+    /// A string.
+    Text(String),
+    /// Only that it is done.
+    Done,
+}
+
+/// How wide a value came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Width {
+    Word,
+    Long,
+    /// As the question said.
+    AsAsked,
+}
+
+/// The way to the parameters of one drive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Route {
+    /// What is spoken on the line.
+    pub protocol: Protocol,
+    /// Codes and addressing of the family.
+    pub way: Way,
+    /// Address of the drive; 0 is everybody.
+    pub address: u8,
+    /// System-bus node behind it; 0 is the drive itself.
+    pub node: u8,
+    /// The upper half of a value in two registers comes first.
+    pub high_first: bool,
+}
+
+impl Route {
+    /// The way to a drive of a family.
+    pub fn new(protocol: Protocol, link: &Link, address: u8) -> Self {
+        Route { protocol, way: link.route, address, node: 0, high_first: true }
+    }
+
+    /// The question, if the protocol and the family have it and the number fits.
+    pub fn question(self, inquiry: Inquiry) -> Option<Question> {
+        match (self.protocol, self.way) {
+            (Protocol::Vabus, _) => self.vabus(inquiry).map(Question::from),
+            (Protocol::Modbus(_), Way::Active) => active(inquiry).map(Question::from),
+            (Protocol::Modbus(_), Way::Registers32) => self.registers(inquiry).map(Question::from),
+        }
+    }
+
+    /// The question that tells why the drive said no, if this no has a cause that can be asked for.
+    pub(super) fn cause(self, family: &Family, no: No) -> Option<Question> {
+        let told = match (self.way, no) {
+            (Way::Active, No::Exception(code)) => {
+                matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress)
+            }
+            _ => true,
+        };
+        if !told {
+            return None;
+        }
+        match family.link.cause {
+            // The register is the one of the drive that stands on the line, whatever is behind it (facts A2).
+            Cause::ErrorRegister => Route { node: 0, ..self }.question(register(family)?),
+            Cause::Diagnostics(sub) => self.question(Inquiry::Counter(sub)),
+        }
+    }
+
+    /// What an answer carries; `None` if it does not fit.
+    pub(super) fn content(self, said: &Said) -> Option<Content> {
+        Some(match said {
+            Said::Modbus(Reply::Registers(words) | Reply::RegistersExchanged(words)) => self.words(words)?,
+            Said::Modbus(Reply::Long(bits)) => Content::Bits(*bits, Width::Long),
+            Said::Modbus(Reply::Diagnostics { data, .. }) => Content::Bits((*data).into(), Width::Word),
+            Said::Modbus(_) => Content::Done,
+            Said::Vabus(vabus::Reply::Value { data, .. }) => match (data.as_word(), data.as_long()) {
+                (Some(word), _) => Content::Bits(word.into(), Width::Word),
+                (_, Some(long)) => Content::Bits(long, Width::Long),
+                _ => Content::Text(String::from_utf8_lossy(data.characters()).into_owned()),
+            },
+            Said::Vabus(_) => Content::Done,
+        })
+    }
+
+    /// Whether an answer carries these bits, read back in the exchange that wrote them.
+    pub(super) fn tells(self, said: &Said, bits: u32) -> bool {
+        matches!(said, Said::Modbus(Reply::RegistersExchanged(_)))
+            && matches!(self.content(said), Some(Content::Bits(read, _)) if read == bits)
+    }
+
+    /// The 16 bits that an answer carries, if it carries a number.
+    pub(super) fn number(self, said: &Said) -> Option<u16> {
+        match self.content(said)? {
+            Content::Bits(bits, _) => u16::try_from(bits).ok(),
+            Content::Text(_) | Content::Done => None,
+        }
+    }
+
+    fn words(self, words: &[u16]) -> Option<Content> {
+        Some(match (self.way, words) {
+            (Way::Registers32, &[first, second, ..]) => Content::Bits(self.join(first, second), Width::AsAsked),
+            (_, &[word, ..]) => Content::Bits(word.into(), Width::Word),
+            _ => return None,
+        })
+    }
+
+    /// The values of neighbours that came in one telegram.
+    pub(super) fn values(self, said: &Said) -> Vec<u32> {
+        match said {
+            Said::Modbus(Reply::Registers(words)) if self.way == Way::Registers32 => {
+                words.chunks_exact(2).map(|pair| self.join(pair[0], pair[1])).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn join(self, first: u16, second: u16) -> u32 {
+        let (high, low) = if self.high_first { (first, second) } else { (second, first) };
+        u32::from(high) << 16 | u32::from(low)
+    }
+
+    fn split(self, bits: u32) -> Vec<u16> {
+        let (high, low) = ((bits >> 16) as u16, bits as u16);
+        if self.high_first { vec![high, low] } else { vec![low, high] }
+    }
+
+    /// LXM05: every parameter in two registers (LXM05 manual 5.2, 5.3).
+    fn registers(self, inquiry: Inquiry) -> Option<Request> {
+        let start = |cell: Cell| u16::try_from(cell.number).ok();
+        Some(match inquiry {
+            Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 2 },
+            Inquiry::ReadMany(cell, count) => Request::ReadRegisters { start: start(cell)?, count: count * 2 },
+            Inquiry::Write(cell, _, bits) => {
+                Request::WriteRegisters { start: start(cell)?, values: self.split(bits) }
+            }
+            Inquiry::WriteAndRead(cell, _, bits) => Request::ExchangeRegisters {
+                start: start(cell)?,
+                count: 2,
+                write_start: start(cell)?,
+                values: self.split(bits),
+            },
             Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
             Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },
+        })
+    }
+
+    fn vabus(self, inquiry: Inquiry) -> Option<vabus::Request> {
+        let address = match self.address {
+            BROADCAST => Address::BROADCAST,
+            id => Address::drive(id)?,
+        };
+        let header = |cell: Cell| {
+            let number = ParamNumber::new(u16::try_from(cell.number).ok()?)?;
+            Some(Header { node: SystemNode::new(self.node)?, set: DataSet::new(cell.set)?, number })
+        };
+        match inquiry {
+            Inquiry::Read(cell, _) => Some(vabus::Request::Enquiry { address, header: header(cell)? }),
+            Inquiry::Write(cell, kind, bits) => {
+                let data = if kind == Type::Long { Data::long(bits) } else { Data::word(bits as u16) };
+                Some(vabus::Request::Select { address, header: header(cell)?, data })
+            }
+            _ => None,
         }
+    }
+}
+
+/// Codes 3 and 6 for 16 bits, 100 and 101 for 32 (CM-485 manual 6.4).
+fn active(inquiry: Inquiry) -> Option<Request> {
+    let word = |cell: Cell| Some(ParamAddress::new(cell.set, u16::try_from(cell.number).ok()?)?.word());
+    Some(match inquiry {
+        Inquiry::Read(cell, Type::Long) => Request::ReadLong { address: word(cell)? },
+        Inquiry::Read(cell, _) => Request::ReadRegisters { start: word(cell)?, count: 1 },
+        Inquiry::Write(cell, Type::Long, bits) => Request::WriteLong { address: word(cell)?, value: bits },
+        Inquiry::Write(cell, _, bits) => Request::WriteRegister { address: word(cell)?, value: bits as u16 },
+        Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
+        Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },
+        Inquiry::ReadMany(..) | Inquiry::WriteAndRead(..) => return None,
+    })
+}
+
+/// The question for the error register of a family that has one.
+pub(super) fn register(family: &Family) -> Option<Inquiry> {
+    let register = family.role("error-register")?;
+    Some(Inquiry::Read(Cell { number: register.id, set: 0 }, Type::Uint))
+}
+
+/// Whether the answer is a no.
+pub(super) fn no(said: &Said) -> Option<No> {
+    match said {
+        Said::Modbus(Reply::Exception { code, .. }) => Some(No::Exception(*code)),
+        Said::Vabus(vabus::Reply::Nak { .. }) => Some(No::Nak),
+        _ => None,
     }
 }

@@ -1,22 +1,19 @@
 //! An open line: asks questions, tells what goes over it, and turns what goes wrong into failures with a hint.
 
 use super::pump::{self, Interrupt, PumpError};
-use super::{decode, route::RegisterAddress, trouble};
-use crate::exchange::modbus::{Answer, ExchangeError, Limits, Master};
-use crate::exchange::{Record, Tally, Verdict};
+use super::route::{No, Route, no};
+use super::{decode, trouble};
+use crate::exchange::{Answer, ExchangeError, Limits, Master, News, Question, Record, Said, Survey, Tally, Verdict};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
-use crate::profile::{Lang, Registry, Type};
+use crate::profile::{Family, Lang, Registry};
+use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{Exception, Reply, Request};
-use crate::protocol::modbus::{Framing, Hex};
+use crate::protocol::modbus::Hex;
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
-use crate::transport::{Link, LinkError, Port, Trace, list_ports};
+use crate::transport::{Link, LinkError, Port, Rs485, Trace, list_ports};
 use std::path::Path;
-
-/// Number of the error register of the ACTIVE family; reading clears it (CM-485 manual 6.6).
-pub(super) const ERROR_REGISTER: u32 = 11;
 
 /// How to open a line.
 #[derive(Debug)]
@@ -25,8 +22,10 @@ pub struct Opening<'a> {
     pub port: &'a Port,
     /// Speed and character format.
     pub line: LineSetting,
-    /// RTU or ASCII.
-    pub framing: Framing,
+    /// Who switches the direction of an RS-485 line.
+    pub rs485: Rs485,
+    /// What is spoken.
+    pub protocol: Protocol,
     /// How long to wait for a reply; `None` for the manual's time.
     pub timeout: Option<Span>,
     /// How often to repeat a question; `None` for the usual number.
@@ -46,6 +45,8 @@ pub struct Session<'a> {
     master: Master,
     observe: &'a mut dyn FnMut(Event),
     interrupt: Interrupt,
+    /// Telegrams and garbage that were not for the master, if anybody wants them.
+    overheard: Option<Vec<Record>>,
     verbose: bool,
     lang: Lang,
 }
@@ -59,9 +60,9 @@ impl std::fmt::Debug for Session<'_> {
 /// The drive understood the question and said no.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// Exception code of the reply.
-    pub exception: Exception,
-    /// The cause, read back from the error register at once (P.11).
+    /// What the reply tells.
+    pub no: No,
+    /// The cause, read back at once from where the family keeps it: P.11 of the ACTIVE family.
     pub cause: Option<u16>,
 }
 
@@ -69,11 +70,14 @@ pub struct Refusal {
 #[derive(Debug, thiserror::Error)]
 pub enum AccessError {
     /// The drive said no.
-    #[error("refused: {}", .0.exception)]
+    #[error("refused: {:?}", .0.no)]
     Refused(Refusal),
     /// No valid reply.
     #[error(transparent)]
     Exchange(#[from] ExchangeError),
+    /// The protocol on the line, or the family, has no telegram for this.
+    #[error("there is no telegram for this")]
+    Unspeakable,
     /// The port is gone.
     #[error(transparent)]
     Link(#[from] LinkError),
@@ -84,13 +88,13 @@ pub enum AccessError {
 
 impl<'a> Session<'a> {
     /// Opens the line.
-    pub fn open(
+    pub async fn open(
         opening: Opening<'_>,
         registry: &Registry,
         interrupt: Interrupt,
         observe: &'a mut dyn FnMut(Event),
     ) -> Result<Self, Failure> {
-        let Opening { port, line, framing, timeout, retries, trace, verbose, lang } = opening;
+        let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose, lang } = opening;
         let usual = Limits::default();
         let limits = Limits {
             reply_timeout: timeout.unwrap_or(usual.reply_timeout),
@@ -98,70 +102,118 @@ impl<'a> Session<'a> {
             ..usual
         };
         let mut link = match port {
-            Port::Serial(name) => Link::open_serial(name, line).map_err(|error| trouble::link(&error, lang))?,
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
+            port => tokio::select! {
+                link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error, lang))?,
+                () = interrupt.raised() => return Err(trouble::interrupted(lang)),
+            },
         };
         if let Some(path) = trace {
-            link.record_to(open_trace(path, &format!("{line}, {}", framing.name()))?);
+            link.record_to(open_trace(path, &format!("{line}, {protocol}"))?);
         }
         for deviation in link.deviations() {
             observe(Event::Note(format!("{port}: {deviation}")));
         }
-        let (port, master) = (port.to_string(), Master::new(framing, line, limits));
-        Ok(Session { port, link, master, observe, interrupt, verbose, lang })
+        let (port, master) = (port.to_string(), Master::new(protocol, line, limits));
+        Ok(Session { port, link, master, observe, interrupt, overheard: None, verbose, lang })
     }
 
-    /// Asks a station and waits for the answer.
-    pub async fn ask(&mut self, station: u8, request: Request) -> Result<Answer, AccessError> {
-        self.master.ask(station, request, self.link.now());
+    /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
+    /// knows yet whether the adapter echoes, something else is asked first that tells.
+    pub async fn ask(&mut self, station: u8, question: impl Into<Question>) -> Result<Answer, AccessError> {
+        let question = question.into();
+        if self.master.needs_sounding(station, &question) {
+            self.put(station, super::family::sounding().into()).await?;
+        }
+        self.put(station, question).await
+    }
+
+    async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        self.master.ask(station, question, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
         let records = self.master.take_records();
+        self.show(&records);
+        if let Some(overheard) = &mut self.overheard {
+            let strange = |record: &Record| matches!(record.verdict, Verdict::Stray { .. } | Verdict::Garbage);
+            overheard.extend(records.into_iter().filter(strange));
+        }
+        Ok(outcome??)
+    }
+
+    /// Carries a survey on until it has something to tell.
+    pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
+        let outcome = pump::run(survey, &mut self.link, &self.interrupt).await;
+        self.show(&survey.take_records());
+        Ok(outcome?)
+    }
+
+    /// What came since the last call and was no answer to a question; kept from the first call on.
+    pub(super) fn overheard(&mut self) -> Vec<Record> {
+        std::mem::take(self.overheard.get_or_insert_default())
+    }
+
+    /// A station was asked this otherwise, and its reply may still come.
+    pub(super) fn expect(&mut self, station: u8, question: Question) {
+        self.master.expect(station, question, self.link.now());
+    }
+
+    fn show(&mut self, records: &[Record]) {
         if self.verbose {
-            for record in records {
-                (self.observe)(telegram_event(self.master.framing(), self.lang, &record));
-            }
-        }
-        match outcome {
-            Ok(Ok(answer)) => Ok(answer),
-            Ok(Err(error)) => Err(error.into()),
-            Err(PumpError::Link(error)) => Err(error.into()),
-            Err(PumpError::Interrupted) => Err(AccessError::Interrupted),
+            let protocol = self.protocol();
+            records.iter().for_each(|record| (self.observe)(telegram_event(protocol, self.lang, record)));
         }
     }
 
-    /// Asks a station for a reply that is no exception; after a refusal reads the cause back from the error register,
-    /// at once, because anything else could read it away.
-    pub async fn demand(&mut self, station: u8, request: Request) -> Result<(Reply, Span), AccessError> {
-        match self.ask(station, request.clone()).await? {
-            Answer::Broadcast => Ok((Reply::Registers(Vec::new()), Span::ZERO)),
-            Answer::Reply { reply: Reply::Exception { code, .. }, .. } => {
-                let tells = matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress);
-                let cause = if tells { self.error_register(station).await? } else { None };
-                // 0 is "nothing was refused": the register belongs to something else, or there is none.
-                let cause = cause.filter(|&cause| cause != 0);
-                Err(AccessError::Refused(Refusal { exception: code, cause }))
-            }
-            Answer::Reply { reply, after } => Ok((reply, after)),
-        }
+    /// Asks a drive for an answer that is no refusal; after one asks for the cause at once, because anything else could
+    /// overwrite it. A broadcast answers nothing.
+    pub async fn demand(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+    ) -> Result<Option<(Said, Span)>, AccessError> {
+        let (said, after) = match self.ask(route.address, question).await? {
+            Answer::Broadcast => return Ok(None),
+            Answer::Reply { said, after } => (said, after),
+        };
+        let Some(no) = no(&said) else { return Ok(Some((said, after))) };
+        let cause = match route.cause(family, no) {
+            Some(question) => self.number(route, question).await?,
+            None => None,
+        };
+        // 0 is "nothing was refused": the register belongs to something else, or there is none.
+        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0) }))
     }
 
-    /// Reads, and so clears, the error register; `None` if the station does not answer it with a value.
-    pub async fn error_register(&mut self, station: u8) -> Result<Option<u16>, AccessError> {
-        let Some(at) = RegisterAddress::new(ERROR_REGISTER, 0) else { return Ok(None) };
-        match self.ask(station, super::route::read(at, Type::Uint)).await {
-            Ok(Answer::Reply { reply: Reply::Registers(values), .. }) => Ok(values.first().copied()),
-            Ok(_) | Err(AccessError::Exchange(_)) => Ok(None),
+    /// Asks for a 16-bit number; `None` if the station answers with something else.
+    pub(super) async fn number(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
+        match self.ask(route.address, question).await {
+            Ok(Answer::Reply { said, .. }) => Ok(route.number(&said)),
+            Ok(Answer::Broadcast) | Err(AccessError::Exchange(_)) => Ok(None),
             Err(error) => Err(error),
         }
     }
 
+    /// Other speed, format or protocol from now on.
+    pub async fn retune(&mut self, protocol: Protocol, line: LineSetting) -> Result<(), AccessError> {
+        self.link.set_line(line).await?;
+        self.master.retune(protocol, line, self.link.now());
+        Ok(())
+    }
+
+    /// Whether [`Session::retune`] can set another speed or format.
+    pub fn can_retune(&self) -> bool {
+        self.link.can_set_line()
+    }
+
+    /// Whether speed and format can be changed from here; behind a raw TCP port they are set by other means.
+    pub(super) fn can_set_line(&self) -> bool {
+        self.link.can_set_line()
+    }
+
     /// Waits without asking anything; ends early with an error if somebody interrupts or the port is lost.
     pub async fn rest(&mut self, span: Span) -> Result<(), AccessError> {
-        let result = pump::rest(&mut self.master, &mut self.link, &self.interrupt, span).await;
-        result.map_err(|error| match error {
-            PumpError::Link(error) => error.into(),
-            PumpError::Interrupted => AccessError::Interrupted,
-        })
+        Ok(pump::rest(&mut self.master, &mut self.link, &self.interrupt, span).await?)
     }
 
     /// From now on the line is used whether somebody interrupts or not: for the stop that must still go out.
@@ -172,7 +224,11 @@ impl<'a> Session<'a> {
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what
     /// was on its way to a lost question is nobody's answer.
     pub async fn reopen(&mut self) -> Result<(), AccessError> {
-        self.link.reopen()?;
+        let interrupt = self.interrupt.clone();
+        tokio::select! {
+            reopened = self.link.reopen() => reopened?,
+            () = interrupt.raised() => return Err(AccessError::Interrupted),
+        }
         self.rest(self.limits().reply_timeout).await
     }
 
@@ -218,9 +274,14 @@ impl<'a> Session<'a> {
         &self.port
     }
 
-    /// How telegrams are framed.
-    pub fn framing(&self) -> Framing {
-        self.master.framing()
+    /// What is spoken.
+    pub fn protocol(&self) -> Protocol {
+        self.master.protocol()
+    }
+
+    /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
+    pub fn echoes(&self) -> Option<bool> {
+        self.master.echoes()
     }
 
     /// Setting of the line.
@@ -271,20 +332,31 @@ fn open_trace(path: &Path, about: &str) -> Result<Trace, Failure> {
     file.map_err(|error| Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display())))
 }
 
-fn telegram_event(framing: Framing, lang: Lang, record: &Record) -> Event {
+fn telegram_event(protocol: Protocol, lang: Lang, record: &Record) -> Event {
     let (direction, is_request) = match record.verdict {
-        Verdict::Request | Verdict::Fence => ('>', Some(true)),
+        Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
         Verdict::Reply => ('<', Some(false)),
+        Verdict::Echo => ('~', Some(true)),
         Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
     };
-    let reader = decode::Reader { framing, family: None, lang };
+    let reader = decode::Reader { protocol, family: None, lang };
     let told = reader.telegram(&record.bytes, is_request);
     let meaning = match record.verdict {
         Verdict::Fence => format!("fence: {}", told.meaning),
+        Verdict::Echo => format!("{}: {}", lang.pick("echo of the adapter", "Echo des Adapters"), told.meaning),
         Verdict::Stray { station } => format!("not the answer, from address {station}: {}", told.meaning),
         _ => told.meaning,
     };
     Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
+}
+
+impl From<PumpError> for AccessError {
+    fn from(error: PumpError) -> Self {
+        match error {
+            PumpError::Link(error) => error.into(),
+            PumpError::Interrupted => AccessError::Interrupted,
+        }
+    }
 }
 
 impl AccessError {

@@ -1,10 +1,12 @@
 //! Reading and writing parameters of one drive: widths, data sets, refusals, proof of writes.
 
-use super::route::{self, RegisterAddress};
-use super::session::{AccessError, ERROR_REGISTER, Refusal, Session};
+use super::route::{Cell, Content, Inquiry, No, Route, Width};
+use super::session::{AccessError, Refusal, Session};
+use crate::exchange::Limits;
 use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Type, value};
-use crate::protocol::modbus::pdu::{Exception, Reply};
+use crate::protocol::modbus::BROADCAST;
+use crate::protocol::modbus::pdu::Exception;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -20,8 +22,12 @@ const WRONG_TYPE: u16 = 10;
 pub struct Target {
     /// Address of the drive; 0 is everybody.
     pub address: u8,
+    /// System-bus node behind it; 0 is the drive itself.
+    pub node: u8,
     /// What it is.
     pub family: Rc<Family>,
+    /// Which half of a value in two registers comes first, once it is known or given.
+    pub high_first: Option<bool>,
     /// Widths that were found out by asking, for this run.
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
@@ -31,12 +37,14 @@ pub struct Target {
 }
 
 /// A value as it was read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {
     /// Data set on the wire, 0-9.
     pub set: u8,
-    /// The value without its decimal point.
+    /// The value without its decimal point; 0 for a string.
     pub raw: i64,
+    /// The characters of a string.
+    pub text: Option<String>,
     /// Its type, from the catalogue or found out.
     pub kind: Type,
     /// The catalogue names another width, and the drive is right.
@@ -74,7 +82,21 @@ pub enum WriteFate {
 impl Target {
     /// A drive of a known family.
     pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target { address, family, widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
+        Target {
+            address,
+            node: 0,
+            family,
+            high_first: None,
+            widths: BTreeMap::new(),
+            kept_register: None,
+            known_watchdog: None,
+        }
+    }
+
+    /// The same with the word order that somebody gave, if any.
+    #[must_use]
+    pub fn in_word_order(self, high_first: Option<bool>) -> Self {
+        Target { high_first, ..self }
     }
 
     /// Reads a parameter in the data sets that are meant. Asks set 0 first; if the sets differ (P.11 = 9), reads each
@@ -111,58 +133,118 @@ impl Target {
         param: &Param,
         set: u8,
     ) -> Result<Reading, AccessError> {
-        if param.id == ERROR_REGISTER
-            && let Some(kept) = self.kept_register.take()
-        {
-            return Ok(Reading { set, raw: kept.into(), kind: Type::Uint, corrected: false });
+        let is_register = self.family.role("error-register").is_some_and(|register| register.id == param.id);
+        if is_register && let Some(kept) = self.kept_register.take() {
+            return Ok(Reading { set, raw: kept.into(), text: None, kind: Type::Uint, corrected: false });
         }
-        let at = RegisterAddress::new(param.id, set)
-            .ok_or(AccessError::Refused(Refusal { exception: Exception::IllegalDataAddress, cause: None }))?;
+        let cell = Cell { number: param.id, set };
         let stated = self.widths.get(&param.id).copied().or(param.kind);
         let first = stated.unwrap_or(Type::Word);
-        let error = match self.read_as(session, param, at, first).await {
-            Ok(raw) => return Ok(self.found(param, set, raw, first)),
+        let error = match self.read_as(session, param, cell, first).await {
+            Ok(reading) => return Ok(self.found(param, reading)),
             Err(error) => error,
         };
         let doubtful = stated.is_none() || param.unconfirmed.iter().any(|field| field == "type" || field == "row");
         let width = matches!(
             &error,
             AccessError::Refused(Refusal { cause: Some(WRONG_WIDTH | WRONG_TYPE), .. })
-                | AccessError::Refused(Refusal { exception: Exception::IllegalDataAddress, cause: None | Some(0) })
+                | AccessError::Refused(Refusal {
+                    no: No::Exception(Exception::IllegalDataAddress),
+                    cause: None | Some(0)
+                })
         );
         if !(doubtful && width) {
             return Err(error);
         }
         let second = if first.bits() == Some(32) { Type::Word } else { Type::Long };
-        match self.read_as(session, param, at, second).await {
-            Ok(raw) => Ok(self.found(param, set, raw, second)),
+        match self.read_as(session, param, cell, second).await {
+            Ok(reading) => Ok(self.found(param, reading)),
             Err(AccessError::Refused(_)) => Err(error),
             Err(other) => Err(other),
         }
     }
 
-    async fn read_as(
-        &self,
+    /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not
+    /// returned, alone or refused with its neighbours, is to be read one by one.
+    pub async fn neighbours(
+        &mut self,
         session: &mut Session<'_>,
-        param: &Param,
-        at: RegisterAddress,
-        kind: Type,
-    ) -> Result<i64, AccessError> {
-        let (reply, _) = session.demand(self.address, route::read(at, kind)).await?;
-        let bits = match reply {
-            Reply::Registers(values) => values.first().copied().unwrap_or(0).into(),
-            Reply::Long(value) => value,
-            _ => 0,
-        };
-        Ok(value::from_wire(bits, kind, param.min))
+        params: &[Param],
+    ) -> Result<Vec<(u32, Reading)>, AccessError> {
+        let way = self.family.link.route;
+        let mut readings = Vec::new();
+        let lines = params.chunk_by(|one, next| way.neighbour(one.id) == Some(next.id));
+        for chunk in lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1) {
+            match self.read_chunk(session, chunk).await {
+                Ok(chunk) => readings.extend(chunk),
+                Err(error) if error.is_fatal() => return Err(error),
+                Err(_) => {}
+            }
+        }
+        Ok(readings)
     }
 
-    fn found(&mut self, param: &Param, set: u8, raw: i64, kind: Type) -> Reading {
-        let corrected = param.kind.is_some_and(|stated| stated.bits() != kind.bits());
+    async fn read_chunk(
+        &mut self,
+        session: &mut Session<'_>,
+        chunk: &[Param],
+    ) -> Result<Vec<(u32, Reading)>, AccessError> {
+        let route = self.route(session).await?;
+        let (first, count) = chunk.first().zip(u16::try_from(chunk.len()).ok()).ok_or(AccessError::Unspeakable)?;
+        let inquiry = Inquiry::ReadMany(Cell { number: first.id, set: 0 }, count);
+        let question = route.question(inquiry).ok_or(AccessError::Unspeakable)?;
+        let answer = session.demand(route, &self.family, question).await?;
+        let values = answer.map_or_else(Vec::new, |(said, _)| route.values(&said));
+        let read = |(param, bits): (&Param, u32)| {
+            let kind = param.kind.unwrap_or(Type::Long);
+            (param.id, reading(param, 0, Content::Bits(bits, Width::AsAsked), kind))
+        };
+        Ok(chunk.iter().zip(values).map(read).collect())
+    }
+
+    /// The way to this drive on the line of the session. Where values take two registers, which half comes first is
+    /// asked once.
+    pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
+        let route = Route {
+            node: self.node,
+            high_first: self.high_first.unwrap_or(true),
+            ..Route::new(session.protocol(), &self.family.link, self.address)
+        };
+        let asks = self.high_first.is_none() && self.address != BROADCAST;
+        let Some(order) = self.family.role("word-order").filter(|_| asks) else {
+            return Ok(route);
+        };
+        let cell = Cell { number: order.id, set: 0 };
+        let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
+        let answer = session.demand(route, &self.family, question).await?;
+        // The setting is 0 or 1, so one half is always 0, and a 1 that reads as the upper half came first.
+        let content = answer.and_then(|(said, _)| route.content(&said));
+        let high_first = !matches!(content, Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX));
+        self.high_first = Some(high_first);
+        Ok(Route { high_first, ..route })
+    }
+
+    async fn read_as(
+        &mut self,
+        session: &mut Session<'_>,
+        param: &Param,
+        cell: Cell,
+        kind: Type,
+    ) -> Result<Reading, AccessError> {
+        let route = self.route(session).await?;
+        let question = route.question(Inquiry::Read(cell, kind)).ok_or(AccessError::Unspeakable)?;
+        let answer = session.demand(route, &self.family, question).await?;
+        let content = answer.and_then(|(said, _)| route.content(&said)).ok_or(AccessError::Unspeakable)?;
+        Ok(reading(param, cell.set, content, kind))
+    }
+
+    /// Remembers the width that turned out to be the right one.
+    fn found(&mut self, param: &Param, reading: Reading) -> Reading {
+        let corrected = param.kind.is_some_and(|stated| stated.bits() != reading.kind.bits());
         if param.kind.is_none() || corrected {
-            self.widths.insert(param.id, kind);
+            self.widths.insert(param.id, reading.kind);
         }
-        Reading { set, raw, kind, corrected }
+        Reading { corrected, ..reading }
     }
 
     /// The type to write a parameter with: from the catalogue, found out earlier, or found out now by reading it.
@@ -197,24 +279,34 @@ impl Target {
         _permit: &Permit,
     ) -> Result<WriteFate, AccessError> {
         let Order { set, raw, kind, read_back } = order;
-        let refused = || AccessError::Refused(Refusal { exception: Exception::IllegalDataValue, cause: None });
-        let at = RegisterAddress::new(param.id, set).ok_or_else(refused)?;
-        let bits = value::to_wire(raw, kind).map_err(|_| refused())?;
-        let request = route::write(at, kind, bits);
-        if self.address == crate::protocol::modbus::BROADCAST {
-            session.ask(self.address, request).await?;
+        let bits = value::to_wire(raw, kind).map_err(|_| AccessError::Unspeakable)?;
+        let cell = Cell { number: param.id, set };
+        let route = self.route(session).await?;
+        let plain = route.question(Inquiry::Write(cell, kind, bits)).ok_or(AccessError::Unspeakable)?;
+        if self.address == BROADCAST {
+            session.ask(self.address, plain).await?;
             return Ok(WriteFate::Broadcast);
         }
+        let both = route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back);
+        let mut question = both.unwrap_or_else(|| plain.clone());
         let limits = session.limits();
         let mut tries = 0;
         loop {
             tries += 1;
-            session.set_limits(crate::exchange::modbus::Limits { retries: 0, ..limits });
-            let sent = session.demand(self.address, request.clone()).await;
+            session.set_limits(Limits { retries: 0, ..limits });
+            let sent = session.demand(route, &self.family, question.clone()).await;
             session.set_limits(limits);
             let missing = match sent {
                 Ok(_) if !read_back => return Ok(WriteFate::Written),
+                Ok(Some((said, _))) if route.tells(&said, bits) => return Ok(WriteFate::Verified),
                 Ok(_) => None,
+                // The drive does not know the code that writes and reads.
+                Err(AccessError::Refused(Refusal { no: No::Exception(Exception::IllegalFunction), .. }))
+                    if question != plain =>
+                {
+                    question = plain.clone();
+                    continue;
+                }
                 Err(AccessError::Exchange(error)) => Some(AccessError::Exchange(error)),
                 Err(error) => return Err(error),
             };
@@ -232,5 +324,22 @@ impl Target {
                 (Err(_), Some(error)) => return Ok(WriteFate::Unknown(error)),
             }
         }
+    }
+}
+
+/// A value from what came, with the type that its width proves: `kind` where the width is the same.
+pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> Reading {
+    let blank = Reading { set, raw: 0, text: None, kind, corrected: false };
+    match content {
+        Content::Bits(bits, width) => {
+            let kind = match width {
+                Width::Long => Type::Long,
+                Width::Word if kind.bits() != Some(16) => Type::Word,
+                Width::Word | Width::AsAsked => kind,
+            };
+            Reading { raw: value::from_wire(bits, kind, param.min), kind, ..blank }
+        }
+        Content::Text(text) => Reading { text: Some(text), kind: Type::String, ..blank },
+        Content::Done => blank,
     }
 }

@@ -1,9 +1,10 @@
 //! What went wrong, said in both languages, with what to do next.
 
+use super::route::No;
 use super::session::{AccessError, Refusal};
-use crate::exchange::modbus::ExchangeError;
+use crate::exchange::ExchangeError;
 use crate::failure::{Class, Failure};
-use crate::profile::{Family, Lang};
+use crate::profile::{Cause, Family, Lang};
 use crate::protocol::modbus::Hex;
 use crate::transport::{LinkError, list_ports};
 
@@ -13,11 +14,9 @@ impl AccessError {
         match self {
             AccessError::Refused(refusal) => refused(refusal, address, family, lang),
             AccessError::Exchange(error) => exchange(error, address, lang),
+            AccessError::Unspeakable => unspeakable(lang),
             AccessError::Link(error) => link(error, lang),
-            AccessError::Interrupted => {
-                let text = lang.pick("interrupted before the answer came", "unterbrochen, bevor die Antwort kam");
-                Failure::new(Class::Interrupted, "interrupted", text)
-            }
+            AccessError::Interrupted => interrupted(lang),
         }
         .with("address", address)
     }
@@ -25,27 +24,54 @@ impl AccessError {
 
 fn refused(refusal: &Refusal, address: u8, family: Option<&Family>, lang: Lang) -> Failure {
     let row = refusal.cause.and_then(|code| family?.error(code.into()));
+    let (where_key, where_text) = match family.map(|family| family.link.cause) {
+        Some(Cause::Diagnostics(_)) => ("sync_error", lang.pick("synchronous error", "synchroner Fehler")),
+        _ => ("p11", "P.11"),
+    };
+    let said = match refusal.no {
+        No::Exception(exception) => format!("{} {exception}", lang.pick("exception", "Ausnahme")),
+        No::Nak => "NAK".to_owned(),
+    };
     let (code, cause) = match (refusal.cause, row) {
-        (Some(0) | None, _) => (refusal.exception.name().replace(' ', "_"), String::new()),
-        (Some(code), Some(row)) => (row.slug.clone(), format!(", P.11 = {code}: {}", row.name(lang))),
+        (Some(0) | None, _) => {
+            let code = match refusal.no {
+                No::Exception(exception) => exception.name().replace(' ', "_"),
+                No::Nak => "nak".to_owned(),
+            };
+            (code, String::new())
+        }
+        (Some(code), Some(row)) => (row.slug.clone(), format!(", {where_text} = {code}: {}", row.name(lang))),
         (Some(code), None) => {
-            (format!("error_{code}"), format!(", P.11 = {code} ({})", lang.pick("unknown code", "unbekannter Code")))
+            let unknown = lang.pick("unknown code", "unbekannter Code");
+            (format!("error_{code}"), format!(", {where_text} = {code} ({unknown})"))
         }
     };
-    let said = lang.pick("refused: exception", "lehnt ab: Ausnahme");
-    let message = format!("{} {address} {said} {}{cause}", lang.pick("drive", "Antrieb"), refusal.exception);
-    let failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message)
-        .with("exception", refusal.exception.code());
-    let failure = match refusal.cause {
-        Some(cause) => failure.with("p11", cause),
-        None => failure,
-    };
+    let refuses = lang.pick("refused", "lehnt ab");
+    let message = format!("{} {address} {refuses}: {said}{cause}", lang.pick("drive", "Antrieb"));
+    let mut failure = Failure::new(Class::Refused, format!("refused.{}", code.replace('-', "_")), message);
+    if let No::Exception(exception) = refusal.no {
+        failure = failure.with("exception", exception.code());
+    }
+    if let Some(cause) = refusal.cause {
+        failure = failure.with(where_key, cause);
+    }
     failure.hint(row.map_or(
         lang.pick(
             "the drive gave no cause; check the function code, the parameter and the value",
             "der Antrieb nennt keine Ursache; Funktionscode, Parameter und Wert prüfen",
         ),
         |row| row.hint.get(lang),
+    ))
+}
+
+fn unspeakable(lang: Lang) -> Failure {
+    let text = lang.pick(
+        "the protocol on this line has no telegram for this",
+        "das Protokoll dieser Leitung hat dafür kein Telegramm",
+    );
+    Failure::new(Class::Data, "data.no_telegram", text).hint(lang.pick(
+        "parameter numbers, addresses and data sets have limits; strings travel only over VABus",
+        "Parameternummern, Adressen und Datensätze haben Grenzen; Strings gehen nur über VABus",
     ))
 }
 
@@ -109,6 +135,12 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
     }
 }
 
+/// The failure to show when somebody pressed Ctrl-C.
+pub(super) fn interrupted(lang: Lang) -> Failure {
+    let text = lang.pick("interrupted before the answer came", "unterbrochen, bevor die Antwort kam");
+    Failure::new(Class::Interrupted, "interrupted", text)
+}
+
 /// The failure to show when a port cannot be used.
 pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
     let message = match (error, lang) {
@@ -117,8 +149,19 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
         (LinkError::Busy(port), _) => format!("Anschluss '{port}' wird von einem anderen Programm benutzt"),
         (LinkError::Permission(port), _) => format!("keine Berechtigung, Anschluss '{port}' zu öffnen"),
         (LinkError::Setting { port, message }, _) => format!("Anschluss '{port}': {message}"),
+        (LinkError::Direction { port, mode, message }, _) => {
+            format!("Anschluss '{port}' bietet --rs485 {} nicht: {message}", mode.name())
+        }
+        (LinkError::Fixed(port), _) => format!("die serielle Leitung hinter '{port}' ist von hier nicht einstellbar"),
+        (LinkError::NoRfc2217(port), _) => format!("'{port}' spricht kein RFC 2217"),
+        (LinkError::Unreachable { port, message }, _) => format!("keine Verbindung zu '{port}': {message}"),
         (LinkError::Lost(port), _) => {
             format!("Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
+        }
+        (LinkError::Recording { file, message }, _) => format!("Aufzeichnung {}: {message}", file.display()),
+        (LinkError::OffTape { file, line, expected, sent }, _) => {
+            let (file, expected, sent) = (file.display(), Hex(expected), Hex(sent));
+            format!("Aufzeichnung {file}, Zeile {line}: aufgezeichnet ist {expected}, gesendet wurde {sent}")
         }
     };
     let (code, hint) = match error {
@@ -144,6 +187,51 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
             lang.pick(
                 "is it a serial port, and can it do this speed?",
                 "ist es ein serieller Anschluss, und kann er diese Geschwindigkeit?",
+            )
+            .to_owned(),
+        ),
+        LinkError::Direction { .. } => (
+            "port.rs485",
+            lang.pick(
+                "--rs485 adapter leaves the direction to the adapter, as most USB adapters want it",
+                "--rs485 adapter überlässt die Richtung dem Adapter, wie es die meisten USB-Adapter wollen",
+            )
+            .to_owned(),
+        ),
+        LinkError::Fixed(_) => (
+            "port.fixed_line",
+            lang.pick(
+                "set speed and parity at the device server, or use rfc2217:// where it offers that",
+                "Geschwindigkeit und Parität am Geräteserver einstellen, oder rfc2217:// verwenden, wo er es anbietet",
+            )
+            .to_owned(),
+        ),
+        LinkError::NoRfc2217(_) => (
+            "port.no_rfc2217",
+            lang.pick(
+                "is it the raw port of the device server? Then it is tcp://HOST:PORT",
+                "ist es der rohe Port des Geräteservers? Dann heißt er tcp://RECHNER:PORT",
+            )
+            .to_owned(),
+        ),
+        LinkError::Unreachable { .. } => (
+            "port.unreachable",
+            lang.pick(
+                "check host and TCP port; many device servers accept one connection at a time",
+                "Rechner und TCP-Port prüfen; viele Geräteserver nehmen nur eine Verbindung zugleich an",
+            )
+            .to_owned(),
+        ),
+        LinkError::Recording { .. } => (
+            "port.recording",
+            lang.pick("`--trace FILE` writes such a recording", "`--trace DATEI` schreibt eine solche Aufzeichnung")
+                .to_owned(),
+        ),
+        LinkError::OffTape { .. } => (
+            "port.recording",
+            lang.pick(
+                "play it back with the command, the options and the version that recorded it",
+                "mit dem Befehl, den Optionen und der Version abspielen, mit denen aufgezeichnet wurde",
             )
             .to_owned(),
         ),

@@ -1,11 +1,20 @@
 //! Conversations without I/O: what to send, how the reply ends, when to give up, how to retry.
 //!
 //! A conversation is fed bytes and times and says what to do next ([`Step`]); `drive::pump` carries it out on a link.
-//! This room knows no drive and reads no clock.
+//! [`Master`] asks one station, [`Survey`] looks for all of them; [`dialect`] is what the protocols differ in. This room
+//! knows no drive and reads no clock.
 
-pub mod modbus;
+mod debt;
+pub mod dialect;
+mod echo;
+pub mod master;
+pub mod survey;
 
-use crate::tick::Tick;
+pub use dialect::{Question, Said};
+pub use master::Master;
+pub use survey::{News, Survey};
+
+use crate::tick::{Span, Tick};
 
 /// What a conversation wants next.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,6 +25,18 @@ pub enum Step<T> {
     Wait(Tick),
     /// The conversation is over.
     Done(T),
+}
+
+/// Something that is said over a line, step by step.
+pub trait Conversation {
+    /// How it ends.
+    type End;
+
+    /// What to do now. Call again after every step.
+    fn step(&mut self, now: Tick) -> Step<Self::End>;
+
+    /// Takes bytes that came in at `at`.
+    fn feed(&mut self, at: Tick, bytes: &[u8]);
 }
 
 /// A telegram, or a piece of one, as it went over the line.
@@ -29,6 +50,16 @@ pub struct Record {
     pub bytes: Vec<u8>,
 }
 
+impl Record {
+    /// Whether `bytes` that have come by `at` are the same telegram once more, right behind this one.
+    fn is_doubled_by(&self, at: Tick, bytes: &[u8]) -> bool {
+        self.bytes == bytes && at.since(self.at) < DOUBLED_WITHIN
+    }
+}
+
+/// A telegram that comes twice comes twice in a row; a late reply comes when it likes.
+const DOUBLED_WITHIN: Span = Span::from_millis(20);
+
 /// What a telegram was to the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
@@ -36,8 +67,12 @@ pub enum Verdict {
     Request,
     /// We asked something whose answer cannot be taken for a missing one, to part old replies from new ones.
     Fence,
+    /// We ended an exchange, where the protocol wants that.
+    Farewell,
     /// The answer to what we asked.
     Reply,
+    /// What we sent, as the adapter heard it.
+    Echo,
     /// A valid telegram, but not the answer to what we asked: late, doubled, or from somebody else.
     Stray {
         /// The station that it names.
@@ -62,8 +97,78 @@ pub struct Tally {
     pub garbled: u64,
     /// Valid telegrams that were not the answer.
     pub strays: u64,
+    /// Telegrams of ours that came back from the adapter.
+    pub echoes: u64,
     /// Repeats.
     pub repeats: u64,
     /// Fences sent.
     pub fences: u64,
+}
+
+/// Time limits of a conversation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// From the end of the request until its reply is given up.
+    pub reply_timeout: Span,
+    /// How often a question is repeated.
+    pub retries: u8,
+    /// Pause after a reply, so that the drive can switch off its transmitter.
+    pub pause: Span,
+    /// Pause after a broadcast, so that everybody can obey.
+    pub turnaround: Span,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            reply_timeout: Span::from_millis(500), // CM-485 manual 6.8
+            retries: 2,
+            pause: Span::from_millis(2),        // CM-485 manual 6.8
+            turnaround: Span::from_millis(100), // MODBUS over Serial Line V1.02, 2.4.1: typically 100-200 ms
+        }
+    }
+}
+
+/// How a question ended well.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The station answered; a refusal is an answer too.
+    Reply {
+        /// What it said.
+        said: Said,
+        /// From the end of the request to the last byte of the reply.
+        after: Span,
+    },
+    /// A broadcast was sent; nobody answers.
+    Broadcast,
+}
+
+/// How a question ended badly.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ExchangeError {
+    /// No byte came.
+    #[error("no reply within {timeout}, asked {asked} times")]
+    Silence {
+        /// How long each try waited.
+        timeout: Span,
+        /// How often it was asked.
+        asked: u8,
+    },
+    /// Bytes came, but no valid reply.
+    #[error("no valid reply, asked {asked} times; {} bytes of garbage came", .bytes.len())]
+    Garbled {
+        /// How often it was asked.
+        asked: u8,
+        /// What came at last.
+        bytes: Vec<u8>,
+    },
+    /// A valid telegram came that is not the answer: from somebody else, or to something else.
+    #[error("a telegram of station {station} came that does not answer the question")]
+    Stray {
+        /// The station that answered.
+        station: u8,
+    },
+    /// A broadcast that asks for a reply.
+    #[error("a broadcast can only write")]
+    BroadcastRead,
 }

@@ -2,18 +2,18 @@
 
 use super::{ErrorDoc, Fault, Register, State, Value, Word};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Result of `scan`.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub struct Scan {
-    /// Port that was searched.
+    /// Port that was searched; several are parted by commas.
     pub port: String,
-    /// Line setting that was used.
+    /// Line setting that was used, or `auto`.
     pub line: String,
-    /// Protocol that was used.
-    pub protocol: &'static str,
-    /// How many addresses were to be asked.
+    /// Protocol that was used, or `auto`.
+    pub protocol: String,
+    /// How many addresses were to be asked, at all settings of all ports together.
     pub addresses: usize,
     /// How many were asked.
     pub asked: usize,
@@ -21,10 +21,29 @@ pub struct Scan {
     pub complete: bool,
     /// What answered.
     pub drives: Vec<FoundDrive>,
+    /// What was asked at every setting; `scan --resume` goes on from here.
+    pub searches: Vec<Search>,
+}
+
+/// What was asked at one setting of one port.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Search {
+    /// Port.
+    pub port: String,
+    /// Line setting.
+    pub line: String,
+    /// Protocol.
+    pub protocol: String,
+    /// Addresses that have had their time to answer, such as `1-10,17`.
+    pub asked: String,
+    /// Whether every address was asked.
+    pub complete: bool,
+    /// Addresses where only garbage came.
+    pub garbled: Vec<u8>,
 }
 
 /// Something that answered a scan.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 pub struct FoundDrive {
     /// Address.
     pub address: u8,
@@ -32,6 +51,12 @@ pub struct FoundDrive {
     pub drive: String,
     /// Title of the family, or what answered in its place.
     pub title: String,
+    /// Port that it was found at.
+    pub port: String,
+    /// Line setting that it was found with.
+    pub line: String,
+    /// Protocol that it was found with.
+    pub protocol: String,
     /// What the device answered that tells the family.
     pub evidence: Vec<Evidence>,
     /// State, if it is a drive that we know.
@@ -41,7 +66,7 @@ pub struct FoundDrive {
 }
 
 /// One thing that tells a family.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Evidence {
     /// What was asked.
     pub asked: String,
@@ -112,7 +137,12 @@ pub struct Diagnosis {
     pub fault: Option<Fault>,
     /// Warning word.
     pub warnings: Option<Word>,
-    /// Error register, as it stood before this command asked anything; reading clears it.
+    /// Latest entry of the fault memory, where the family has parameters for it.
+    pub memory: Vec<Value>,
+    /// The drive's watchdog: how long the line may be silent.
+    pub watchdog: Option<Value>,
+    /// Why the drive refused something last: the error register as it stood before this command asked anything (reading
+    /// clears it), or the number of the last synchronous error.
     pub error_register: Option<Register>,
     /// Diagnostic counters.
     pub counters: Vec<Counter>,

@@ -6,13 +6,15 @@
 mod found;
 mod motion;
 mod offline;
+mod relocation;
 mod stream;
 mod transfer;
 mod value;
 
-pub use found::{Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan};
+pub use found::{Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, ParamDoc, Params, Simulate, TelegramDoc};
+pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{Column, Monitor, PortChange, Record, Sample, SampleValue, StreamEnd, StreamStart, WatchedDrive};
 pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
@@ -102,6 +104,8 @@ pub enum Data {
     Plan(Plan),
     /// `statemachine enable`, `sollwert 25Hz` …
     Motion(Motion),
+    /// `protocol set`, `line set`
+    Relocation(Relocation),
 }
 
 /// Something that happens while a verb works.
@@ -120,6 +124,17 @@ pub enum Event {
     },
     /// So much is done.
     Progress {
+        /// Steps done.
+        done: u64,
+        /// Steps in all.
+        total: u64,
+        /// What is being tried.
+        what: String,
+    },
+    /// One of several searches that run at once has come so far.
+    Search {
+        /// Port.
+        port: String,
         /// Steps done.
         done: u64,
         /// Steps in all.

@@ -13,6 +13,8 @@ pub struct Motion {
     pub drive: String,
     /// What was asked for: `enable`, `quick-stop`, `sollwert` …
     pub action: String,
+    /// What is set: `frequency`, `velocity`, `homing` … by the word of `sollwert --mode`; null if nothing is.
+    pub mode: Option<String>,
     /// State before.
     pub from: Option<State>,
     /// State at the end.
@@ -24,7 +26,7 @@ pub struct Motion {
     /// Settings that were changed for the run, and given back.
     pub changed: Vec<Change>,
     /// The drive's own watchdog in seconds; 0 is off, null could not be read.
-    pub watchdog_s: Option<i64>,
+    pub watchdog_s: Option<Decimal>,
     /// The stop at the end, if one was needed.
     pub stop: Option<Stop>,
     /// Whether the drive keeps running now that the program leaves; null if that is not known.

@@ -2,7 +2,7 @@
 
 use super::ErrorDoc;
 use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 use std::borrow::Cow;
 
 /// An integer with a count of decimals; a JSON number, exact to its decimals.
@@ -107,7 +107,7 @@ pub struct Bit {
 }
 
 /// A state of the drive.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct State {
     /// Stable name; `unknown` if the word means none.
     pub slug: String,

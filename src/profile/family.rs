@@ -1,6 +1,8 @@
 //! One drive as its catalogues describe it, and decoding by it.
 
+use super::link::Link;
 use super::machine::Machine;
+use super::motion::{Mode, Motion};
 use super::param::Param;
 use super::text::{Lang, Text, fold, same, starts};
 use serde::Deserialize;
@@ -17,6 +19,12 @@ pub struct Family {
     pub(super) siblings: Vec<String>,
     /// Title of the family.
     pub title: Text,
+    /// How its parameters are reached.
+    pub link: Link,
+    /// What moving it needs.
+    pub motion: Motion,
+    /// Kinds of setpoints that it takes; the first is the usual one.
+    pub modes: Vec<Mode>,
     /// Parameters by number.
     pub params: BTreeMap<u32, Param>,
     /// States of the status word; the first that fits counts.
@@ -25,6 +33,8 @@ pub struct Family {
     pub machine: Machine,
     /// Fault groups by the high byte of the fault code.
     pub fault_groups: Vec<FaultGroup>,
+    /// How faults are numbered.
+    pub fault_codes: FaultCodes,
     /// Faults.
     pub faults: Vec<FaultRow>,
     /// Codes of the error register.
@@ -54,6 +64,18 @@ pub struct StateRow {
     /// Takes the place of the same row of an earlier catalogue.
     #[serde(default)]
     pub(super) replace: bool,
+}
+
+/// How the family numbers its faults.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultCodes {
+    /// Letter before the hexadecimal number, as the drive displays it.
+    pub letter: String,
+    /// The parameter with the role `fault` is an entry of the fault memory: it tells of the present only while the drive
+    /// is in a fault state.
+    #[serde(default)]
+    pub memory: bool,
 }
 
 /// Faults with the same high byte.
@@ -190,10 +212,14 @@ impl Family {
             drive: drive.to_owned(),
             siblings: Vec::new(),
             title,
+            link: Link::default(),
+            motion: Motion::default(),
+            modes: Vec::new(),
             params: BTreeMap::new(),
             states: Vec::new(),
             machine: Machine::default(),
             fault_groups: Vec::new(),
+            fault_codes: FaultCodes::default(),
             faults: Vec::new(),
             errors: Vec::new(),
             counters: Vec::new(),
@@ -211,7 +237,8 @@ impl Family {
 
     /// The row of a number, or a row that says that nobody knows it.
     pub fn param_or_unknown(&self, id: u32) -> Param {
-        self.param(id).cloned().unwrap_or_else(|| Param::unknown(id))
+        let unknown = || Param { kind: self.link.route.width(), ..Param::unknown(id) };
+        self.param(id).cloned().unwrap_or_else(unknown)
     }
 
     /// The parameter that plays a role: `status-word`, `fault` …
@@ -235,11 +262,11 @@ impl Family {
         self.groups.keys().map(String::as_str).chain(["all"])
     }
 
-    /// Finds a parameter by slug or by a name in either language: exact first, then as a unique start.
+    /// Finds a parameter by slug, by the maker's short name or by a name in either language: exact first, then as a
+    /// unique start.
     pub fn find(&self, query: &str) -> Result<&Param, LookupError> {
-        let names = |param: &Param| [param.slug.clone(), param.name.en.clone(), param.name.de.clone()];
         let fitting = |fits: fn(&str, &str) -> bool| {
-            let rows = self.params.values().filter(|param| names(param).iter().any(|name| fits(name, query)));
+            let rows = self.params.values().filter(|param| param.names().any(|name| fits(name, query)));
             rows.collect::<Vec<_>>()
         };
         for fits in [same as fn(&str, &str) -> bool, starts] {
@@ -256,12 +283,17 @@ impl Family {
         Err(LookupError::Unknown { query: query.to_owned(), near: near.collect() })
     }
 
+    /// The mode with this word.
+    pub fn mode(&self, slug: &str) -> Option<&Mode> {
+        self.modes.iter().find(|mode| mode.slug == slug)
+    }
+
     /// Every parameter whose number, slug or names contain all words of `query`.
     pub fn search(&self, query: &str) -> Vec<&Param> {
         let words: Vec<String> = fold(query).split(' ').map(str::to_owned).collect();
         let hay = |param: &Param| {
-            let unit = param.unit.as_deref().unwrap_or("");
-            fold(&format!("{} {} {} {} {unit}", param.id, param.slug, param.name.en, param.name.de))
+            let names: Vec<&str> = param.names().chain(param.unit.as_deref()).collect();
+            fold(&format!("{} {}", param.id, names.join(" ")))
         };
         self.params.values().filter(|param| words.iter().all(|word| hay(param).contains(word.as_str()))).collect()
     }
@@ -306,6 +338,13 @@ impl Family {
     /// The group of a fault code, also of one that has no row.
     pub fn fault_group(&self, code: u32) -> Option<&FaultGroup> {
         self.fault_groups.iter().find(|group| group.high == code >> 8)
+    }
+
+    /// The code of the fault that is present, if any: what the role `fault` holds, as far as it tells of the present.
+    pub fn present_fault(&self, status: u32, code: u32) -> Option<u32> {
+        let counts =
+            !self.fault_codes.memory || self.state(status).is_some_and(|state| state.slug.starts_with("fault"));
+        (counts && code != 0).then_some(code)
     }
 
     /// The row of a code of the error register.

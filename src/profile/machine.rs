@@ -6,7 +6,7 @@
 use super::family::CatalogueRow;
 use super::text::Lang;
 use serde::Deserialize;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// A command of the control word.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -98,25 +98,20 @@ pub enum Takes {
     Lock,
 }
 
-/// What is known of the drive while planning; `None` is not known and does not stand in the way.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What is known of the drive while planning: what is missing. What is not known does not stand in the way.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Facts {
-    /// Mains present.
-    pub voltage: Option<bool>,
-    /// External enable and start contact are given.
-    pub release: Option<bool>,
-    /// The configuration is one with positioning.
-    pub positioning: Option<bool>,
+    missing: BTreeSet<Need>,
 }
 
 impl Facts {
-    fn grants(self, need: Need) -> bool {
-        match need {
-            Need::Voltage => self.voltage != Some(false),
-            Need::Release => self.release != Some(false),
-            Need::NoPositioning => self.positioning != Some(true),
-            Need::Lock => true,
-        }
+    /// These are known to be missing.
+    pub fn lacking(missing: impl IntoIterator<Item = Need>) -> Self {
+        Facts { missing: missing.into_iter().collect() }
+    }
+
+    fn grants(&self, need: Need) -> bool {
+        !self.missing.contains(&need)
     }
 }
 
@@ -158,7 +153,7 @@ impl Machine {
 
     /// The shortest row of transitions from a state to a goal. Ways that the drive goes by itself are part of it, but
     /// never a fault.
-    pub fn plan(&self, from: &str, goal: &str, facts: Facts) -> Result<Vec<&Transition>, NoPlan> {
+    pub fn plan(&self, from: &str, goal: &str, facts: &Facts) -> Result<Vec<&Transition>, NoPlan> {
         if let Some(way) = self.search(from, goal, |transition| transition.needs.iter().all(|&need| facts.grants(need)))
         {
             return Ok(way);
@@ -235,13 +230,13 @@ mod tests {
 
     #[test]
     fn the_short_cut_is_taken_where_it_is_there() {
-        let all = Facts { voltage: Some(true), release: Some(true), positioning: Some(false) };
+        let all = &Facts::default();
         for (drive, short) in [("act", "4"), ("acu", "4'")] {
             let machine = machine(drive);
             assert_eq!(numbers(&machine.plan("switch-on-disabled", "operation-enabled", all).unwrap()), [short]);
             assert_eq!(numbers(&machine.plan("fault", "switched-on", all).unwrap()), ["15", "2", "3"]);
         }
-        let positioning = Facts { positioning: Some(true), ..all };
+        let positioning = &Facts::lacking([Need::NoPositioning]);
         let machine = machine("acu");
         let way = machine.plan("switch-on-disabled", "operation-enabled", positioning).unwrap();
         assert_eq!(numbers(&way), ["2", "3", "4"]);
@@ -249,7 +244,7 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_named() {
-        let dark = Facts { voltage: Some(false), release: Some(false), positioning: None };
+        let dark = &Facts::lacking([Need::Voltage, Need::Release]);
         let missing = machine("acu").plan("switch-on-disabled", "operation-enabled", dark).unwrap_err();
         assert_eq!(missing, NoPlan::Missing(vec![Need::Voltage, Need::Release]));
         let missing = machine("act").plan("switched-on", "operation-enabled", dark).unwrap_err();
@@ -258,14 +253,15 @@ mod tests {
 
     #[test]
     fn from_any_state_any_goal_is_reached_or_the_reason_is_told() {
-        for drive in ["act", "acu"] {
+        let needs = [Need::Voltage, Need::Release, Need::NoPositioning];
+        for drive in ["act", "acu", "lxm05"] {
             let machine = machine(drive);
             for from in STATES {
                 for goal in STATES {
                     for bits in 0..8u8 {
-                        let fact = |bit: u8| Some(bits >> bit & 1 == 1);
-                        let facts = Facts { voltage: fact(0), release: fact(1), positioning: fact(2) };
-                        match machine.plan(from, goal, facts) {
+                        let lacking = needs.iter().enumerate().filter(|(bit, _)| bits >> bit & 1 == 1);
+                        let facts = Facts::lacking(lacking.map(|(_, need)| *need));
+                        match machine.plan(from, goal, &facts) {
                             Ok(way) => {
                                 let mut at = from;
                                 for transition in &way {

@@ -6,7 +6,9 @@
 
 mod catalogue;
 mod family;
+mod link;
 mod machine;
+mod motion;
 mod param;
 mod select;
 pub mod setpoint;
@@ -14,8 +16,12 @@ mod text;
 pub mod value;
 
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
-pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultRow, LookupError, StateRow, WordBit};
+pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultCodes, FaultRow, LookupError, StateRow, WordBit};
+pub use link::{Cause, Link, Route};
 pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
+pub use motion::{
+    Choice, Control, Convert, Floor, Interlock, Mode, Motion, Movement, Part, Preset, Setting, Show, Source, Start, StopRow,
+};
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use text::{Lang, Text, fold};

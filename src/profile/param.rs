@@ -148,6 +148,8 @@ pub struct Param {
     pub id: u32,
     /// Stable English name in kebab-case.
     pub slug: String,
+    /// The maker's short name, where parameters are known by one: `MBnode_guard`.
+    pub short: Option<String>,
     /// Name in both languages.
     pub name: Text,
     /// Unit as printed.
@@ -198,6 +200,7 @@ impl Param {
         Param {
             id,
             slug: format!("parameter-{id}"),
+            short: None,
             name: Text { en: format!("Parameter {id}"), de: format!("Parameter {id}") },
             unit: None,
             kind: None,
@@ -219,6 +222,20 @@ impl Param {
             module: None,
             source: String::new(),
             origin: "unknown".to_owned(),
+        }
+    }
+
+    /// Every name that a user may call it by.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let [en, de] = self.name.both();
+        [self.slug.as_str(), en, de].into_iter().chain(self.short.as_deref())
+    }
+
+    /// What it is called in messages: `P.413`, or with the maker's short name `MBnode_guard (5644)`.
+    pub fn label(&self) -> String {
+        match &self.short {
+            Some(short) => format!("{short} ({})", self.id),
+            None => format!("P.{}", self.id),
         }
     }
 

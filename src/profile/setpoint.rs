@@ -1,51 +1,63 @@
-//! Setpoints as technicians say them (`25Hz`, `-12,5 Hz`, `30%`, `1450rpm`), and setpoints that change with time.
+//! Setpoints as technicians say them (`25Hz`, `-12,5 Hz`, `30%`, `1450rpm`, `2/3`), and setpoints that change with time.
 
-use super::value::{ValueError, parse_decimal};
+use super::family::Family;
+use super::motion::{Convert, Mode};
+use super::param::Param;
+use super::value::{self, ValueError, parse_decimal};
 
-/// What a setpoint is a setpoint of.
+/// A setpoint as it was said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Frequency, raw in 0.01 Hz.
-    Frequency,
-    /// Percentage, raw in 0.01 %.
-    Percent,
-    /// Speed of the motor shaft in 1/min, raw in 0.01 1/min; pole pairs make it a frequency.
-    Speed,
+pub struct Said {
+    /// Raw value of the mode's setpoint; with `by_speed` a speed in 0.01 1/min.
+    pub raw: i64,
+    /// It is a speed that pole pairs make a frequency.
+    pub by_speed: bool,
+    /// Raw value of the mode's denominator.
+    pub denominator: Option<i64>,
 }
 
-impl Quantity {
-    /// Unit as it is shown.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Frequency => "Hz",
-            Quantity::Percent => "%",
-            Quantity::Speed => "1/min",
-        }
-    }
+/// Decimals of a speed that is converted.
+pub const SPEED_DECIMALS: u8 = 2;
+/// Unit of a speed.
+pub const SPEED_UNIT: &str = "1/min";
+
+/// The kind of setpoint that a text means by its unit: the first that fits. `None` without a unit, because hertz and
+/// percent are easily mixed up.
+pub fn mode_of<'f>(family: &'f Family, text: &str) -> Option<&'f Mode> {
+    family.modes.iter().find(|mode| {
+        let unit = family.param(mode.setpoint).and_then(|param| param.unit.as_deref());
+        let ratio = mode.denominator.is_some() && ratio(text).is_some();
+        value::carries_unit(text, unit) || is_speed(mode, text) || ratio
+    })
 }
 
-/// Decimals of every setpoint (P.484 and P.524: CM-485 manual 9).
-pub const DECIMALS: u8 = 2;
-
-/// Reads a setpoint; a number without a unit is no setpoint, because hertz and percent are easily mixed up.
-pub fn parse(text: &str) -> Result<(Quantity, i64), ValueError> {
-    let text = text.trim();
-    let units = [
-        ("hz", Quantity::Frequency),
-        ("%", Quantity::Percent),
-        ("rpm", Quantity::Speed),
-        ("1/min", Quantity::Speed),
-        ("min-1", Quantity::Speed),
-        ("u/min", Quantity::Speed),
-    ];
-    let lower = text.to_lowercase();
-    for (unit, quantity) in units {
-        if let Some(number) = lower.strip_suffix(unit) {
-            return parse_decimal(number.trim(), DECIMALS).map(|raw| (quantity, raw));
-        }
+/// Reads a setpoint of a mode.
+pub fn parse(family: &Family, mode: &Mode, text: &str) -> Result<Said, ValueError> {
+    let said = |raw| Said { raw, by_speed: false, denominator: None };
+    let raw = |id: u32, text: &str| {
+        let param: Param = family.param_or_unknown(id);
+        value::parse(text, &param, &family.choices(&param))
+    };
+    if let (Some(denominator), Some((above, below))) = (mode.denominator, ratio(text)) {
+        return Ok(Said { denominator: Some(raw(denominator, below)?), ..said(raw(mode.setpoint, above)?) });
     }
-    let choices = ["25Hz", "-12,5 Hz", "30%", "1450rpm"].map(str::to_owned).to_vec();
-    Err(ValueError::NotANumber { text: text.to_owned(), choices })
+    if is_speed(mode, text) {
+        let (number, _) = value::split_unit(text);
+        return Ok(Said { by_speed: true, ..said(parse_decimal(number, SPEED_DECIMALS)?) });
+    }
+    raw(mode.setpoint, text).map(said)
+}
+
+fn is_speed(mode: &Mode, text: &str) -> bool {
+    mode.convert == Some(Convert::PolePairs) && value::carries_unit(text, Some(SPEED_UNIT))
+}
+
+/// The two numbers of a ratio.
+fn ratio(text: &str) -> Option<(&str, &str)> {
+    let (above, below) = text.split_once('/')?;
+    let (above, below) = (above.trim(), below.trim());
+    let is_number = |text: &str| parse_decimal(text, 0).is_ok();
+    (is_number(above) && is_number(below)).then_some((above, below))
 }
 
 /// The frequency (0.01 Hz) that turns a motor with so many pole pairs at a speed (0.01 1/min), without slip; rounded
@@ -120,21 +132,45 @@ impl Schedule {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::profile::Registry;
+
+    /// Mode, raw value, whether by speed, and denominator of what a drive's user says.
+    fn said(drive: &str, text: &str) -> Option<(String, i64, bool, Option<i64>)> {
+        let family = Registry::open(&[]).unwrap().family(drive).unwrap();
+        let mode = mode_of(&family, text)?;
+        let said = parse(&family, mode, text).ok()?;
+        Some((mode.slug.clone(), said.raw, said.by_speed, said.denominator))
+    }
 
     #[test]
     fn setpoints_as_technicians_say_them() {
-        for (text, quantity, raw) in [
-            ("25Hz", Quantity::Frequency, 2_500),
-            ("-12,5 Hz", Quantity::Frequency, -1_250),
-            ("30%", Quantity::Percent, 3_000),
-            ("1450rpm", Quantity::Speed, 145_000),
-            ("0 hz", Quantity::Frequency, 0),
+        for (drive, text, mode, raw, by_speed) in [
+            ("acu", "25Hz", "frequency", 2_500, false),
+            ("acu", "-12,5 Hz", "frequency", -1_250, false),
+            ("acu", "30%", "percent", 3_000, false),
+            ("acu", "1450rpm", "frequency", 145_000, true),
+            ("act", "1450 U/min", "frequency", 145_000, true),
+            ("acu", "0 hz", "frequency", 0, false),
+            ("lxm05", "1000rpm", "velocity", 1_000, false),
+            ("lxm05", "48 usr", "position", 48, false),
+            ("lxm05", "10A", "current", 1_000, false),
+            ("lxm05", "500 mA", "current", 50, false),
         ] {
-            assert_eq!(parse(text), Ok((quantity, raw)), "{text}");
+            assert_eq!(said(drive, text), Some((mode.to_owned(), raw, by_speed, None)), "{drive} {text}");
         }
-        for text in ["25", "", "Hz", "25 A", "25.001Hz"] {
-            assert!(parse(text).is_err(), "{text}");
+        assert_eq!(said("lxm05", "2/3"), Some(("gear".to_owned(), 2, false, Some(3))));
+        for text in ["25", "", "Hz", "25 A", "25.001Hz", "2/3"] {
+            assert_eq!(said("acu", text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_mode_that_is_named_needs_no_unit() {
+        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
+        let raw = |mode: &str, text: &str| parse(&family, family.mode(mode).unwrap(), text).map(|said| said.raw).ok();
+        assert_eq!([raw("homing", "17"), raw("speed", "1000"), raw("position", "0x30")], [17, 1_000, 48].map(Some));
+        assert_eq!([raw("jog", "positive, fast"), raw("homing", "limn")], [5, 17].map(Some));
+        assert_eq!(raw("speed", "10 Hz"), None);
     }
 
     #[test]

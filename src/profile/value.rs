@@ -127,12 +127,17 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
 }
 
 /// Splits `10,3 A` into number and unit.
-fn split_unit(text: &str) -> (&str, &str) {
+pub(super) fn split_unit(text: &str) -> (&str, &str) {
     let text = text.trim();
     let end =
         text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | '−'))).unwrap_or(text.len());
     let (number, unit) = text.split_at(end);
     (number.trim(), unit.trim())
+}
+
+/// Whether a typed value carries this unit, or one that converts to it.
+pub(super) fn carries_unit(text: &str, unit: Option<&str>) -> bool {
+    unit_power(split_unit(text).1, unit).is_some()
 }
 
 /// Power of ten between a typed unit and the parameter's; `None` if they do not fit.

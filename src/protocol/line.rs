@@ -40,6 +40,11 @@ impl LineSetting {
         LineSetting { baud, data_bits: 7, parity, stop_bits: stop_bits_for(parity) }
     }
 
+    /// Usual format of VABus: 7 data bits, even parity, 1 stop bit (facts A1).
+    pub const fn vabus(baud: u32) -> Self {
+        LineSetting { baud, data_bits: 7, parity: Parity::Even, stop_bits: 1 }
+    }
+
     /// Bits that one character takes on the wire, start bit included.
     pub const fn bits_per_char(self) -> u64 {
         let parity = match self.parity {

@@ -1,9 +1,10 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
 use super::clean;
-use crate::outcome::Event;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use crate::outcome::{Event, FoundDrive};
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::io::{BufRead, Write};
 use std::rc::Rc;
 
@@ -47,13 +48,16 @@ struct Inner {
     err: Box<dyn Write>,
     quiet: bool,
     progress: bool,
-    bar: Option<ProgressBar>,
+    /// The bars on the terminal, as long as there are any.
+    drawn: Option<MultiProgress>,
+    /// By what they are called; the bar of a verb that does one thing at a time has no name.
+    bars: BTreeMap<String, ProgressBar>,
 }
 
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, quiet: bool, progress: bool) -> Self {
-        Console { inner: Rc::new(RefCell::new(Inner { err, quiet, progress, bar: None })) }
+        Console { inner: Rc::new(RefCell::new(Inner { err, quiet, progress, drawn: None, bars: BTreeMap::new() })) }
     }
 
     /// Shows what happens on the way.
@@ -64,10 +68,12 @@ impl Console {
                 let at = format!("{}.{:03}", at_us / 1_000, at_us % 1_000);
                 inner.line(&format!("{at:>10} ms {direction} {hex}  {meaning}"));
             }
-            Event::Progress { done, total, what } => inner.progress(done, total, what),
+            Event::Progress { done, total, what } => inner.progress(String::new(), done, total, what),
+            Event::Search { port, done, total, what } => inner.progress(port, done, total, what),
             Event::Found(drive) => {
                 if !inner.quiet {
-                    inner.line(&format!("found {} at {}: {}", drive.drive, drive.address, drive.title));
+                    let FoundDrive { drive, address, title, port, line, protocol, .. } = drive;
+                    inner.line(&format!("found {drive} at {address}: {title} ({port}, {line} {protocol})"));
                 }
             }
             Event::Note(text) => {
@@ -91,11 +97,11 @@ impl Console {
         let _closed = write!(inner.err, "{text}").and_then(|()| inner.err.flush());
     }
 
-    /// Takes the bar away.
+    /// Takes the bars away.
     pub fn finish(&self) {
-        if let Some(bar) = self.inner.borrow_mut().bar.take() {
-            bar.finish_and_clear();
-        }
+        let mut inner = self.inner.borrow_mut();
+        std::mem::take(&mut inner.bars).values().for_each(ProgressBar::finish_and_clear);
+        inner.drawn = None;
     }
 }
 
@@ -103,24 +109,29 @@ impl Inner {
     fn line(&mut self, text: &str) {
         let text = clean(text);
         // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
-        let Inner { err, bar, .. } = self;
+        let Inner { err, drawn, .. } = self;
         let mut write = || {
             let _closed = writeln!(err, "{text}");
         };
-        match bar {
-            Some(bar) => bar.suspend(write),
+        match drawn {
+            Some(drawn) => drawn.suspend(write),
             None => write(),
         }
     }
 
-    fn progress(&mut self, done: u64, total: u64, what: String) {
+    fn progress(&mut self, name: String, done: u64, total: u64, what: String) {
         if !self.progress {
             return;
         }
-        let bar = self.bar.get_or_insert_with(|| {
-            let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
-            if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} {eta}") {
+        let stderr = || MultiProgress::with_draw_target(ProgressDrawTarget::stderr());
+        let drawn = self.drawn.get_or_insert_with(stderr);
+        let bar = self.bars.entry(name).or_insert_with_key(|name| {
+            let bar = drawn.add(ProgressBar::new(total));
+            if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {prefix}{msg} {eta}") {
                 bar.set_style(style);
+            }
+            if !name.is_empty() {
+                bar.set_prefix(format!("{name}: "));
             }
             bar
         });

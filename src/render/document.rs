@@ -161,6 +161,16 @@ enum OrMotion<D> {
     Plan(crate::outcome::Plan),
 }
 
+/// What a verb did to a drive's line, or the settings that it read.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum OrRead<D> {
+    Done(D),
+    Read(crate::outcome::Read),
+    Plan(crate::outcome::Plan),
+}
+
 /// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.
 pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
     use crate::outcome as o;
@@ -179,6 +189,7 @@ pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
         Some("diag") => of!(OrPlan<o::Diag>),
         Some("statemachine") => of!(OrMotion<o::Statemachine>),
         Some("sollwert") => of!(OrMotion<o::Sollwert>),
+        Some("protocol" | "line") => of!(OrRead<o::Relocation>),
         Some("params") => of!(o::Params),
         Some("monitor") => schemars::schema_for!(o::Record),
         Some("decode") => of!(o::Decode),

@@ -3,8 +3,8 @@
 use super::clean;
 use super::words::word;
 use crate::outcome::{
-    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Scan,
-    SetpointReport, State, StateReport, TelegramDoc, Value, Word, WriteResult, Written,
+    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Relocation,
+    RelocationResult, RelocationStep, Scan, SetpointReport, State, StateReport, StepResult, TelegramDoc, Value, Word, WriteResult, Written,
 };
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -31,6 +31,7 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
         // Its stream has shown everything.
         Data::Monitor(_) => String::new(),
         Data::Motion(motion) => page.motion(motion),
+        Data::Relocation(relocation) => page.relocation(relocation),
         Data::Simulate(served) => {
             let mut text = format!(
                 "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} shafts turning, \
@@ -101,24 +102,78 @@ impl Page {
         self.table(&["", ""], rows.into_iter().map(|(name, text)| vec![self.word(name).to_owned(), text]).collect())
     }
 
+    fn relocation(self, relocation: &Relocation) -> String {
+        let heading = self.heading(relocation.address, &relocation.drive);
+        let row = |step: &RelocationStep| {
+            let old = step.old_raw.map_or_else(|| "-".to_owned(), |old| old.to_string());
+            let result = match step.result {
+                StepResult::Planned => "planned",
+                StepResult::Proven => "proven",
+                StepResult::Undone => "undone",
+                StepResult::Failed => "failed",
+                StepResult::Unknown => "unknown",
+            };
+            let text = step.text.clone().unwrap_or_default();
+            let new = step.raw.to_string();
+            vec![step.param.to_string(), step.name.clone(), old, new, text, self.word(result).to_owned()]
+        };
+        let steps = self.table(&[">param", "name", ">old", ">new", "", "result"], relocation.steps.iter().map(row).collect());
+        let result = match relocation.result {
+            RelocationResult::Moved => "moved",
+            RelocationResult::Unchanged => "unchanged",
+            RelocationResult::Planned => "planned",
+            RelocationResult::Restored => "left as it was",
+            RelocationResult::Halfway => "halfway",
+            RelocationResult::Lost => "lost",
+        };
+        let perhaps: Vec<&str> = relocation.perhaps.iter().map(|place| place.text.as_str()).collect();
+        let mut rows = vec![
+            ("from", relocation.from.text.clone()),
+            ("to", relocation.to.text.clone()),
+            ("result", self.word(result).to_owned()),
+        ];
+        rows.extend(relocation.now.iter().map(|now| ("answers at", now.text.clone())));
+        rows.extend((!perhaps.is_empty()).then(|| ("perhaps at", perhaps.join("; "))));
+        rows.extend(relocation.after_restart.iter().map(|place| ("after a restart", place.text.clone())));
+        rows.extend(relocation.way_back.iter().map(|command| ("way back", command.clone())));
+        [heading, steps, self.pairs(rows)].concat()
+    }
+
     fn heading(self, address: u8, drive: &str) -> String {
         format!("{} {address} ({})\n", self.word("drive"), clean(drive))
     }
 
     fn scan(self, scan: &Scan) -> String {
+        let several = |of: fn(&FoundDrive) -> &String| {
+            scan.drives.iter().any(|drive| Some(of(drive)) != scan.drives.first().map(of))
+        };
+        let shows_port = several(|drive| &drive.port);
+        let shows_line = [&scan.line, &scan.protocol].contains(&&"auto".to_owned())
+            || several(|drive| &drive.line)
+            || several(|drive| &drive.protocol);
         let row = |drive: &FoundDrive| {
             let told = drive.evidence.last().map_or_else(String::new, |row| format!("{}: {}", row.asked, row.answered));
-            vec![
+            let mut row = if shows_port { vec![drive.port.clone()] } else { Vec::new() };
+            if shows_line {
+                row.extend([drive.line.clone(), drive.protocol.clone()]);
+            }
+            row.extend([
                 drive.address.to_string(),
                 drive.drive.clone(),
                 drive.title.clone(),
                 drive.state.as_ref().map_or_else(String::new, |state| state.name.clone()),
                 drive.fault.clone().unwrap_or_else(|| "-".to_owned()),
                 told,
-            ]
+            ]);
+            row
         };
         let rows = scan.drives.iter().map(row).collect();
-        self.table(&[">addr", "drive", "name", "state", "fault", "evidence"], rows)
+        let mut head = if shows_port { vec!["port"] } else { Vec::new() };
+        if shows_line {
+            head.extend(["line", "protocol"]);
+        }
+        head.extend([">addr", "drive", "name", "state", "fault", "evidence"]);
+        self.table(&head, rows)
     }
 
     fn identity(self, identity: &Identity) -> String {

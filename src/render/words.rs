@@ -22,6 +22,23 @@ const GERMAN: &[(&str, &str)] = &[
     ("next drive", "nächster Antrieb"),
     ("PORT LOST", "ANSCHLUSS VERLOREN"),
     ("raw", "roh"),
+    // Moving a drive to other line settings.
+    ("proven", "bewiesen"),
+    ("undone", "zurückgestellt"),
+    ("failed", "gescheitert"),
+    ("moved", "umgestellt"),
+    ("left as it was", "gelassen, wie er war"),
+    ("halfway", "auf halbem Weg"),
+    ("lost", "verloren"),
+    ("to", "nach"),
+    ("answers at", "antwortet unter"),
+    ("perhaps at", "vielleicht unter"),
+    ("after a restart", "nach einem Neustart"),
+    ("way back", "Rückweg"),
+    // A search.
+    ("port", "Anschluss"),
+    ("line", "Leitung"),
+    ("protocol", "Protokoll"),
     // The rest.
     ("access", "Zugriff"),
     ("acknowledged", "bestätigt"),

@@ -1,8 +1,8 @@
 //! The drive behind the line: parameters, data sets, actual values, faults and warnings of an ACT or ACU.
 //!
 //! Order of the checks of an access, where the manual names none: parameter (11), data set (2), width (10, 14),
-//! direction (3, 4), running (8), value (1). Only a refusal with exception 4 leaves its cause in P.11
-//! (CM-485 manual 6.6).
+//! direction (3, 4), running (8), value (1). On Modbus only a refusal with exception 4 leaves its cause in P.11
+//! (CM-485 manual 6.6), on VABus every NAK (facts A2).
 //!
 //! All frequencies have two decimals, also those of which no source says it (217, 241): so do all that are printed
 //! (CM-485 manual 10.2.3). Percentages likewise.
@@ -22,7 +22,7 @@ use crate::protocol::modbus::pdu::ParamAddress;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Causes that P.11 tells (CM-485 manual 6.6).
+/// Causes that P.11 tells (CM-485 manual 6.6; 20 and 21: EM-RES-03 manual 5.10.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cause {
     Value = 1,
@@ -33,7 +33,12 @@ pub(super) enum Cause {
     SetsDiffer = 9,
     Type = 10,
     Unknown = 11,
+    Check = 12,
+    Syntax = 13,
     Width = 14,
+    Other = 15,
+    NotReachable = 20,
+    StringOnBus = 21,
 }
 
 /// Width of an access: function codes 3 and 6, or 100 and 101.
@@ -76,6 +81,8 @@ pub(super) struct Active {
     acu: bool,
     specs: BTreeMap<u32, Spec>,
     store: Store,
+    /// String parameters, as far as the bench file gives them a text.
+    texts: BTreeMap<u32, Vec<u8>>,
     /// Actual values that the bench file holds still.
     pinned: BTreeSet<u32>,
     contacts: Contacts,
@@ -98,6 +105,7 @@ impl Active {
             acu: setup.model == Model::Acu,
             specs: family.map(|family| specs(family, &setup.modules)).unwrap_or_default(),
             store: Store::default(),
+            texts: setup.texts.clone(),
             pinned: BTreeSet::new(),
             contacts: setup.contacts,
             torque: setup.torque,
@@ -152,14 +160,50 @@ impl Active {
 
     /// Reads a parameter; the bits for the wire.
     pub(super) fn read(&mut self, now: Tick, address: ParamAddress, width: Width) -> Result<u32, Cause> {
+        self.fetch(now, address, width).inspect_err(|&cause| self.blame(cause))
+    }
+
+    /// Like [`Active::read`], but a refusal leaves nothing in P.11.
+    pub(super) fn fetch(&mut self, now: Tick, address: ParamAddress, width: Width) -> Result<u32, Cause> {
         self.catch_up(now);
-        let result = self.try_read(address, width);
-        match result {
-            Ok(_) if address.number() == 11 => self.register = 0,
-            Ok(_) => {}
-            Err(cause) => self.register = cause as u16,
+        let bits = self.try_read(address, width)?;
+        if address.number() == 11 {
+            self.register = 0;
         }
-        result
+        Ok(bits)
+    }
+
+    /// Leaves the cause of a refusal in P.11.
+    pub(super) fn blame(&mut self, cause: Cause) {
+        self.register = cause as u16;
+    }
+
+    /// The type of a parameter.
+    pub(super) fn kind(&self, number: u16) -> Result<Type, Cause> {
+        self.specs.get(&number.into()).map(|spec| spec.kind).ok_or(Cause::Unknown)
+    }
+
+    /// Reads a string parameter.
+    pub(super) fn read_text(&self, address: ParamAddress) -> Result<&[u8], Cause> {
+        let spec = self.row(address)?;
+        match self.texts.get(&address.number().into()) {
+            None => Err(Cause::Unknown),
+            Some(_) if !spec.access.reads() => Err(Cause::WriteOnly),
+            Some(text) => Ok(text),
+        }
+    }
+
+    /// Writes a string parameter.
+    pub(super) fn write_text(&mut self, address: ParamAddress, text: &[u8]) -> Result<Effect, Cause> {
+        let writes = self.row(address)?.access.writes();
+        match self.texts.get_mut(&address.number().into()) {
+            None => Err(Cause::Unknown),
+            Some(_) if !writes => Err(Cause::ReadOnly),
+            Some(old) => {
+                *old = text.to_vec();
+                Ok(Effect::None)
+            }
+        }
     }
 
     fn try_read(&self, address: ParamAddress, width: Width) -> Result<u32, Cause> {
@@ -189,13 +233,15 @@ impl Active {
 
     /// Writes a parameter.
     pub(super) fn write(&mut self, now: Tick, address: ParamAddress, width: Width, bits: u32) -> Result<Effect, Cause> {
+        self.put(now, address, width, bits).inspect_err(|&cause| self.blame(cause))
+    }
+
+    /// Like [`Active::write`], but a refusal leaves nothing in P.11.
+    pub(super) fn put(&mut self, now: Tick, address: ParamAddress, width: Width, bits: u32) -> Result<Effect, Cause> {
         self.catch_up(now);
-        let result = self.try_write(address, width, bits);
-        match result {
-            Ok(_) => self.react(now),
-            Err(cause) => self.register = cause as u16,
-        }
-        result
+        let effect = self.try_write(address, width, bits)?;
+        self.react(now);
+        Ok(effect)
     }
 
     fn try_write(&mut self, address: ParamAddress, width: Width, bits: u32) -> Result<Effect, Cause> {
@@ -248,18 +294,24 @@ impl Active {
 
     /// The row that an access concerns, if number, data set and width are right.
     fn spec(&self, address: ParamAddress, width: Width) -> Result<&Spec, Cause> {
-        let number = address.number();
-        let known = self.specs.get(&u32::from(number)).filter(|_| number <= ParamAddress::LAST_NUMBER);
-        let spec = known.ok_or(Cause::Unknown)?;
-        if address.set() > ParamAddress::LAST_SET || (!spec.four && !address.set().is_multiple_of(5)) {
-            return Err(Cause::Set);
-        }
+        let spec = self.row(address)?;
         match (spec.kind, width) {
             (Type::String, _) => Err(Cause::Type),
             (Type::Long, Width::Long) => Ok(spec),
             (Type::Long, Width::Word) | (_, Width::Long) => Err(Cause::Width),
             (_, Width::Word) => Ok(spec),
         }
+    }
+
+    /// The row that an access concerns, if number and data set are right.
+    fn row(&self, address: ParamAddress) -> Result<&Spec, Cause> {
+        let number = address.number();
+        let known = self.specs.get(&u32::from(number)).filter(|_| number <= ParamAddress::LAST_NUMBER);
+        let spec = known.ok_or(Cause::Unknown)?;
+        if address.set() > ParamAddress::LAST_SET || (!spec.four && !address.set().is_multiple_of(5)) {
+            return Err(Cause::Set);
+        }
+        Ok(spec)
     }
 
     /// A correct exchange with this drive has taken place.

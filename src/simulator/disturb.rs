@@ -1,8 +1,10 @@
 //! Faults of the line, by script: what happens to a reply on its way to the master.
 
 use super::dice::Dice;
+use super::setup::Spoken;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::Framing;
+use crate::protocol::modbus::LAST_STATION;
+use crate::protocol::vabus::{Address, Reply};
 use crate::tick::{Span, Tick};
 
 /// What is done to a reply.
@@ -70,7 +72,7 @@ impl Rule {
 #[derive(Clone, Debug)]
 pub(super) struct Outgoing {
     pub(super) station: u8,
-    pub(super) framing: Framing,
+    pub(super) spoken: Spoken,
     pub(super) line: LineSetting,
     pub(super) frame: Vec<u8>,
 }
@@ -121,8 +123,8 @@ impl Disturber {
                 }
                 Kind::Foreign => {
                     for (_, frame) in &mut out {
-                        if let Ok(adu) = reply.framing.decode(frame) {
-                            *frame = reply.framing.encode(adu.station % 247 + 1, &adu.pdu);
+                        if let Some(other) = foreign(reply.spoken, frame) {
+                            *frame = other;
                         }
                     }
                 }
@@ -130,6 +132,22 @@ impl Disturber {
             }
         }
         out
+    }
+}
+
+/// The same reply from the next station; `None` if it is none any more.
+fn foreign(spoken: Spoken, frame: &[u8]) -> Option<Vec<u8>> {
+    match spoken {
+        Spoken::Modbus(framing) => {
+            let adu = framing.decode(frame).ok()?;
+            Some(framing.encode(adu.station % LAST_STATION + 1, &adu.pdu))
+        }
+        Spoken::Vabus => {
+            let next = Address::drive(Reply::decode(frame).ok()?.address().id() % Address::LAST + 1)?;
+            let (_, text) = frame.split_first()?;
+            Some([&[next.character()], text].concat())
+        }
+        Spoken::PBus => None,
     }
 }
 
@@ -144,12 +162,13 @@ fn flip(frame: &mut [u8], dice: &mut Dice) {
 mod tests {
     use super::*;
     use crate::protocol::line::Parity;
+    use crate::protocol::modbus::Framing;
 
     fn pass(rules: Vec<Rule>, replies: usize) -> Vec<Vec<(Tick, Vec<u8>)>> {
         let mut disturber = Disturber::new(rules, false, 1);
         let line = LineSetting::rtu(19_200, Parity::Even);
         let frame = Framing::Rtu.encode(1, &[3, 2, 5, 0x6E]);
-        let reply = Outgoing { station: 1, framing: Framing::Rtu, line, frame };
+        let reply = Outgoing { station: 1, spoken: Spoken::RTU, line, frame };
         (0..replies).map(|_| disturber.pass(Tick::ZERO, &reply)).collect()
     }
 

@@ -1,8 +1,9 @@
 //! A station on the bench: its settings, its power, and its script. Its ears and its voice are in `bus.rs`.
 //!
 //! Choices where the manual is silent:
-//! - a new protocol (P.395) or address (P.1376) holds from the end of the reply to the write on, because the echo of
-//!   the write must come from the old address; P.10 and P.1375 wait for a reset (CM-485 manual 5.2);
+//! - a new protocol (P.395) or address (P.1376, P.394 of VABus) holds from the end of the reply to the write on, because
+//!   that must come from the old address; P.10 and P.1375 wait for a reset (CM-485 manual 5.2);
+//! - VABus is 7E1 (facts A1) whatever P.1375 says, which is called "Modbus parity";
 //! - a software reset (P.34 = 123) begins at the same moment and takes 3 s ("a few seconds", CM-485 manual 5.2.1);
 //! - nothing but the mains feeds the electronics of an ACT (CM-485 manual 10.1 names 24 V for the ACU only);
 //! - a power cycle and a reset leave the shaft to coast.
@@ -12,18 +13,21 @@ mod bus;
 use super::active::{Active, Effect};
 use super::dice::Dice;
 use super::foreign::Foreign;
+use super::judge::TURNAROUND;
+use super::lexium::{Fault, Lexium, Servo};
 use super::script::{Action, Event, Trigger};
-use super::setup::{BAUD_RATES, Model, PARITIES, Setup};
+use super::setup::{BAUD_RATES, Model, PARITIES, Setup, Spoken};
 use super::slave::Counters;
+use super::vabus;
 use crate::profile::Family;
 use crate::protocol::line::{LineSetting, Parity};
-use crate::protocol::modbus::{Framing, ascii, rtu};
+use crate::protocol::modbus::{ascii, rtu};
 use crate::tick::{Span, Tick};
 use bus::Pending;
 use std::collections::VecDeque;
 
 /// How long a drive is off the bus after power-on or software reset.
-const RESTART: Span = Span::from_secs(3);
+pub(super) const RESTART: Span = Span::from_secs(3);
 
 /// A drive, or another slave, on the bench.
 #[derive(Clone, Debug)]
@@ -31,12 +35,17 @@ pub struct Drive {
     model: Model,
     body: Body,
     address: u8,
-    framing: Option<Framing>,
+    spoken: Spoken,
     line: LineSetting,
+    /// P.1375 as it was at power-on.
+    modbus_parity: Parity,
     /// Data bits in ASCII mode; 7 by the manual.
     ascii_bits: u8,
+    /// Character format of VABus; 7E1 by the manual.
+    vabus_line: LineSetting,
     rtu: rtu::Receiver,
     ascii: ascii::Receiver,
+    vabus: vabus::Port,
     counters: Counters,
     delay: Span,
     jitter: Span,
@@ -66,6 +75,7 @@ pub struct Drive {
 #[derive(Clone, Debug)]
 enum Body {
     Active(Box<Active>),
+    Lexium(Box<Lexium>),
     Foreign(Foreign),
 }
 
@@ -74,16 +84,20 @@ impl Drive {
         let body = match setup.model {
             Model::Foreign => Body::Foreign(Foreign::new(setup.registers.clone())),
             Model::Act | Model::Acu => Body::Active(Box::new(Active::new(&setup, family))),
+            Model::Lxm05 => Body::Lexium(Box::new(Lexium::new(&setup))),
         };
         let mut drive = Drive {
             model: setup.model,
             body,
             address: setup.address,
-            framing: setup.framing,
+            spoken: setup.spoken,
             line: setup.line,
-            ascii_bits: if setup.framing == Some(Framing::Ascii) { setup.line.data_bits } else { 7 },
+            modbus_parity: setup.line.parity,
+            ascii_bits: if setup.spoken == Spoken::ASCII { setup.line.data_bits } else { 7 },
+            vabus_line: if setup.spoken == Spoken::Vabus { setup.line } else { LineSetting::vabus(setup.line.baud) },
             rtu: rtu::Receiver::new(setup.line),
             ascii: ascii::Receiver::default(),
+            vabus: vabus::Port::new(setup.nodes),
             counters: Counters::default(),
             delay: setup.delay,
             jitter: setup.jitter,
@@ -106,12 +120,12 @@ impl Drive {
         drive
     }
 
-    /// Modbus address, 1-247.
+    /// Address in the protocol that it speaks: of Modbus 1-247, of VABus 1-30.
     pub fn address(&self) -> u8 {
         self.address
     }
 
-    /// `act`, `acu` or `foreign`.
+    /// `act`, `acu`, `lxm05` or `foreign`.
     pub fn model(&self) -> &str {
         self.model.name()
     }
@@ -121,15 +135,20 @@ impl Drive {
         self.line
     }
 
-    /// How it frames telegrams; `None` while it does not speak Modbus (P.395).
-    pub fn framing(&self) -> Option<Framing> {
-        self.framing
+    /// What it speaks (P.395): `vabus`, `p-bus`, `rtu` or `ascii`.
+    pub fn protocol(&self) -> &'static str {
+        self.spoken.name()
+    }
+
+    pub(super) fn spoken(&self) -> Spoken {
+        self.spoken
     }
 
     /// EEPROM cells written since the bench was built.
     pub fn eeprom_writes(&self) -> u64 {
         match &self.body {
             Body::Active(active) => active.eeprom_writes(),
+            Body::Lexium(lexium) => lexium.eeprom_writes(),
             Body::Foreign(_) => 0,
         }
     }
@@ -139,14 +158,17 @@ impl Drive {
     pub fn eeprom(&self, number: u32, set: u8) -> Option<i64> {
         match &self.body {
             Body::Active(active) => active.eeprom(number, set),
+            Body::Lexium(lexium) => lexium.kept(number),
             Body::Foreign(_) => None,
         }
     }
 
-    /// Raw value of a parameter in the RAM, data set 0-4 or 5-9; of a foreign slave, a register.
+    /// Raw value of a parameter in the RAM, data set 0-4 or 5-9; of a foreign slave, a register. An LXM05 has no data
+    /// sets.
     pub fn ram(&self, number: u32, set: u8) -> Option<i64> {
         match &self.body {
             Body::Active(active) => active.ram(number, set),
+            Body::Lexium(lexium) => lexium.value(number),
             Body::Foreign(foreign) => foreign.register(number),
         }
     }
@@ -156,18 +178,57 @@ impl Drive {
     pub fn shaft_speed(&self, now: Tick) -> i64 {
         match &self.body {
             Body::Active(active) => active.shaft_speed(now),
+            Body::Lexium(lexium) => lexium.frequency(now),
             Body::Foreign(_) => 0,
+        }
+    }
+
+    /// What the shaft of an LXM05 does at `now`, if nobody does anything until then; `None` of all others.
+    pub fn servo(&self, now: Tick) -> Option<Servo> {
+        match &self.body {
+            Body::Lexium(lexium) => Some(lexium.servo(now)),
+            Body::Active(_) | Body::Foreign(_) => None,
+        }
+    }
+
+    /// Silence that must follow its telegrams: that of the protocol, and what its transmitter needs to switch off. The
+    /// LXM05 manual tells no such time.
+    pub(super) fn rest(&self) -> Span {
+        let silence = if self.spoken == Spoken::RTU { self.line.t35() } else { Span::ZERO };
+        match &self.body {
+            Body::Lexium(_) => silence,
+            Body::Active(_) | Body::Foreign(_) => silence.longer(TURNAROUND),
         }
     }
 
     /// Whether the output stage feeds the motor: a turning field, also at standstill, or direct current.
     pub fn is_energised(&self) -> bool {
-        matches!(&self.body, Body::Active(active) if active.machine().shaft.powered())
+        match &self.body {
+            Body::Active(active) => active.machine().shaft.powered(),
+            Body::Lexium(lexium) => lexium.powered(),
+            Body::Foreign(_) => false,
+        }
+    }
+
+    /// Shafts that turn at `now`: its own, and those of the drives behind it on the system bus.
+    pub(super) fn turning(&self, now: Tick) -> u64 {
+        let behind = self.vabus.nodes().filter(|node| node.shaft_speed(now) != 0).count() as u64;
+        behind + u64::from(self.shaft_speed(now) != 0)
+    }
+
+    /// Output stages that feed a motor: its own, and those of the drives behind it.
+    pub(super) fn energised(&self) -> u64 {
+        let behind = self.vabus.nodes().filter(|node| node.machine().shaft.powered()).count() as u64;
+        behind + u64::from(self.is_energised())
     }
 
     /// Whether a fault stands.
     pub fn in_fault(&self) -> bool {
-        matches!(&self.body, Body::Active(active) if active.machine().in_fault())
+        match &self.body {
+            Body::Active(active) => active.machine().in_fault(),
+            Body::Lexium(lexium) => lexium.in_fault(),
+            Body::Foreign(_) => false,
+        }
     }
 
     /// Takes the power off and on again: off the bus for 3 s, RAM reloaded from the EEPROM.
@@ -175,19 +236,24 @@ impl Drive {
         if self.dead {
             return;
         }
-        if let Body::Active(active) = &mut self.body {
-            active.power_up(at, at + RESTART);
+        match &mut self.body {
+            Body::Active(active) => active.power_up(at, at + RESTART),
+            Body::Lexium(lexium) => lexium.power_up(at, at + RESTART),
+            Body::Foreign(_) => {}
         }
+        self.vabus.unlock();
         self.counters = Counters::default();
         self.leave_bus(at + RESTART);
         self.adopt();
         self.take_line();
     }
 
-    /// Lets a fault happen: the value of P.260.
+    /// Lets a fault happen: the value of P.260; of an LXM05, the number of an error of class 3.
     pub fn trip(&mut self, at: Tick, code: u16) {
-        if let Body::Active(active) = &mut self.body {
-            active.trip(at, code);
+        match &mut self.body {
+            Body::Active(active) => active.trip(at, code),
+            Body::Lexium(lexium) => lexium.fail(at, Fault { number: code, class: 3, qualifier: 0 }),
+            Body::Foreign(_) => {}
         }
     }
 
@@ -201,8 +267,7 @@ impl Drive {
     fn leave_bus(&mut self, until: Tick) {
         self.pending.clear();
         self.sending = None;
-        self.rtu = rtu::Receiver::new(self.line);
-        self.ascii = ascii::Receiver::default();
+        self.forget_bytes();
         self.away = Some(until);
     }
 
@@ -214,35 +279,44 @@ impl Drive {
     /// Protocol and address, from the RAM copy of their parameters.
     fn adopt(&mut self) {
         let Body::Active(active) = &self.body else { return };
-        let framing = match active.value(395) {
-            2 => Some(Framing::Rtu),
-            3 => Some(Framing::Ascii),
-            _ => None,
-        };
-        self.address = u8::try_from(active.value(1376)).unwrap_or(self.address);
-        if framing != self.framing {
-            self.framing = framing;
-            self.shape_line(self.line.baud, self.line.parity);
+        let spoken = Spoken::of(active.value(395));
+        let address = if spoken == Spoken::Vabus { 394 } else { 1376 };
+        self.address = u8::try_from(active.value(address)).unwrap_or(self.address);
+        if spoken != self.spoken {
+            self.spoken = spoken;
+            self.shape_line(self.line.baud);
         }
     }
 
     /// Speed and parity, from the RAM copy of their parameters: only at power-on.
     fn take_line(&mut self) {
+        if let Body::Lexium(lexium) = &self.body {
+            (self.address, self.line) = (lexium.address(), lexium.line());
+            return self.forget_bytes();
+        }
         let Body::Active(active) = &self.body else { return };
         let baud = BAUD_RATES.iter().find(|row| row.0 == active.value(10)).map_or(self.line.baud, |row| row.1);
-        let parity = PARITIES.iter().find(|row| row.0 == active.value(1375)).map_or(self.line.parity, |row| row.1);
+        let parity = PARITIES.iter().find(|row| row.0 == active.value(1375)).map(|row| row.1);
+        self.modbus_parity = parity.unwrap_or(self.modbus_parity);
         self.adopt();
-        self.shape_line(baud, parity);
+        self.shape_line(baud);
     }
 
-    fn shape_line(&mut self, baud: u32, parity: Parity) {
-        self.line = match self.framing {
-            Some(Framing::Ascii) => LineSetting { data_bits: self.ascii_bits, ..LineSetting::ascii(baud, parity) },
-            Some(Framing::Rtu) => LineSetting::rtu(baud, parity),
-            None => LineSetting { parity, baud, ..self.line },
+    fn shape_line(&mut self, baud: u32) {
+        let parity = self.modbus_parity;
+        self.line = match self.spoken {
+            Spoken::ASCII => LineSetting { data_bits: self.ascii_bits, ..LineSetting::ascii(baud, parity) },
+            Spoken::Modbus(_) | Spoken::PBus => LineSetting::rtu(baud, parity),
+            Spoken::Vabus => LineSetting { baud, ..self.vabus_line },
         };
+        self.forget_bytes();
+    }
+
+    /// Nothing of what came in before counts any more.
+    fn forget_bytes(&mut self) {
         self.rtu = rtu::Receiver::new(self.line);
         self.ascii = ascii::Receiver::default();
+        self.vabus.forget();
     }
 
     /// What holds from now on, after a write was answered.
@@ -258,6 +332,7 @@ impl Drive {
         let scenes = self.script.iter().filter_map(|event| match (event.trigger, &self.body) {
             (Trigger::At(at), _) => Some(at),
             (Trigger::Above(limit), Body::Active(active)) => active.machine().shaft.rises_above(limit),
+            (Trigger::Above(_), Body::Lexium(lexium)) => lexium.next_turning(),
             _ => None,
         });
         scenes.min()
@@ -277,6 +352,8 @@ impl Drive {
             (Trigger::Writes(count), _) => count <= self.writes,
             (Trigger::Running, Body::Active(active)) => active.machine().runs(),
             (Trigger::Above(limit), Body::Active(active)) => active.machine().shaft.is_above(limit),
+            (Trigger::Running, Body::Lexium(lexium)) => lexium.powered(),
+            (Trigger::Above(limit), Body::Lexium(lexium)) => lexium.frequency(now).abs() > limit,
             (Trigger::Running | Trigger::Above(_), Body::Foreign(_)) => false,
         }
     }
@@ -288,6 +365,9 @@ impl Drive {
             Action::Mains(on) if self.model == Model::Act => self.feed(now, on),
             _ => {}
         }
+        if let (Body::Lexium(lexium), Action::Error(error)) = (&mut self.body, action) {
+            lexium.fail(now, error);
+        }
         let Body::Active(active) = &mut self.body else { return };
         match action {
             Action::Fault(code) => active.trip(now, code),
@@ -298,7 +378,7 @@ impl Drive {
             Action::StoB(on) => active.wire(now, |contacts| contacts.sto_b = on),
             Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
             Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
-            Action::PowerCycle | Action::Silent(_) => {}
+            Action::Error(_) | Action::PowerCycle | Action::Silent(_) => {}
         }
     }
 

@@ -7,20 +7,25 @@
 //! ```
 
 mod scenes;
+mod servo;
 mod tables;
 
 use super::Bench;
+use super::active::Active;
 use super::disturb::Disturber;
 use super::drive::Drive;
-use super::setup::{BAUD_RATES, Model, PARITIES, REPLY_DELAY, Setup};
+use super::setup::{BAUD_RATES, Model, PARITIES, REPLY_DELAY, Setup, Spoken};
 use super::shaft::Ramps;
+use super::vabus::Node;
 use crate::profile::value::{check_width, parse_decimal};
-use crate::profile::{Family, Registry, Sets};
+use crate::profile::{Family, Registry, Sets, Type};
 use crate::protocol::line::{LineSetting, Parity};
-use crate::protocol::modbus::{Framing, LAST_STATION};
+use crate::protocol::modbus::LAST_STATION;
+use crate::protocol::vabus::{Address, Data, SystemNode};
 use crate::tick::Span;
+use std::collections::BTreeMap;
 use std::ops::Range;
-use tables::{DriveTable, File, RampTable};
+use tables::{DriveTable, File, NodeTable, RampTable};
 use toml::{Spanned, Value};
 
 /// Why a bench file is refused, and where.
@@ -118,9 +123,19 @@ impl Reader<'_> {
         let row = table.get_ref();
         let model = self.word("model", &row.model, &Model::NAMES)?;
         let address = row.address.as_ref().map_or(Ok(1), |got| self.station(got))?;
-        let protocols = [("rtu", Some(Framing::Rtu)), ("ascii", Some(Framing::Ascii)), ("vabus", None)];
-        let framing =
-            row.protocol.as_ref().map_or(Ok(Some(Framing::Rtu)), |got| self.word("protocol", got, &protocols))?;
+        if model == Model::Lxm05 {
+            return self.servo(table, address, seed);
+        }
+        if row.servo.is_some() || row.stop_bits.is_some() {
+            return Err(self.error(table.span(), "servo and stop_bits are for model lxm05".to_owned()));
+        }
+        let protocols = [Spoken::RTU, Spoken::ASCII, Spoken::Vabus].map(|spoken| (spoken.name(), spoken));
+        let spoken = row.protocol.as_ref().map_or(Ok(Spoken::RTU), |got| self.word("protocol", got, &protocols))?;
+        let out_of_range = spoken == Spoken::Vabus && Address::drive(address).is_none();
+        if let Some(got) = row.address.as_ref().filter(|_| out_of_range) {
+            let message = format!("address = {address}; expected 1 to {} with protocol vabus", Address::LAST);
+            return Err(self.error(got.span(), message));
+        }
         let family = self.registry.family(model.name());
         if family.is_none() && model != Model::Foreign {
             return Err(self.error(row.model.span(), format!("no catalogue describes model '{}'", model.name())));
@@ -129,8 +144,8 @@ impl Reader<'_> {
             return Err(self.error(table.span(), "registers are for model foreign; expected set".to_owned()));
         }
         let mut setup = Setup::plain(model, address);
-        setup.line = self.line(row, framing)?;
-        setup.framing = framing;
+        setup.line = self.line(row, spoken)?;
+        setup.spoken = spoken;
         setup.delay = self.delay(row)?;
         setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
         setup.strict_silence = row.strict_silence;
@@ -150,13 +165,14 @@ impl Reader<'_> {
         if let Some(ramps) = &row.ramps {
             self.ramps(ramps, &mut setup.ramps)?;
         }
-        setup.seed = seed.wrapping_mul(256).wrapping_add(address.into());
+        setup.seed = own_seed(seed, address);
         setup.modules = row.modules.iter().map(|module| module.get_ref().clone()).collect();
         for module in &row.modules {
             self.check_module(module, family.as_deref())?;
         }
-        for (key, value) in &row.set {
-            setup.values.push(self.value(key, value, family.as_deref(), &setup.modules)?);
+        self.values(&row.set, family.as_deref(), &mut setup)?;
+        for node in &row.nodes {
+            setup.nodes.push(self.node(node, model, &setup.nodes)?);
         }
         for (key, value) in &row.registers {
             let fits = |number: i64| u16::try_from(number).ok();
@@ -171,7 +187,55 @@ impl Reader<'_> {
         Ok(Drive::new(setup, family.as_deref()))
     }
 
-    fn line(&self, row: &DriveTable, framing: Option<Framing>) -> Result<LineSetting, BenchError> {
+    /// A drive behind this one, on the system bus.
+    fn node(&self, table: &Spanned<NodeTable>, master: Model, others: &[Node]) -> Result<Node, BenchError> {
+        let row = table.get_ref();
+        let refuse = |span, message: &str| Err(self.error(span, message.to_owned()));
+        let Some(id) = SystemNode::new(row.id).filter(|id| *id != SystemNode::SELF).map(SystemNode::id) else {
+            return refuse(table.span(), &format!("id = {}; expected a node 1 to {}", row.id, SystemNode::LAST));
+        };
+        if others.iter().any(|other| other.id == id) {
+            return refuse(table.span(), &format!("node {id} is there already"));
+        }
+        let drives = [("act", Model::Act), ("acu", Model::Acu)];
+        if !drives.iter().any(|row| row.1 == master) {
+            return refuse(table.span(), "only an ACT or ACU is master of a system bus");
+        }
+        let model = self.word("model", &row.model, &drives)?;
+        let family = self.registry.family(model.name());
+        let mut setup = Setup::plain(model, 1);
+        setup.modules = row.modules.iter().map(|module| module.get_ref().clone()).collect();
+        for module in &row.modules {
+            self.check_module(module, family.as_deref())?;
+        }
+        self.values(&row.set, family.as_deref(), &mut setup)?;
+        Ok(Node::new(id, Active::new(&setup, family.as_deref())))
+    }
+
+    /// The rows of `set`.
+    fn values(
+        &self,
+        set: &BTreeMap<String, Spanned<Value>>,
+        family: Option<&Family>,
+        setup: &mut Setup,
+    ) -> Result<(), BenchError> {
+        for (key, value) in set {
+            let param = key.parse().ok().and_then(|number| family?.param(number));
+            match param.filter(|param| param.kind == Some(Type::String)) {
+                Some(param) => {
+                    let text = value.get_ref().as_str().and_then(|text| Data::text(text.as_bytes()).ok());
+                    let message = || format!("set \"{key}\": expected a text of 1 to {} ASCII characters", Data::MOST);
+                    let text = text.filter(|text| text.characters().is_ascii());
+                    let text = text.ok_or_else(|| self.error(value.span(), message()))?;
+                    setup.texts.insert(param.id, text.characters().to_vec());
+                }
+                None => setup.values.push(self.value(key, value, family, &setup.modules)?),
+            }
+        }
+        Ok(())
+    }
+
+    fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, BenchError> {
         let baud = match &row.baud {
             None => 19_200,
             Some(got) => {
@@ -183,14 +247,17 @@ impl Reader<'_> {
         };
         let words = PARITIES.map(|(_, parity)| (parity.name(), parity));
         let parity = row.parity.as_ref().map_or(Ok(Parity::Even), |got| self.word("parity", got, &words))?;
-        let ascii = framing == Some(Framing::Ascii);
-        let line = if ascii { LineSetting::ascii(baud, parity) } else { LineSetting::rtu(baud, parity) };
+        let line = match spoken {
+            Spoken::ASCII => LineSetting::ascii(baud, parity),
+            Spoken::Vabus => LineSetting { parity, ..LineSetting::vabus(baud) },
+            Spoken::Modbus(_) | Spoken::PBus => LineSetting::rtu(baud, parity),
+        };
         match row.data_bits.as_ref().map(|got| (*got.get_ref(), got)) {
             None => Ok(line),
             Some((8, _)) => Ok(LineSetting { data_bits: 8, ..line }),
-            Some((7, _)) if ascii => Ok(line),
+            Some((7, _)) if line.data_bits == 7 => Ok(line),
             Some((bits, got)) => {
-                let message = format!("data_bits = {bits}; expected 8, or 7 with protocol ascii");
+                let message = format!("data_bits = {bits}; expected 8, or 7 with protocol ascii or vabus");
                 Err(self.error(got.span(), message))
             }
         }
@@ -283,6 +350,11 @@ impl Reader<'_> {
     }
 }
 
+/// What a drive throws its dice with.
+fn own_seed(seed: u64, address: u8) -> u64 {
+    seed.wrapping_mul(256).wrapping_add(address.into())
+}
+
 /// Reads a number, written as one or as text.
 fn decimal(value: &Value, decimals: u8) -> Result<i64, String> {
     let text = match value {
@@ -319,7 +391,7 @@ mod tests {
     fn the_example_of_the_manual_page_is_a_bench() {
         let bench = bench(include_str!("bench.toml")).unwrap();
         let models: Vec<_> = bench.drives().map(|drive| (drive.model(), drive.address())).collect();
-        assert_eq!(models, [("acu", 2), ("foreign", 9)]);
+        assert_eq!(models, [("acu", 2), ("lxm05", 3), ("foreign", 9)]);
         let acu = bench.drive(2).unwrap();
         assert_eq!((acu.ram(376, 3), acu.ram(412, 0), acu.eeprom_writes()), (Some(15), Some(1), 0));
     }

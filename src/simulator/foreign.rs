@@ -32,7 +32,9 @@ impl Foreign {
         let request = Request::decode(pdu).map_err(|error| match error {
             // The lengths of 100 and 101 are our maker's; nobody else knows these codes.
             PduError::Length { function: 100 | 101, .. } | PduError::Empty => Exception::IllegalFunction,
-            PduError::Length { .. } | PduError::TooLong { .. } => Exception::IllegalDataValue,
+            PduError::Length { .. } | PduError::ByteCount { .. } | PduError::TooLong { .. } => {
+                Exception::IllegalDataValue
+            }
         })?;
         match request {
             Request::ReadRegisters { count, .. } if count == 0 || count > MOST_REGISTERS => {

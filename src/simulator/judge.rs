@@ -2,9 +2,13 @@
 //!
 //! It sees only when the master spoke and what, when drives answered, and it never keeps anybody from answering.
 
+use super::setup::Spoken;
+use super::vabus::PAUSE;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::{Adu, FrameError, Framing, ascii, rtu};
+use crate::protocol::modbus::{Adu, FrameError, ascii, rtu};
+use crate::protocol::vabus::{self, Address, EOT, ParamNumber, Reply, Request, SystemNode, TelegramError};
 use crate::tick::{Span, Tick};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// What the judge noted about the master.
@@ -36,6 +40,10 @@ pub enum Sin {
     GapBefore,
     /// A broadcast that is no write (CM-485 manual 6.1).
     BroadcastRead,
+    /// VABus: a SELECT to a drive that sent NAK and whose P.11 has not been read since (facts A2).
+    Locked,
+    /// VABus: more than three transmissions of one telegram without a good reply or an EOT between them (facts A2).
+    TooOften,
     /// Bytes that are no telegram: check value, length, digits, address, character format.
     Malformed,
 }
@@ -50,6 +58,8 @@ impl Sin {
             Sin::GapInside => "gap-inside",
             Sin::GapBefore => "gap-before",
             Sin::BroadcastRead => "broadcast-read",
+            Sin::Locked => "locked",
+            Sin::TooOften => "too-often",
             Sin::Malformed => "malformed",
         }
     }
@@ -65,6 +75,8 @@ impl fmt::Display for Remark {
 pub(super) const REPLY_TIMEOUT: Span = Span::from_millis(500);
 /// Time that a drive needs to switch its transmitter off (CM-485 manual 6.8).
 pub(super) const TURNAROUND: Span = Span::from_millis(2);
+/// Transmissions of one telegram in one exchange of VABus (facts A2).
+const MOST_TRANSMISSIONS: u32 = 3;
 /// Remarks kept; a bench that runs for weeks must not fill the memory.
 const MOST_REMARKS: usize = 1_000;
 
@@ -79,22 +91,57 @@ pub(super) struct Telegram {
     /// End of the last stop bit.
     pub(super) end: Tick,
     pub(super) line: LineSetting,
-    pub(super) framing: Framing,
     bytes: Vec<u8>,
     /// A pause was inside, so that drives discard it.
     pub(super) torn: bool,
 }
 
+/// What a telegram of a master says.
+pub(super) enum Spelt {
+    Modbus(Result<Adu, FrameError>),
+    /// `None` for an EOT alone, which ends an exchange.
+    Vabus(Result<Option<Request>, TelegramError>),
+}
+
 impl Telegram {
-    fn limits(&self) -> (Span, Span) {
-        match self.framing {
-            Framing::Rtu => (self.line.t15(), self.line.t35()),
-            Framing::Ascii => (ascii::MAX_PAUSE, ascii::MAX_PAUSE),
+    /// The protocol that the master means, as far as the bytes tell until now.
+    pub(super) fn spoken(&self) -> Spoken {
+        if looks_ascii(&self.bytes) {
+            Spoken::ASCII
+        } else if looks_vabus(self.line, &self.bytes) {
+            Spoken::Vabus
+        } else {
+            Spoken::RTU
         }
     }
 
-    pub(super) fn decode(&self) -> Result<Adu, FrameError> {
-        self.framing.decode(&self.bytes)
+    fn limits(&self) -> (Span, Span) {
+        match self.spoken() {
+            Spoken::ASCII => (ascii::MAX_PAUSE, ascii::MAX_PAUSE),
+            Spoken::Vabus => (PAUSE, PAUSE),
+            Spoken::Modbus(_) | Spoken::PBus => (self.line.t15(), self.line.t35()),
+        }
+    }
+
+    pub(super) fn spelt(&self) -> Spelt {
+        match self.spoken() {
+            Spoken::Modbus(framing) => Spelt::Modbus(framing.decode(&self.bytes)),
+            Spoken::Vabus | Spoken::PBus => match self.bytes.iter().all(|&byte| byte == EOT) {
+                true => Spelt::Vabus(Ok(None)),
+                false => Spelt::Vabus(Request::decode(self.vabus_bytes()).map(Some)),
+            },
+        }
+    }
+
+    /// A request without what ended the exchange before it.
+    fn vabus_bytes(&self) -> &[u8] {
+        let ends = self.bytes.iter().take_while(|&&byte| byte == EOT).count();
+        self.bytes.get(ends.saturating_sub(1)..).unwrap_or_default()
+    }
+
+    /// Whether nothing can be missing at its end. Behind an EOT a telegram may follow.
+    fn complete(&self) -> bool {
+        matches!(self.spelt(), Spelt::Modbus(Ok(_)) | Spelt::Vabus(Ok(Some(_))))
     }
 }
 
@@ -120,6 +167,10 @@ pub(super) struct Judge {
     answering: Option<Tick>,
     /// Last bit of the last reply, and the rest that must follow it.
     reply: Option<(Tick, Span)>,
+    /// VABus: drives that sent NAK and whose P.11 has not been told since.
+    locked: BTreeSet<Address>,
+    /// VABus: the last request, and how often it was sent without a good reply.
+    repeated: Option<(Request, u32)>,
     /// What the 500 ms rules allow for, where telegrams may be read late.
     pub(super) slack: Span,
 }
@@ -144,20 +195,20 @@ impl Judge {
     /// The telegram that is over because the master starts to send at `at`.
     pub(super) fn before(&mut self, at: Tick) -> Option<Telegram> {
         let open = self.open.as_ref()?;
-        let over = open.decode().is_ok() || at.since(open.end) >= open.limits().1;
+        let over = open.complete() || at.since(open.end) >= open.limits().1;
         over.then(|| self.close()).flatten()
     }
 
     /// The telegram that is over because nothing came until `now`.
     pub(super) fn settle(&mut self, now: Tick) -> Option<Telegram> {
         let open = self.open.as_ref()?;
-        let complete = open.framing == Framing::Ascii && open.decode().is_ok() && now >= open.end;
+        let complete = open.spoken() != Spoken::RTU && open.complete() && now >= open.end;
         (complete || (now >= open.end && now.since(open.end) >= open.limits().1)).then(|| self.close()).flatten()
     }
 
     fn close(&mut self) -> Option<Telegram> {
         let telegram = self.open.take()?;
-        let rest = if telegram.framing == Framing::Rtu { telegram.line.t35() } else { Span::ZERO };
+        let rest = if telegram.spoken() == Spoken::RTU { telegram.line.t35() } else { Span::ZERO };
         self.last = Some((telegram.end, rest));
         Some(telegram)
     }
@@ -182,12 +233,10 @@ impl Judge {
         }
         self.weigh_start(at);
         self.asked = None;
-        let framing = if looks_ascii(bytes) { Framing::Ascii } else { Framing::Rtu };
         self.open = Some(Telegram {
             start: at,
             end,
             line,
-            framing,
             bytes: bytes.iter().copied().take(MOST_BYTES).collect(),
             torn: false,
         });
@@ -232,9 +281,49 @@ impl Judge {
         self.answering = self.answering.max(Some(until));
     }
 
+    /// A request of VABus is complete: whether the master may send it, and how often.
+    pub(super) fn weigh_request(&mut self, at: Tick, request: &Request) {
+        let count = match self.repeated.take() {
+            Some((last, count)) if last == *request => count + 1,
+            _ => 1,
+        };
+        self.repeated = Some((request.clone(), count));
+        if count > MOST_TRANSMISSIONS {
+            let text = format!("transmission {count} of one telegram, at most {MOST_TRANSMISSIONS} allowed");
+            self.remark(at, Sin::TooOften, text);
+        }
+        if matches!(request, Request::Select { address, .. } if self.locked.contains(address)) {
+            let address = request.address();
+            let text = format!("SELECT to drive {address} after its NAK; P.11 has to be read first");
+            self.remark(at, Sin::Locked, text);
+        }
+    }
+
+    /// The master ends an exchange of VABus.
+    pub(super) fn ends_exchange(&mut self) {
+        self.repeated = None;
+    }
+
+    /// A drive puts this reply on the wire, as the master will hear it.
+    pub(super) fn overhears(&mut self, frame: &[u8]) {
+        let Ok(reply) = vabus::Reply::decode(frame) else { return };
+        self.repeated = None;
+        match reply {
+            Reply::Nak { address } => {
+                self.locked.insert(address);
+            }
+            Reply::Value { address, header, .. }
+                if (header.node, header.number) == (SystemNode::SELF, ParamNumber::ERROR_REGISTER) =>
+            {
+                self.locked.remove(&address);
+            }
+            Reply::Value { .. } | Reply::Ack { .. } => {}
+        }
+    }
+
     /// A byte of a drive was complete at `end`; `rest` must follow the last of them.
     pub(super) fn heard(&mut self, end: Tick, rest: Span) {
-        self.reply = Some((end, rest.longer(TURNAROUND)));
+        self.reply = Some((end, rest));
     }
 }
 
@@ -245,13 +334,24 @@ fn looks_ascii(bytes: &[u8]) -> bool {
     bytes.first() == Some(&ascii::START) && bytes.iter().all(fits)
 }
 
-/// Why an RTU telegram cannot be one, beside its bytes.
+/// Whether the master speaks VABus: EOT first, and nothing behind it that no such telegram holds. An RTU telegram to
+/// station 4 begins with the same byte, but no drive of this maker knows function codes that are addresses of VABus.
+fn looks_vabus(line: LineSetting, bytes: &[u8]) -> bool {
+    let rest = match bytes {
+        [EOT, rest @ ..] => rest,
+        _ => return false,
+    };
+    let address = rest.iter().find(|&&byte| byte != EOT);
+    line.data_bits == 7 || address.is_none_or(|&byte| Address::from_character(byte).is_ok())
+}
+
+/// Why a telegram cannot be one of RTU, beside its bytes.
 pub(super) fn wrong_format(telegram: &Telegram) -> Option<String> {
-    match telegram.framing {
-        Framing::Rtu if telegram.line.data_bits != 8 => {
+    match telegram.spoken() {
+        Spoken::RTU if telegram.line.data_bits != 8 => {
             Some(format!("an RTU telegram needs 8 data bits, not {}", telegram.line))
         }
-        Framing::Rtu if telegram.bytes.len() > rtu::MAX_FRAME => Some("an RTU telegram of over 256 bytes".to_owned()),
+        Spoken::RTU if telegram.bytes.len() > rtu::MAX_FRAME => Some("an RTU telegram of over 256 bytes".to_owned()),
         _ => None,
     }
 }
@@ -292,7 +392,7 @@ mod tests {
             at = at + LINE.chars(1) + LINE.t15();
         }
         let telegram = judge.settle(at + LINE.t35()).unwrap();
-        assert!(telegram.decode().is_ok() && !telegram.torn);
+        assert!(telegram.complete() && !telegram.torn);
         assert_eq!(sins(&judge), []);
     }
 

@@ -51,7 +51,7 @@ pub(super) enum State {
 
 impl State {
     /// Bits 0-6 of the status word (CM-485 manual 9.1.2, 10.2).
-    fn bits(self) -> u16 {
+    pub(super) fn bits(self) -> u16 {
         match self {
             State::NotReady => 0x00,
             State::SwitchOnInhibit => 0x40,
@@ -143,7 +143,7 @@ enum Kind {
 
 /// Commands of the control word (CM-485 manual 9.1.2, 10.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Command {
+pub(super) enum Command {
     DisableVoltage,
     QuickStop,
     ShutDown,
@@ -152,7 +152,7 @@ enum Command {
 }
 
 impl Command {
-    fn of(word: u16) -> Self {
+    pub(super) fn of(word: u16) -> Self {
         match (word & 2 != 0, word & 4 != 0, word & 1 != 0, word & 8 != 0) {
             (false, ..) => Command::DisableVoltage,
             (_, false, ..) => Command::QuickStop,

@@ -13,6 +13,7 @@ mod drive;
 pub mod file;
 mod foreign;
 mod judge;
+mod lexium;
 mod machine;
 mod motor;
 mod script;
@@ -23,19 +24,23 @@ mod spec;
 mod store;
 #[cfg(test)]
 mod tests;
+mod vabus;
 mod wire;
 
 pub use drive::Drive;
 pub use file::BenchError;
 pub use judge::{Remark, Sin};
+pub use lexium::Servo;
 
 use crate::profile::Registry;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::Request;
-use crate::protocol::modbus::{BROADCAST, Framing, LAST_STATION};
+use crate::protocol::modbus::pdu::{ReplyEnd, Request};
+use crate::protocol::modbus::{Adu, BROADCAST, FrameError, LAST_STATION};
+use crate::protocol::vabus as bus;
 use crate::tick::{Span, Tick};
 use disturb::{Disturber, Outgoing};
-use judge::{Judge, Telegram, wrong_format};
+use judge::{Judge, Spelt, Telegram, wrong_format};
+use setup::Spoken;
 use std::collections::VecDeque;
 use wire::{Sender, Slot, Wire, fits};
 
@@ -84,7 +89,7 @@ pub struct Totals {
     pub eeprom_writes: u64,
     /// Remarks of the judge.
     pub remarks: u64,
-    /// Shafts that turn now, with power or without.
+    /// Shafts that turn now, with power or without, those of a system bus too.
     pub turning: u64,
     /// Drives whose output stage feeds the motor now, turning or not.
     pub energised: u64,
@@ -99,7 +104,7 @@ pub struct Ignored {
     pub no_station: u64,
     /// The drive listens with another speed, parity or width.
     pub wrong_line: u64,
-    /// The drive speaks another protocol, or the other framing.
+    /// The drive speaks another protocol.
     pub wrong_protocol: u64,
     /// The drive is off the bus: reset, power or script.
     pub away: u64,
@@ -160,7 +165,7 @@ impl Bench {
         self.judge.sends(at, line, bytes);
         self.master = Some(line);
         self.wire.put(Sender::Master, line, at, bytes);
-        let station = bytes.first().copied().unwrap_or(0);
+        let station = addressee(bytes);
         if self.disturber.echoes(at, station) {
             let echo = (1..).zip(bytes).map(|(count, &byte)| (at + line.chars(count), byte));
             self.heard.extend(echo);
@@ -211,14 +216,10 @@ impl Bench {
             exceptions: self.drives.iter().map(|drive| drive.exceptions).sum(),
             eeprom_writes: self.drives.iter().map(Drive::eeprom_writes).sum(),
             remarks: self.judge.count(),
-            turning: self.count(|drive| drive.shaft_speed(self.now) != 0),
-            energised: self.count(Drive::is_energised),
+            turning: self.drives.iter().map(|drive| drive.turning(self.now)).sum(),
+            energised: self.drives.iter().map(Drive::energised).sum(),
             ..self.totals
         }
-    }
-
-    fn count(&self, what: impl Fn(&Drive) -> bool) -> u64 {
-        self.drives.iter().map(|drive| u64::from(what(drive))).sum()
     }
 
     fn run_to(&mut self, to: Tick) {
@@ -266,8 +267,7 @@ impl Bench {
             // The master may have changed its setting meanwhile; then it reads something else.
             let readable = self.master.is_none_or(|master| fits(master, slot.line));
             self.heard.push_back((slot.end, if readable { slot.byte } else { !slot.byte }));
-            let framing = self.drives.get(index).and_then(Drive::framing);
-            let rest = if framing == Some(Framing::Ascii) { Span::ZERO } else { slot.line.t35() };
+            let rest = self.drives.get(index).map_or(Span::ZERO, Drive::rest);
             self.judge.heard(slot.end, rest);
         }
         for (index, drive) in self.drives.iter_mut().enumerate() {
@@ -289,12 +289,52 @@ impl Bench {
         let (end, _) = self.wire.put(Sender::Drive(telegram.drive), telegram.line, self.now, &telegram.frame);
         let station = self.drives.get(telegram.drive).map_or(BROADCAST, Drive::address);
         self.judge.answers(station, end);
+        if self.drives.get(telegram.drive).map(Drive::spoken) == Some(Spoken::Vabus) {
+            self.judge.overhears(&telegram.frame);
+        }
     }
 
     /// Says what will become of a telegram of the master that is over.
     fn classify(&mut self, telegram: &Telegram) {
+        match telegram.spelt() {
+            Spelt::Modbus(adu) => self.classify_modbus(telegram, adu),
+            Spelt::Vabus(Ok(None)) => self.judge.ends_exchange(),
+            Spelt::Vabus(Ok(Some(request))) => self.classify_vabus(telegram, &request),
+            Spelt::Vabus(Err(error)) => {
+                self.totals.received += 1;
+                self.totals.ignored.malformed += 1;
+                self.judge.remark(telegram.start, Sin::Malformed, error.to_string());
+            }
+        }
+    }
+
+    fn classify_vabus(&mut self, telegram: &Telegram, request: &bus::Request) {
         self.totals.received += 1;
-        let adu = match telegram.decode() {
+        self.judge.weigh_request(telegram.start, request);
+        if telegram.torn {
+            self.totals.ignored.malformed += 1;
+            return;
+        }
+        match (request.address().is_broadcast(), request) {
+            (true, bus::Request::Select { .. }) => self.totals.broadcasts += 1,
+            (true, bus::Request::Enquiry { .. }) => self.read_by_broadcast(telegram),
+            (false, _) => {
+                let station = request.address().id();
+                let taken = self.who_takes(telegram, station);
+                self.judge.asked(telegram.end, station, taken);
+            }
+        }
+    }
+
+    fn read_by_broadcast(&mut self, telegram: &Telegram) {
+        self.totals.ignored.broadcast_reads += 1;
+        let text = "a broadcast can only write, nobody answers it".to_owned();
+        self.judge.remark(telegram.start, Sin::BroadcastRead, text);
+    }
+
+    fn classify_modbus(&mut self, telegram: &Telegram, adu: Result<Adu, FrameError>) {
+        self.totals.received += 1;
+        let adu = match adu {
             Ok(adu) => adu,
             Err(error) => {
                 self.totals.ignored.malformed += 1;
@@ -313,9 +353,7 @@ impl Bench {
             if Request::decode(&adu.pdu).is_ok_and(|request| request.is_write()) {
                 self.totals.broadcasts += 1;
             } else {
-                self.totals.ignored.broadcast_reads += 1;
-                let text = "a broadcast can only write, nobody answers it".to_owned();
-                self.judge.remark(telegram.start, Sin::BroadcastRead, text);
+                self.read_by_broadcast(telegram);
             }
             return;
         }
@@ -324,7 +362,10 @@ impl Bench {
             self.judge.remark(telegram.start, Sin::Malformed, text);
         }
         let taken = self.who_takes(telegram, adu.station);
-        self.judge.asked(telegram.end, adu.station, taken);
+        // Nobody waits for the answer of a station that was told to be silent.
+        if !Request::decode(&adu.pdu).is_ok_and(|request| request.reply_end() == ReplyEnd::Never) {
+            self.judge.asked(telegram.end, adu.station, taken);
+        }
     }
 
     /// Whether a drive answers; if none does, the best reason is counted.
@@ -334,7 +375,7 @@ impl Bench {
         for drive in self.drives.iter().filter(|drive| drive.address() == station) {
             if !drive.awake() {
                 reason = &mut ignored.away;
-            } else if drive.framing() != Some(telegram.framing) {
+            } else if drive.spoken() != telegram.spoken() {
                 reason = &mut ignored.wrong_protocol;
             } else if !fits(drive.line(), telegram.line) {
                 reason = &mut ignored.wrong_line;
@@ -344,5 +385,16 @@ impl Bench {
         }
         *reason += 1;
         false
+    }
+}
+
+/// The station that a telegram of a master names, by its first bytes; 0 if it names none.
+fn addressee(bytes: &[u8]) -> u8 {
+    let digit = |byte: u8| char::from(byte).to_digit(16).unwrap_or(0) as u8;
+    match bytes {
+        [bus::EOT, character, ..] => bus::Address::from_character(*character).map_or(bus::EOT, bus::Address::id),
+        [b':', high, low, ..] => digit(*high) << 4 | digit(*low),
+        [station, ..] => *station,
+        [] => 0,
     }
 }

@@ -27,6 +27,8 @@ pub(super) enum Trigger {
 pub(super) enum Action {
     /// A fault: the value of P.260.
     Fault(u16),
+    /// An asynchronous error of an LXM05.
+    Error(super::lexium::Fault),
     /// The warning word P.270.
     Warning(u16),
     PowerCycle,

@@ -53,7 +53,7 @@ pub(super) fn answer(drive: &mut Active, counters: &mut Counters, now: Tick, pdu
 fn execute(drive: &mut Active, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Result<(Reply, Effect), Exception> {
     // A known function code with a wrong length is exception 3, an unknown one exception 1 (6.6).
     let request = Request::decode(pdu).map_err(|error| match error {
-        PduError::Length { .. } | PduError::TooLong { .. } => Exception::IllegalDataValue,
+        PduError::Length { .. } | PduError::ByteCount { .. } | PduError::TooLong { .. } => Exception::IllegalDataValue,
         PduError::Empty => Exception::IllegalFunction,
     })?;
     let failed = |_| Exception::DeviceFailure;
@@ -76,7 +76,7 @@ fn execute(drive: &mut Active, counters: &mut Counters, now: Tick, pdu: &[u8]) -
             return Ok((Reply::LongWritten { address, value }, effect));
         }
         Request::Diagnostics { sub, data } => diagnostics(counters, sub, data)?,
-        Request::Other { .. } => return Err(Exception::IllegalFunction),
+        _ => return Err(Exception::IllegalFunction),
     };
     Ok((reply, Effect::None))
 }

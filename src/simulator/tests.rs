@@ -6,6 +6,7 @@ use crate::protocol::modbus::Framing;
 
 mod hand;
 mod motion;
+mod servo;
 mod transitions;
 
 /// Request and reply of every worked example in RTU (CM-485 manual 8.1).
@@ -304,7 +305,7 @@ fn a_wrong_protocol_falls_silent_at_once() {
     let mut master = Master::new(ACT);
     assert!(master.ask(1, &[6, 1, 0x8B, 0, 0]).is_some());
     assert_eq!(master.ask(1, READ), None);
-    assert_eq!((master.bench.drive(1).unwrap().framing(), master.bench.totals().ignored.wrong_protocol), (None, 1));
+    assert_eq!((master.bench.drive(1).unwrap().protocol(), master.bench.totals().ignored.wrong_protocol), ("vabus", 1));
     let mut master = Master::new(ACT);
     master.ask(1, &[6, 1, 0x8B, 0, 3]);
     let ascii = LineSetting::ascii(19_200, Parity::Even);

@@ -34,7 +34,7 @@ impl Wire {
     pub(super) fn put(&mut self, sender: Sender, line: LineSetting, at: Tick, bytes: &[u8]) -> (Tick, bool) {
         let mut collided = false;
         let mut start = at;
-        for (count, &byte) in (1..).zip(bytes) {
+        for (count, byte) in (1..).zip(bytes.iter().map(|&byte| byte & characters(line))) {
             let end = at + line.chars(count);
             collided |= !self.add(Slot { start, end, byte, sender, line });
             start = end;
@@ -66,6 +66,11 @@ impl Wire {
     pub(super) fn take(&mut self, now: Tick) -> Option<Slot> {
         (self.next()? <= now).then(|| self.slots.pop_front()).flatten()
     }
+}
+
+/// The bits of a byte that a character carries: 7 or 8.
+pub(super) fn characters(line: LineSetting) -> u8 {
+    if line.data_bits == 7 { 0x7F } else { 0xFF }
 }
 
 /// Whether a station with setting `own` can read what is sent with `other`; stop bits do not matter.

@@ -1,59 +1,34 @@
-//! What carries bytes, and the clock that goes with it: a serial port, or the built-in bench.
+//! What carries bytes, and the clock that goes with it: a serial port, a port on the network, a recording, or the
+//! built-in bench.
 //!
-//! Every link tells its own time: real on a tty, virtual on the bench, where a scan of 247 silent addresses takes no
-//! time at all and every run of it is the same. This room knows no telegrams.
+//! Every link tells its own time: real on a line, virtual on the bench and on a recording, where a scan of 247 silent
+//! addresses takes no time at all and every run of it is the same. This room knows no telegrams.
 
+mod adapter;
+mod clock;
+mod ioctl;
+mod net;
+mod port;
+mod rfc2217;
+mod rs485;
 mod serial;
 pub mod serve;
 mod sim;
+mod tape;
 mod trace;
+mod tty;
 
+pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
+pub use port::{Endpoint, Port};
+pub use rs485::{Rs485, Rs485Mode};
 pub use serial::{PortInfo, list_ports};
 pub use trace::{Trace, TraceLine, read_trace};
 
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
 use crate::tick::Tick;
-use std::fmt;
+use net::Far;
 use std::path::PathBuf;
-use std::str::FromStr;
-
-/// Where the drives are.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Port {
-    /// A serial port by its path or name.
-    Serial(String),
-    /// The built-in bench: the standard one, or one from a file.
-    Sim(Option<PathBuf>),
-}
-
-impl FromStr for Port {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.split_once(':') {
-            _ if text.is_empty() => {
-                Err("the name of the port is empty; expected a tty such as /dev/ttyUSB0, or sim".to_owned())
-            }
-            _ if text == "sim" => Ok(Port::Sim(None)),
-            Some(("sim", "")) => Err("expected sim:FILE.toml, or just sim".to_owned()),
-            Some(("sim", file)) => Ok(Port::Sim(Some(PathBuf::from(file)))),
-            Some((scheme @ ("tcp" | "rfc2217" | "mbtcp" | "slcan" | "can"), _)) => Err(format!(
-                "{scheme}: ports are not supported by this version; expected a tty such as /dev/ttyUSB0, or sim"
-            )),
-            _ => Ok(Port::Serial(text.to_owned())),
-        }
-    }
-}
-
-impl fmt::Display for Port {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Port::Serial(name) => f.write_str(name),
-            Port::Sim(None) => f.write_str("sim"),
-            Port::Sim(Some(file)) => write!(f, "sim:{}", file.display()),
-        }
-    }
-}
 
 /// What ended a wait.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,9 +59,59 @@ pub enum LinkError {
         /// What the driver said, or what it set in place of what was asked.
         message: String,
     },
+    /// The direction of an RS-485 line cannot be switched as asked.
+    #[error("port '{port}' does not offer --rs485 {}: {message}", mode.name())]
+    Direction {
+        /// The port.
+        port: String,
+        /// Who should have switched.
+        mode: Rs485Mode,
+        /// What the driver said.
+        message: String,
+    },
+    /// The serial line behind a raw TCP port or a gateway cannot be set through it.
+    #[error("the serial line behind '{0}' cannot be set from here")]
+    Fixed(String),
+    /// The device server does not set its serial line for us: it refuses RFC 2217, or does not answer it.
+    #[error("'{0}' does not speak RFC 2217")]
+    NoRfc2217(String),
+    /// Nobody answers at that address of the network.
+    #[error("cannot connect to '{port}': {message}")]
+    Unreachable {
+        /// The port.
+        port: String,
+        /// What the system said.
+        message: String,
+    },
     /// The adapter was unplugged, or the other end hung up.
     #[error("port '{0}' was lost: the adapter was unplugged or the other end hung up")]
     Lost(String),
+    /// The file is no recording that can be played back.
+    #[error("recording {}: {message}", file.display())]
+    Recording {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it, with the line.
+        message: String,
+    },
+    /// Something else was sent than the recording has.
+    #[error("recording {}, line {line}: recorded was {}, sent was {}", file.display(), hex(expected), hex(sent))]
+    OffTape {
+        /// The file.
+        file: PathBuf,
+        /// Line of the file, from 1.
+        line: usize,
+        /// What was sent when it was recorded.
+        expected: Vec<u8>,
+        /// What was sent now.
+        sent: Vec<u8>,
+    },
+}
+
+/// `01 03 21`.
+fn hex(bytes: &[u8]) -> String {
+    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+    digits.join(" ")
 }
 
 /// A way to the drives.
@@ -99,13 +124,48 @@ pub struct Link {
 #[derive(Debug)]
 enum Carrier {
     Serial(Box<serial::SerialLink>),
+    Net(Box<net::NetLink>),
+    Tape(Box<tape::TapeLink>),
     Sim(Box<sim::SimLink>),
 }
 
+/// Whether a port can be talked through.
+#[derive(Debug)]
+enum Ends<T> {
+    Open(T),
+    /// It was lost: whoever talks or listens is told so.
+    Lost,
+    /// It is being opened anew: until that succeeds, waiting only passes the time.
+    Closed,
+}
+
+impl<T> Ends<T> {
+    /// Lets go of a port that has failed.
+    fn lost(&mut self, name: &str) -> LinkError {
+        if matches!(self, Ends::Open(_)) {
+            *self = Ends::Lost;
+        }
+        LinkError::Lost(name.to_owned())
+    }
+}
+
 impl Link {
-    /// Opens a serial port, exclusively, with its input cleared.
-    pub fn open_serial(name: &str, line: LineSetting) -> Result<Self, LinkError> {
-        let carrier = Carrier::Serial(Box::new(serial::SerialLink::open(name, line)?));
+    /// Opens a port, with what came in before cleared; the bench is no port of this machine: [`Link::open_sim`]. A serial port is
+    /// taken exclusively, and on Linux its driver is asked for low latency until it is closed. `rs485` concerns serial
+    /// ports only. Takes up to 3 s to reach a host, and as long again for a device server to take its settings.
+    pub async fn open(port: &Port, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
+        let net = async |endpoint: &Endpoint, far| {
+            let link = net::NetLink::open(port.to_string(), endpoint.clone(), far, line).await?;
+            Ok::<_, LinkError>(Carrier::Net(Box::new(link)))
+        };
+        let carrier = match port {
+            Port::Serial(name) => Carrier::Serial(Box::new(serial::SerialLink::open(name, line, rs485)?)),
+            Port::Tcp(endpoint) => net(endpoint, Far::Raw).await?,
+            Port::Rfc2217(endpoint) => net(endpoint, Far::Rfc2217).await?,
+            Port::Mbtcp(endpoint) => net(endpoint, Far::Gateway).await?,
+            Port::Tape(file) => Carrier::Tape(Box::new(tape::TapeLink::open(file, line)?)),
+            Port::Sim(_) => return Err(LinkError::NotFound(port.to_string())),
+        };
         Ok(Link { carrier, trace: None })
     }
 
@@ -120,28 +180,72 @@ impl Link {
     }
 
     /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold: waiting really
-    /// waits. The times that the link tells stay those of the bench. A real line does so anyway.
+    /// waits. The times that the link tells stay those of the bench. A real line does so anyway, a recording never.
     pub fn pace(&mut self) {
         match &mut self.carrier {
-            Carrier::Serial(_) => {}
+            Carrier::Serial(_) | Carrier::Net(_) | Carrier::Tape(_) => {}
             Carrier::Sim(link) => link.pace(),
         }
     }
 
     /// Opens a port that was lost anew, under its name, with its clock going on. Until that succeeds nothing can be
     /// sent, and waiting only passes the time.
-    pub fn reopen(&mut self) -> Result<(), LinkError> {
+    pub async fn reopen(&mut self) -> Result<(), LinkError> {
         match &mut self.carrier {
             Carrier::Serial(link) => link.reopen(),
-            Carrier::Sim(_) => Ok(()),
+            Carrier::Net(link) => link.reopen().await,
+            Carrier::Tape(_) | Carrier::Sim(_) => Ok(()),
         }
+    }
+
+    /// Whether [`Link::set_line`] works: a raw TCP port or a gateway carries bytes only, its far side is set by other
+    /// means.
+    pub fn can_set_line(&self) -> bool {
+        match &self.carrier {
+            Carrier::Net(link) => link.can_set_line(),
+            Carrier::Serial(_) | Carrier::Tape(_) | Carrier::Sim(_) => true,
+        }
+    }
+
+    /// Changes speed and character format of the open link, from the next telegram on; what came in before is
+    /// discarded. Bytes that are still on their way out may be cut off: wait for them first. [`Link::deviations`]
+    /// tells anew where the driver did not obey. On a recording nothing is set: it has its own.
+    ///
+    /// [`LinkError::Setting`] where the driver refuses, [`LinkError::Fixed`] and [`LinkError::NoRfc2217`] where nothing
+    /// can be set, [`LinkError::Lost`] once the port
+    /// is gone.
+    pub async fn set_line(&mut self, line: LineSetting) -> Result<(), LinkError> {
+        match &mut self.carrier {
+            Carrier::Serial(link) => link.set_line(line)?,
+            Carrier::Net(link) => link.set_line(line).await?,
+            Carrier::Tape(_) => {}
+            Carrier::Sim(link) => link.set_line(line),
+        }
+        let at = self.now();
+        if let Some(trace) = &mut self.trace {
+            trace.line_set(at, line);
+        }
+        Ok(())
     }
 
     /// What the driver set in place of what was asked, if it did not obey in all.
     pub fn deviations(&self) -> &[String] {
         match &self.carrier {
             Carrier::Serial(link) => link.deviations(),
+            Carrier::Net(link) => link.deviations(),
+            Carrier::Tape(link) => link.deviations(),
             Carrier::Sim(_) => &[],
+        }
+    }
+
+    /// What is known of the adapter behind the link; of anything but a tty only its name.
+    pub fn adapter(&self) -> AdapterInfo {
+        let named = |name: &str| AdapterInfo { name: name.to_owned(), ..AdapterInfo::default() };
+        match &self.carrier {
+            Carrier::Serial(link) => link.adapter(),
+            Carrier::Net(link) => named(link.name()),
+            Carrier::Tape(_) => named("tape"),
+            Carrier::Sim(_) => named("sim"),
         }
     }
 
@@ -149,15 +253,20 @@ impl Link {
     pub fn now(&self) -> Tick {
         match &self.carrier {
             Carrier::Serial(link) => link.now(),
+            Carrier::Net(link) => link.now(),
+            Carrier::Tape(link) => link.now(),
             Carrier::Sim(link) => link.now(),
         }
     }
 
-    /// Puts bytes on the line. They may still be on their way when this returns.
+    /// Puts bytes on the line. They may still be on their way when this returns; with [`Rs485Mode::Rts`] they are out,
+    /// and the line is free.
     pub async fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
         let at = self.now();
         match &mut self.carrier {
             Carrier::Serial(link) => link.send(bytes).await?,
+            Carrier::Net(link) => link.send(bytes).await?,
+            Carrier::Tape(link) => link.send(bytes)?,
             Carrier::Sim(link) => link.send(bytes),
         }
         if let Some(trace) = &mut self.trace {
@@ -168,32 +277,35 @@ impl Link {
 
     /// Waits until bytes come or the time is over; bytes that are there already come at once.
     pub async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
+        let begun = self.now();
         let wake = match &mut self.carrier {
             Carrier::Serial(link) => link.wait(until).await?,
+            Carrier::Net(link) => link.wait(until).await?,
+            Carrier::Tape(link) => link.wait(until),
             Carrier::Sim(link) => link.wait(until).await,
         };
+        // Bytes that came while the thread slept are seen at the end of the wait, or a little later: not late, though.
+        let at = self.now().min(until.max(begun));
         if let (Some(trace), Wake::Bytes(bytes)) = (&mut self.trace, &wake) {
-            let at = match &self.carrier {
-                Carrier::Serial(link) => link.now(),
-                Carrier::Sim(link) => link.now(),
-            };
             trace.received(at, bytes);
         }
         Ok(wake)
     }
 
-    /// Keeps the line until a moment without listening, whatever else happens; on the bench there is nobody to wait for.
+    /// Keeps the line until a moment without listening, whatever else happens. A line that is lost is not kept, and in
+    /// virtual time there is nobody to keep it from.
     pub fn outlast(&mut self, until: Tick) {
         match &self.carrier {
-            Carrier::Serial(link) => link.sleep_until(until),
-            Carrier::Sim(_) => {}
+            Carrier::Serial(link) => link.outlast(until),
+            Carrier::Net(link) => link.outlast(until),
+            Carrier::Tape(_) | Carrier::Sim(_) => {}
         }
     }
 
     /// The bench behind the link, if it is one.
     pub fn bench(&mut self) -> Option<&mut Bench> {
         match &mut self.carrier {
-            Carrier::Serial(_) => None,
+            Carrier::Serial(_) | Carrier::Net(_) | Carrier::Tape(_) => None,
             Carrier::Sim(link) => Some(link.bench()),
         }
     }

@@ -45,6 +45,11 @@ impl SimLink {
         self.pace = Some(Pace { tick: self.now, wall: Instant::now() });
     }
 
+    /// The setting of what is sent from now on.
+    pub(super) fn set_line(&mut self, line: LineSetting) {
+        self.line = line;
+    }
+
     pub(super) fn send(&mut self, bytes: &[u8]) {
         self.bench.master_sends(self.now, self.line, bytes);
     }

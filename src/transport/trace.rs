@@ -6,8 +6,10 @@
 //! 20590 < 01 03 02 05 6E 3A F8
 //! ```
 //!
-//! The number is microseconds since the port was opened; `>` is what we sent, `<` what came.
+//! The first line says what was recorded: line setting and protocol. The number is microseconds since the port was
+//! opened; `>` is what we sent, `<` what came. Lines that begin with `#` are remarks.
 
+use crate::protocol::line::LineSetting;
 use crate::tick::Tick;
 use std::fmt;
 use std::io::{self, Write};
@@ -27,8 +29,13 @@ impl fmt::Debug for Trace {
 impl Trace {
     /// A recording that goes to `sink`; `about` says what line it is of.
     pub fn new(mut sink: Box<dyn Write>, about: &str) -> io::Result<Self> {
-        writeln!(sink, "# antrieb trace 1, {about}")?;
+        writeln!(sink, "{HEADER}{about}")?;
         Ok(Trace { sink, broken: None })
+    }
+
+    /// Remarks that the line was set anew.
+    pub(super) fn line_set(&mut self, at: Tick, line: LineSetting) {
+        self.write(&format!("# {} {line}", at.as_micros()));
     }
 
     pub(super) fn sent(&mut self, at: Tick, bytes: &[u8]) {
@@ -39,20 +46,33 @@ impl Trace {
         self.line(at, '<', bytes);
     }
 
-    /// A disk that is full must not stop a drive from being stopped: the first error ends the recording only.
     fn line(&mut self, at: Tick, direction: char, bytes: &[u8]) {
-        if self.broken.is_some() {
-            return;
-        }
         let digits: String = bytes.iter().map(|byte| format!(" {byte:02X}")).collect();
-        let written = writeln!(self.sink, "{} {direction}{digits}", at.as_micros()).and_then(|()| self.sink.flush());
-        self.broken = written.err();
+        self.write(&format!("{} {direction}{digits}", at.as_micros()));
+    }
+
+    /// A disk that is full must not stop a drive from being stopped: the first error ends the recording only.
+    fn write(&mut self, line: &str) {
+        if self.broken.is_none() {
+            self.broken = writeln!(self.sink, "{line}").and_then(|()| self.sink.flush()).err();
+        }
     }
 }
+
+/// The line setting that the first line of a recording tells, as it is printed: `19200 8E1`.
+pub(super) fn recorded_line(text: &str) -> Option<&str> {
+    let about = text.lines().next()?.strip_prefix(HEADER)?;
+    Some(about.split(',').next().unwrap_or(about).trim())
+}
+
+/// How a recording begins.
+const HEADER: &str = "# antrieb trace 1, ";
 
 /// A line of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TraceLine {
+    /// Line of the file, from 1.
+    pub number: usize,
     /// Microseconds since the port was opened.
     pub at_us: u64,
     /// We sent it; otherwise it came.
@@ -69,7 +89,8 @@ pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, String> {
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
-        let bad = || format!("line {}: expected MICROSECONDS > or < HEX BYTES, got '{line}'", number + 1);
+        let number = number + 1;
+        let bad = || format!("line {number}: expected MICROSECONDS > or < HEX BYTES, got '{line}'");
         let mut words = line.split_whitespace();
         let at_us = words.next().and_then(|word| word.parse().ok()).ok_or_else(bad)?;
         let sent = match words.next() {
@@ -79,7 +100,7 @@ pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, String> {
         };
         let byte = |word: &str| (word.len() == 2).then(|| u8::from_str_radix(word, 16).ok()).flatten();
         let bytes = words.map(byte).collect::<Option<Vec<u8>>>().ok_or_else(bad)?;
-        lines.push(TraceLine { at_us, sent, bytes });
+        lines.push(TraceLine { number, at_us, sent, bytes });
     }
     Ok(lines)
 }
@@ -92,7 +113,7 @@ mod tests {
     fn recordings_read_back() {
         let text = "# antrieb trace 1, 19200 8E1\n2006 > 01 03\n\n20590 < 01 83 02\n";
         let lines = read_trace(text).unwrap();
-        assert_eq!(lines[1], TraceLine { at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
+        assert_eq!(lines[1], TraceLine { number: 4, at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
         assert!(read_trace("x > 01").unwrap_err().starts_with("line 1:"));
         assert!(read_trace("5 > 1").unwrap_err().contains("5 > 1"));
     }

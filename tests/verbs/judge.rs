@@ -9,7 +9,7 @@ use antrieb::outcome::Event;
 use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
-use antrieb::transport::Port;
+use antrieb::transport::{Port, Rs485};
 use tempfile::TempDir;
 
 struct Agreeable;
@@ -71,7 +71,8 @@ impl Stage {
         let opening = Opening {
             port: &self.port,
             line: self.line,
-            framing: self.framing,
+            rs485: Rs485::default(),
+            protocol: self.framing.into(),
             timeout: None,
             retries: None,
             trace: None,
@@ -79,8 +80,9 @@ impl Stage {
             lang: Lang::En,
         };
         let mut observe = |_: Event| {};
-        let mut session = Session::open(opening, &self.registry, Interrupt::default(), &mut observe).unwrap();
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
+        let opened = Session::open(opening, &self.registry, Interrupt::default(), &mut observe);
+        let mut session = runtime.block_on(opened).unwrap();
         runtime.block_on(work(&mut session, &self.registry));
         session.bench().unwrap().remarks().iter().map(ToString::to_string).collect()
     }
@@ -90,11 +92,11 @@ const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \
 
 /// Scan, identify, read and write everything, diagnose.
 async fn everything(session: &mut Session<'_>, registry: &Registry) {
-    let plan = ScanPlan { addresses: (1..=12).collect(), lang: Lang::En };
+    let plan = ScanPlan::new(1..=12, Lang::En);
     let found = scan(session, &plan, registry).await;
     assert_eq!(found.drives.len(), 2, "{found:?}");
     for address in [1, 2] {
-        let finding = recognise(session, address, Lang::En, false).await.unwrap();
+        let finding = recognise(session, registry, address, Lang::En, false).await.unwrap();
         let mut target = finding.target(address, registry).unwrap();
         let family = target.family.clone();
         for id in family.group("all").unwrap() {
@@ -108,16 +110,16 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
         let rows = target.read(session, family.param(372).unwrap(), DataSets::Unnamed).await;
         assert_eq!(rows.len(), 4, "the sets differ by now");
         target.read(session, family.param(480).unwrap(), DataSets::All(Store::Ram)).await;
-        assert_eq!(counters(session, &target, Lang::En).await.unwrap().len(), 8);
-        assert!(link_test(session, &target, 20).await.1.is_none());
-        assert!(clear_counters(session, &target, &permit()).await.unwrap());
+        assert_eq!(counters(session, &mut target, Lang::En).await.unwrap().len(), 8);
+        assert!(link_test(session, &mut target, 20).await.unwrap().1.is_none());
+        assert!(clear_counters(session, &mut target, &permit()).await.unwrap());
     }
     let everybody = registry.family("acu").unwrap();
     let mut target = Target::new(0, everybody.clone());
     let order = Order { set: 5, raw: 700, kind: Type::Long, read_back: false };
     let fate = target.write(session, everybody.param(480).unwrap(), order, &permit()).await;
     assert!(matches!(fate, Ok(WriteFate::Broadcast)), "{fate:?}");
-    assert!(recognise(session, 1, Lang::En, false).await.is_ok(), "the line goes on behind a broadcast");
+    assert!(recognise(session, registry, 1, Lang::En, false).await.is_ok(), "the line goes on behind a broadcast");
 }
 
 #[test]
@@ -151,9 +153,9 @@ fn no_remark_with_strict_drives_and_uneven_replies() {
 fn no_remark_on_a_scan_of_the_whole_line() {
     let stage = Stage::standard();
     let remarks = stage.play(async |session, registry| {
-        let plan = ScanPlan { addresses: (1..=247).collect(), lang: Lang::En };
+        let plan = ScanPlan::new(1..=247, Lang::En);
         let found = scan(session, &plan, registry).await;
-        assert_eq!((found.drives.len(), found.asked), (2, 247));
+        assert_eq!((found.drives.len(), found.searched[0].asked.len()), (2, 247));
     });
     assert_eq!(remarks, [""; 0]);
 }
@@ -162,7 +164,7 @@ fn no_remark_on_a_scan_of_the_whole_line() {
 fn no_remark_on_devices_that_are_no_drives() {
     let bench = "[[drive]]\nmodel = \"foreign\"\naddress = 9\nregisters = { \"0\" = 17 }\n";
     let remarks = Stage::on(bench, "").play(async |session, registry| {
-        let plan = ScanPlan { addresses: (1..=20).collect(), lang: Lang::En };
+        let plan = ScanPlan::new(1..=20, Lang::En);
         assert_eq!(scan(session, &plan, registry).await.drives.len(), 1);
     });
     assert_eq!(remarks, [""; 0]);
@@ -190,7 +192,7 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
     let stage = Stage::standard();
     let remarks = stage.play(async |session, registry| {
         let before = format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session)));
-        let plan = ScanPlan { addresses: vec![1, 2], lang: Lang::En };
+        let plan = ScanPlan::new(vec![1, 2], Lang::En);
         scan(session, &plan, registry).await;
         for address in [1, 2] {
             let finding = recognise(session, address, Lang::En, false).await.unwrap();

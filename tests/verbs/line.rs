@@ -111,7 +111,7 @@ fn an_interrupted_scan_leaves_an_honest_part() {
         }
     }
     let environment = antrieb::args::Environment::default();
-    let flags = Globals { port: Some("sim".parse().unwrap()), ..Globals::default() };
+    let flags = Globals { port: vec!["sim".parse().unwrap()], ..Globals::default() };
     let mut settings = Settings::resolve(&flags, &environment).unwrap();
     settings.addresses = Addresses::Unnamed;
     let registry = Registry::open(&[]).unwrap();
@@ -125,7 +125,7 @@ fn an_interrupted_scan_leaves_an_honest_part() {
     let mut context =
         Context { settings: &settings, registry: &registry, ask: &mut NobodyAsked, observe: &mut observe, interrupt };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
-    let outcome = runtime.block_on(scan::run(&scan::Args {}, &mut context)).unwrap();
+    let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();
     let failure = outcome.failure.unwrap();
     assert_eq!((failure.class, failure.class.exit()), (Class::Interrupted, 130));
     assert!(failure.message.contains("1 of 247 addresses were asked"), "{failure}");

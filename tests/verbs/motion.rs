@@ -8,7 +8,7 @@ use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
-use antrieb::transport::Port;
+use antrieb::transport::{Port, Rs485};
 use serde_json::json;
 
 /// A drive that obeys the control word, with everything that it needs to run.
@@ -176,6 +176,7 @@ fn with_motor(
     let opening = Opening {
         port: &port,
         line: LineSetting::rtu(19_200, Parity::Even),
+        rs485: Rs485::default(),
         framing: Framing::Rtu,
         timeout: None,
         retries: None,
@@ -183,9 +184,10 @@ fn with_motor(
         verbose: false,
         lang: Lang::En,
     };
-    let mut session = Session::open(opening, &registry, Interrupt::default(), &mut observe).unwrap();
-    let mut target = Target::new(1, registry.family("acu").unwrap());
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe);
+    let mut session = runtime.block_on(opened).unwrap();
+    let mut target = Target::new(1, registry.family("acu").unwrap());
     runtime.block_on(work(&mut session, &mut target, &permit()));
     after(session.bench().unwrap());
 }

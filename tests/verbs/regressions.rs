@@ -6,7 +6,7 @@ use antrieb::profile::{DataSets, Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::protocol::modbus::pdu::Request;
-use antrieb::transport::Port;
+use antrieb::transport::{Port, Rs485};
 use serde_json::Value;
 
 /// A device that refuses whatever a drive would know.
@@ -114,6 +114,7 @@ fn cause_after(work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> i64 {
     let opening = Opening {
         port: &Port::Sim(None),
         line: LineSetting::rtu(19_200, Parity::Even),
+        rs485: Rs485::default(),
         framing: Framing::Rtu,
         timeout: None,
         retries: None,
@@ -122,9 +123,10 @@ fn cause_after(work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> i64 {
         lang: Lang::En,
     };
     let mut observe = |_| {};
-    let mut session = Session::open(opening, &registry, Interrupt::default(), &mut observe).unwrap();
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     runtime.block_on(async {
+        let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe).await;
+        let mut session = opened.unwrap();
         // P.376@2 = 0: exception 4, P.11 = 1 (CM-485 manual 8.1.2).
         session.ask(1, Request::WriteRegister { address: 0x2178, value: 0 }).await.unwrap();
         work(&mut session, &registry).await;
@@ -138,7 +140,7 @@ fn cause_after(work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> i64 {
 fn nothing_but_a_refusal_of_its_own_reads_the_cause_away() {
     assert_eq!(cause_after(async |_, _| {}), 1);
     let scanned = cause_after(async |session, registry| {
-        let plan = ScanPlan { addresses: vec![1, 2, 3], lang: Lang::En };
+        let plan = ScanPlan::new(vec![1, 2, 3], Lang::En);
         assert_eq!(scan(session, &plan, registry).await.drives.len(), 2);
     });
     assert_eq!(scanned, 1, "a scan leaves the register of an ACT alone");

@@ -107,7 +107,7 @@ fn values_in_configurations_are_held_to_the_same_rules() {
         ("timeout = \"soon\"\n", "usage.timeout"),
         ("lang = \"fr\"\n", "usage.lang"),
         ("protocol = \"vabus\"\n", "usage.protocol"),
-        ("port = \"tcp://x:1\"\n", "usage.port"),
+        ("port = \"tcp://x\"\n", "usage.port"),
         ("stop_bits = 3\n", "usage.stop_bits"),
     ] {
         let document = antrieb("-a 1 read 372").file("antrieb.toml", text).json();

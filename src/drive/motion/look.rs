@@ -1,11 +1,13 @@
 //! What a drive says that matters for moving it, and what keeps it from running, in words.
 
-use super::{REMOTE_BIT, STATE_MACHINE, VOLTAGE_BIT};
 use crate::drive::describe;
 use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::Target;
 use crate::failure::{Class, Failure};
-use crate::profile::{DataSets, Facts, Lang, Need, NoPlan, Param, Sets};
+use crate::outcome::Decimal;
+use crate::profile::{DataSets, Facts, Family, Interlock, Lang, NoPlan, Param, Sets};
+use crate::tick::Span;
+use std::collections::BTreeMap;
 
 /// What a drive says that matters for moving it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,129 +16,148 @@ pub struct Situation {
     pub status: u32,
     /// Slug of its state; `unknown` if it means none.
     pub state: String,
-    /// P.412, as the drive works with it.
+    /// Who controls it, as it works with it; `None` if it does not say so, or has no such setting.
     pub mode: Option<i64>,
-    /// Fault code.
+    /// Code of the fault that is present; 0 is none, `None` could not be read.
     pub fault: Option<i64>,
     /// Digital inputs, bit by bit.
     pub inputs: Option<i64>,
-    /// P.30.
-    pub configuration: Option<i64>,
-    /// P.413 in seconds.
-    pub watchdog_s: Option<i64>,
-    /// P.392.
-    pub transition5: Option<i64>,
+    /// Settings that can stand in the way, by role.
+    pub settings: BTreeMap<String, i64>,
+    /// The drive's watchdog in seconds; 0 is off.
+    pub watchdog_s: Option<Decimal>,
 }
 
 impl Situation {
-    /// What the planner looks at. Enable and start contact are seen in the Remote bit, which tells only under P.412 = 1.
-    pub fn facts(&self, has_voltage_bit: bool) -> Facts {
-        let controlled = self.mode == Some(STATE_MACHINE);
-        Facts {
-            voltage: has_voltage_bit.then_some(self.status & VOLTAGE_BIT != 0),
-            release: controlled.then_some(self.status & REMOTE_BIT != 0),
-            positioning: self.configuration.map(|number| number % 100 == 40),
-        }
+    /// Whether the control word is obeyed, as far as the drive says so.
+    pub fn obeys(&self, family: &Family) -> bool {
+        family.motion.control.is_none_or(|control| self.mode == Some(control.obeys))
     }
-}
 
-pub(super) fn has_voltage_bit(target: &Target) -> bool {
-    target.family.machine.transitions.iter().any(|transition| transition.needs.contains(&Need::Voltage))
+    /// What the planner looks at.
+    pub fn facts(&self, family: &Family) -> Facts {
+        Facts::lacking(family.motion.interlocks.iter().filter(|row| self.lacks(row, family)).map(|row| row.need))
+    }
+
+    fn lacks(&self, row: &Interlock, family: &Family) -> bool {
+        let bit = row.bit.is_some_and(|bit| self.status >> bit & 1 == 0);
+        let setting = row.setting.as_ref().is_some_and(|setting| {
+            self.settings.get(&setting.role).is_some_and(|value| value % setting.modulo == setting.not)
+        });
+        (bit || setting) && !(row.controlled && !self.obeys(family))
+    }
+
+    /// What is missing behind an interlock, and where one sees it.
+    fn told(&self, row: &Interlock, lang: Lang) -> Option<String> {
+        let missing = row.missing.as_ref()?.get(lang);
+        let given = |inputs: &[u8]| self.inputs.is_none_or(|word| inputs.iter().any(|bit| word >> bit & 1 == 1));
+        let mut parts: Vec<_> = row.parts.iter().filter(|part| !given(&part.inputs)).collect();
+        if parts.is_empty() {
+            parts.extend(&row.parts);
+        }
+        let parts: Vec<_> = parts.iter().map(|part| part.name(lang)).collect();
+        let seen = row.seen.as_ref().map_or_else(String::new, |seen| format!(" ({})", seen.get(lang)));
+        Some(if parts.is_empty() { missing.to_owned() } else { format!("{missing}: {}{seen}", parts.join("; ")) })
+    }
 }
 
 /// What the drive says that matters for moving it.
 pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Situation, Failure> {
     let status = role_raw(session, target, "status-word", lang).await?.unwrap_or(0) as u32;
-    let watchdog_s = role_raw(session, target, "watchdog", lang).await?;
-    target.known_watchdog = watchdog_s;
-    Ok(Situation {
+    let watchdog = role_raw(session, target, "watchdog", lang).await?;
+    target.known_watchdog = watchdog;
+    let mut situation = Situation {
         status,
         state: describe::state(&target.family, status, lang).slug,
         mode: working_raw(session, target, "control-mode", lang).await?,
         fault: role_raw(session, target, "fault", lang).await?,
         inputs: role_raw(session, target, "digital-inputs", lang).await?,
-        configuration: role_raw(session, target, "configuration", lang).await?,
-        watchdog_s,
-        transition5: working_raw(session, target, "transition-5", lang).await?,
-    })
+        settings: BTreeMap::new(),
+        watchdog_s: watchdog.map(|raw| watchdog_seconds(&target.family, raw)),
+    };
+    let code = situation.fault.map(|code| target.family.present_fault(status, code as u32));
+    situation.fault = code.map(|code| code.unwrap_or(0).into());
+    let family = target.family.clone();
+    for setting in family.motion.interlocks.iter().filter_map(|row| row.setting.as_ref()) {
+        if let Some(raw) = role_raw(session, target, &setting.role, lang).await? {
+            situation.settings.insert(setting.role.clone(), raw);
+        }
+    }
+    Ok(situation)
+}
+
+/// A value of the drive's watchdog in seconds.
+pub fn watchdog_seconds(family: &Family, raw: i64) -> Decimal {
+    Decimal { raw, decimals: watchdog_decimals(family) }
+}
+
+/// The value that sets the drive's watchdog to a time: a part of its unit counts as one, and what is longer than it can
+/// be is as long as it can be.
+pub fn watchdog_raw(family: &Family, span: Span) -> i64 {
+    let unit_us = 1_000_000 / 10u64.pow(watchdog_decimals(family).into());
+    let longest = family.role("watchdog").and_then(|param| param.max).unwrap_or(i64::MAX);
+    i64::try_from(span.as_micros().div_ceil(unit_us)).unwrap_or(longest).clamp(1, longest)
+}
+
+fn watchdog_decimals(family: &Family) -> u8 {
+    let in_ms = family.role("watchdog").is_some_and(|param| param.unit.as_deref() == Some("ms"));
+    if in_ms { 3 } else { 0 }
 }
 
 /// What keeps the drive from running, in words, and how one sees it.
 pub fn missing(situation: &Situation, target: &Target, lang: Lang) -> Vec<String> {
-    let mut missing = Vec::new();
-    let is_acu = has_voltage_bit(target);
-    if let Some(mode) = situation.mode.filter(|&mode| mode != STATE_MACHINE) {
-        missing.push(match lang {
-            Lang::En => format!("P.412 is {mode}: the control word is obeyed only with 1 (--take-control)"),
-            Lang::De => format!("P.412 ist {mode}: auf das Steuerwort hört der Antrieb nur bei 1 (--take-control)"),
-        });
-    }
-    let input = |bit: u8| situation.inputs.map(|word| word >> bit & 1 == 1);
-    if situation.mode == Some(STATE_MACHINE) && situation.status & REMOTE_BIT == 0 {
-        let enable = match (is_acu, lang) {
-            (false, Lang::En) => "external enable S1IND (terminal X210A.3)",
-            (false, Lang::De) => "externe Freigabe S1IND (Klemme X210A.3)",
-            (true, Lang::En) => "external enable STOA and STOB (terminals X210A.3 and X210B.2)",
-            (true, Lang::De) => "externe Freigabe STOA und STOB (Klemmen X210A.3 und X210B.2)",
-        };
-        let start = lang.pick(
-            "start contact S2IND or S3IND, or P.68/P.69 set to on",
-            "Startkontakt S2IND oder S3IND, oder P.68/P.69 auf Ein",
-        );
-        let seen = lang.pick("P.250 shows the inputs", "P.250 zeigt die Eingänge");
-        let what = match (input(0), input(1).zip(input(2))) {
-            (Some(true), Some((false, false))) => start.to_owned(),
-            (Some(false), Some((right, left))) if right || left => enable.to_owned(),
-            _ => format!("{enable}; {start}"),
-        };
-        missing.push(format!("{}: {what} ({seen})", lang.pick("Remote bit 9 is 0", "Remote-Bit 9 ist 0")));
-    }
-    if is_acu && situation.status & VOLTAGE_BIT == 0 {
-        missing.push(
-            lang.pick(
-                "status bit 4 is 0: no mains voltage, only the 24 V supply",
-                "Statusbit 4 ist 0: keine Netzspannung, nur die 24-V-Versorgung",
-            )
-            .to_owned(),
-        );
-    }
-    if let Some(fault) = situation.fault.and_then(|code| describe::fault(&target.family, code as u32, lang)) {
+    let family = &target.family;
+    let mut missing: Vec<String> = not_obeyed(situation, family, lang).into_iter().collect();
+    let lacking = family.motion.interlocks.iter().filter(|row| situation.lacks(row, family));
+    missing.extend(lacking.filter_map(|row| situation.told(row, lang)));
+    if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32, lang)) {
         missing.push(format!("{} {}", fault.key, fault.name));
     }
     missing
 }
 
-pub(super) fn no_plan(why: &NoPlan, target: &Target, lang: Lang) -> Failure {
+fn not_obeyed(situation: &Situation, family: &Family, lang: Lang) -> Option<String> {
+    let (control, mode) = (family.motion.control?, situation.mode?);
+    if mode == control.obeys {
+        return None;
+    }
+    let (label, obeys) = (family.role("control-mode")?.label(), control.obeys);
+    Some(match lang {
+        Lang::En => format!("{label} is {mode}: the control word is obeyed only with {obeys} (--take-control)"),
+        Lang::De => format!("{label} ist {mode}: auf das Steuerwort hört der Antrieb nur bei {obeys} (--take-control)"),
+    })
+}
+
+/// The failure to show where the control word is not obeyed; `None` where it is, or where the drive does not say.
+pub fn no_control(situation: &Situation, target: &Target, lang: Lang) -> Option<Failure> {
+    let (control, mode) = (target.family.motion.control?, situation.mode?);
+    if mode == control.obeys {
+        return None;
+    }
+    let (label, obeys) = (target.family.role("control-mode")?.label(), control.obeys);
+    let text = match lang {
+        Lang::En => format!("the drive is not controlled by the control word: {label} is {mode}, it must be {obeys}"),
+        Lang::De => format!("der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"),
+    };
+    Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
+        "--take-control sets it in RAM for the run and gives it back",
+        "--take-control stellt es für den Lauf im RAM um und danach zurück",
+    )))
+}
+
+pub(super) fn no_plan(why: &NoPlan, family: &Family, lang: Lang) -> Failure {
     match why {
         NoPlan::Unreachable { from, goal } => {
-            let name = |slug: &str| {
-                target
-                    .family
-                    .states
-                    .iter()
-                    .find(|row| row.slug == slug)
-                    .map_or(slug.to_owned(), |row| row.name(lang).to_owned())
-            };
+            let (from, goal) = (state_name(family, from, lang), state_name(family, goal, lang));
             let text = match lang {
-                Lang::En => format!("no command leads from '{}' to '{}'", name(from), name(goal)),
-                Lang::De => format!("kein Befehl führt von '{}' nach '{}'", name(from), name(goal)),
+                Lang::En => format!("no command leads from '{from}' to '{goal}'"),
+                Lang::De => format!("kein Befehl führt von '{from}' nach '{goal}'"),
             };
             Failure::new(Class::Forbidden, "forbidden.unreachable", text)
         }
         NoPlan::Missing(needs) => {
-            let word = |need: &Need| match need {
-                Need::Voltage => lang.pick("mains voltage (status bit 4)", "Netzspannung (Statusbit 4)"),
-                Need::Release => lang.pick(
-                    "external enable and start contact (Remote bit 9)",
-                    "externe Freigabe und Startkontakt (Remote-Bit 9)",
-                ),
-                Need::NoPositioning => lang.pick(
-                    "a configuration without positioning (P.30)",
-                    "eine Konfiguration ohne Positionierung (P.30)",
-                ),
-                Need::Lock => lang.pick("15 s since the fault", "15 s seit der Störung"),
-            };
-            let words: Vec<_> = needs.iter().map(word).collect();
+            let rows = needs.iter().filter_map(|need| family.motion.interlock(*need));
+            let words: Vec<_> = rows.map(|row| row.what.get(lang)).collect();
             let text = format!(
                 "{}: {}",
                 lang.pick("the drive cannot be enabled, missing", "der Antrieb ist nicht freizugeben, es fehlt"),
@@ -148,7 +169,11 @@ pub(super) fn no_plan(why: &NoPlan, target: &Target, lang: Lang) -> Failure {
     }
 }
 
-/// The raw value of the parameter with a role; `None` if the drive refuses it.
+pub(super) fn state_name<'f>(family: &'f Family, slug: &'f str, lang: Lang) -> &'f str {
+    family.states.iter().find(|row| row.slug == slug).map_or(slug, |row| row.name(lang))
+}
+
+/// The raw value of the parameter with a role; `None` if the drive refuses it or has none.
 pub async fn role_raw(
     session: &mut Session<'_>,
     target: &mut Target,
@@ -167,8 +192,18 @@ pub async fn working_raw(
     lang: Lang,
 ) -> Result<Option<i64>, Failure> {
     let Some(param) = target.family.role(role).cloned() else { return Ok(None) };
-    let set = ram_set(session, target, &param, lang).await?;
-    raw(session, target, &param, set, lang).await
+    working(session, target, &param, lang).await
+}
+
+/// The raw value of a parameter that the drive works with; `None` if it refuses it.
+pub async fn working(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    lang: Lang,
+) -> Result<Option<i64>, Failure> {
+    let set = ram_set(session, target, param, lang).await?;
+    raw(session, target, param, set, lang).await
 }
 
 pub(super) async fn raw(
@@ -185,13 +220,16 @@ pub(super) async fn raw(
     }
 }
 
-/// The RAM data set in which the drive works with a parameter.
+/// The RAM data set in which the drive works with a parameter; 0 where there are no data sets.
 pub(super) async fn ram_set(
     session: &mut Session<'_>,
     target: &mut Target,
     param: &Param,
     lang: Lang,
 ) -> Result<u8, Failure> {
+    if !target.family.link.route.has_data_sets() {
+        return Ok(0);
+    }
     if param.sets != Some(Sets::Four) {
         return Ok(DataSets::RAM_OFFSET);
     }

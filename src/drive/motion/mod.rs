@@ -7,32 +7,26 @@
 use super::describe;
 mod look;
 mod setpoint;
+mod shaft;
 mod stop;
 
-pub use look::{Situation, look, missing, role_raw, working_raw};
-pub use stop::StopChoice;
+pub use look::{Situation, look, missing, no_control, role_raw, watchdog_raw, watchdog_seconds, working, working_raw};
+pub use stop::{StopChoice, watchdog_words};
 
 use super::session::{AccessError, Session};
 use super::transfer::{Order, Target, WriteFate};
 use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Event, Setpoint, State, Step, Stop};
-use crate::profile::{Command, Lang, Need, Param, Takes, Transition};
+use crate::profile::{Command, Lang, Mode, Need, Param, Takes, Transition};
 use crate::tick::Span;
-use look::{has_voltage_bit, no_plan};
+use look::{no_plan, state_name};
+use shaft::Watch;
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::pin;
 use std::task::Poll;
 
-/// Bits of the status word that the machine data do not name (CM-485 manual 9.1.2, 10.2).
-const VOLTAGE_BIT: u32 = 1 << 4;
-const REMOTE_BIT: u32 = 1 << 9;
-const REACHED_BIT: u32 = 1 << 10;
-/// Control by the control word (P.412 = 1; CM-485 manual 9).
-const STATE_MACHINE: i64 = 1;
-/// A fault cannot be reset earlier (CM-485 manual 9.1.2).
-const FAULT_LOCK: Span = Span::from_secs(15);
 /// How often the state is looked at while waiting.
 const POLL: Span = Span::from_millis(50);
 /// How long a state may take that needs no ramp.
@@ -41,10 +35,10 @@ const PATIENCE: Span = Span::from_secs(3);
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Lever {
-    /// The control word commands the state machine (P.412 = 1).
+    /// The control word commands the state machine.
     ControlWord,
-    /// The control word stands for contacts (P.412 = 2): all open is the stop. A command of the state machine would
-    /// close contacts here and could start the drive.
+    /// The control word stands for contacts: all open is the stop. A command of the state machine would close contacts
+    /// here and could start the drive.
     Contacts,
     /// Somebody else starts and stops the drive; ours is the setpoint, and zero is the stop.
     Setpoint,
@@ -61,6 +55,10 @@ pub struct Motor<'a, 's> {
     /// A command or setpoint went out, so there is something to stop.
     touched: bool,
     lever: Lever,
+    /// What is set, once that is known.
+    pub mode: Option<Mode>,
+    /// Pause between looks: short enough for the drive's watchdog.
+    beat: Span,
     /// Transitions that were walked.
     pub steps: Vec<Step>,
     /// Settings that were changed.
@@ -92,6 +90,7 @@ impl<'a, 's> Motor<'a, 's> {
         let patience = patience.unwrap_or(PATIENCE);
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
+        let beat = beat(target, target.known_watchdog);
         Motor {
             session,
             target,
@@ -100,6 +99,8 @@ impl<'a, 's> Motor<'a, 's> {
             patience,
             touched: false,
             lever,
+            mode: None,
+            beat,
             steps,
             changes,
             setpoint: None,
@@ -109,7 +110,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// Takes the state machine as what the stop acts on, if the drive is controlled by it already.
     pub fn controls(&mut self, situation: &Situation) {
-        if situation.mode == Some(STATE_MACHINE) {
+        if situation.obeys(&self.target.family) {
             self.lever = Lever::ControlWord;
         }
     }
@@ -153,13 +154,34 @@ impl<'a, 's> Motor<'a, 's> {
             // A fault is reset only when somebody says so.
             return Err(self.fault_failure().await);
         }
-        let facts = situation.facts(has_voltage_bit(self.target));
-        let machine = self.target.family.machine.clone();
-        let way = machine.plan(&situation.state, goal, facts).map_err(|why| no_plan(&why, self.target, self.lang))?;
+        let family = self.target.family.clone();
+        let mut from = situation.state.clone();
+        if goal == "operation-enabled" && from != goal {
+            from = self.begin(&from).await?;
+        }
+        let facts = situation.facts(&family);
+        let way = family.machine.plan(&from, goal, &facts).map_err(|why| no_plan(&why, &family, self.lang))?;
         for transition in way {
             self.pass(transition).await?;
         }
         Ok(())
+    }
+
+    /// Sends the command that the family wants before it is walked up; returns the state that it leads to.
+    async fn begin(&mut self, from: &str) -> Result<String, Failure> {
+        let family = self.target.family.clone();
+        let command = family.motion.begin.as_ref().and_then(|slug| family.machine.command(slug));
+        let Some(command) = command else { return Ok(from.to_owned()) };
+        match family.machine.transition(from, &command.slug) {
+            Some(transition) => {
+                self.pass(transition).await?;
+                Ok(transition.to.clone())
+            }
+            None => {
+                self.write_control(command.word).await?;
+                Ok(from.to_owned())
+            }
+        }
     }
 
     /// Sends one command, whatever the state, and waits for where it leads from the present state.
@@ -170,10 +192,7 @@ impl<'a, 's> Motor<'a, 's> {
         match machine.transition(&situation.state, slug).cloned() {
             Some(transition) => {
                 self.pass(&transition).await?;
-                if transition.to == "quick-stop-active" {
-                    return self.pass_by_itself("quick-stop-active", "switch-on-disabled", Takes::QuickStop).await;
-                }
-                Ok(())
+                if transition.to == "quick-stop-active" { self.end_quick_stop().await } else { Ok(()) }
             }
             None => {
                 // A stop is never refused: it goes out even if the state says that there is nothing to stop.
@@ -197,12 +216,13 @@ impl<'a, 's> Motor<'a, 's> {
                 self.pass(&transition).await?;
                 // The numbers of the fault memory are in no source, so this is all there is to show of it.
                 let was = describe::fault(&self.target.family, situation.fault.unwrap_or(0) as u32, self.lang);
-                let now = self.role_raw("fault").await?.unwrap_or(0);
+                let now = self.look().await?.fault.unwrap_or(0);
                 let now = describe::fault(&self.target.family, now as u32, self.lang);
                 let told = |fault: Option<crate::outcome::Fault>| {
                     fault.map_or_else(|| "-".to_owned(), |fault| format!("{} {}", fault.key, fault.name))
                 };
-                self.notes.push(format!("P.260: {} -> {}", told(was), told(now)));
+                let label = self.target.family.role("fault").map_or_else(String::new, Param::label);
+                self.notes.push(format!("{label}: {} -> {}", told(was), told(now)));
                 Ok(())
             }
             None => Err(Failure::new(Class::Data, "data.machine", "this drive has no reset")),
@@ -214,13 +234,13 @@ impl<'a, 's> Motor<'a, 's> {
         let begun = self.session.now();
         let command = transition.command.as_ref().and_then(|slug| self.target.family.machine.command(slug).cloned());
         if transition.needs.contains(&Need::Lock) {
-            self.count_down(FAULT_LOCK).await?;
+            self.count_down(self.target.family.motion.fault_lock_s).await?;
         }
         if let Some(command) = &command {
             self.trigger(command).await?;
         }
-        let goal = if transition.takes == Some(Takes::Lock) { None } else { Some(transition.to.as_str()) };
-        let state = self.until(&transition.to, transition.takes, goal.is_none()).await?;
+        let leaves_fault = transition.from == "fault";
+        let state = self.until(&transition.to, transition.takes, leaves_fault).await?;
         if let Some(command) = command.as_ref().filter(|command| command.edge) {
             self.write_control(command.word & !command.mask).await?;
         }
@@ -234,20 +254,17 @@ impl<'a, 's> Motor<'a, 's> {
         Ok(())
     }
 
-    /// Waits for a transition that the drive makes by itself.
-    async fn pass_by_itself(&mut self, from: &str, to: &str, takes: Takes) -> Result<(), Failure> {
-        let begun = self.session.now();
-        let state = self.until(to, Some(takes), false).await?;
-        let machine = &self.target.family.machine;
-        let number = machine.transitions.iter().find(|row| row.from == from && row.to == to);
-        self.steps.push(Step {
-            transition: number.map_or_else(String::new, |row| row.number.clone()),
-            command: None,
-            control: None,
-            state,
-            took_ms: self.session.now().since(begun).as_millis(),
-        });
-        Ok(())
+    /// Waits for the end of a quick stop. A drive that does not leave it by itself is led out once its shaft stands.
+    async fn end_quick_stop(&mut self) -> Result<(), Failure> {
+        let family = self.target.family.clone();
+        let from_here = |row: &&Transition| row.from == "quick-stop-active";
+        let by_itself = family.machine.transitions.iter().filter(from_here).find(|row| row.command.is_none());
+        let way = by_itself.or_else(|| family.machine.transitions.iter().find(from_here));
+        let Some(way) = way else { return Ok(()) };
+        if way.command.is_some() {
+            self.until_still().await?;
+        }
+        self.pass(way).await
     }
 
     async fn trigger(&mut self, command: &Command) -> Result<(), Failure> {
@@ -258,8 +275,7 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     /// Tells how long the drive still refuses a reset.
-    async fn count_down(&mut self, lock: Span) -> Result<(), Failure> {
-        let total = lock.as_millis() / 1_000;
+    async fn count_down(&mut self, total: u64) -> Result<(), Failure> {
         for done in 0..total {
             let what = match self.lang {
                 Lang::En => format!("the drive refuses a reset for another {} s", total - done),
@@ -274,14 +290,9 @@ impl<'a, 's> Motor<'a, 's> {
     /// Looks at the state until it is `goal`. What ramps or holds gets the time that it needs: patience begins anew
     /// while the shaft still slows down.
     async fn until(&mut self, goal: &str, takes: Option<Takes>, fault_is_fine: bool) -> Result<State, Failure> {
-        let mut patience = self.patience;
-        if matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
-            for role in ["holding-time", "braking-time"] {
-                let tenths = self.role_raw(role).await?.unwrap_or(0);
-                patience = patience + Span::from_millis(u64::try_from(tenths * 100).unwrap_or(0));
-            }
-        }
-        let mut seen = (0, None);
+        let patience = self.patience + self.braking(takes).await?;
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        let mut seen = 0;
         let mut since = self.session.now();
         loop {
             let status = self.status().await?;
@@ -292,38 +303,49 @@ impl<'a, 's> Motor<'a, 's> {
             if state.slug.starts_with("fault") && !fault_is_fine {
                 return Err(self.fault_failure().await);
             }
-            let speed = if takes.is_some() { self.speed().await? } else { None };
-            if seen != (status, speed) {
-                seen = (status, speed);
+            let changed = takes.is_some() && {
+                let raw = self.movement().await?;
+                watch.see(self.session.now(), raw)
+            };
+            if changed || seen != status {
+                seen = status;
                 since = self.session.now();
             }
             if self.session.now().since(since) > patience {
                 return Err(self.stuck(&state, goal).await);
             }
-            self.rest(POLL).await?;
+            self.rest(self.beat).await?;
         }
     }
 
-    fn demand_control(&mut self, situation: &Situation) -> Result<(), Failure> {
-        if situation.mode.is_none_or(|mode| mode == STATE_MACHINE) {
-            self.lever = Lever::ControlWord;
-            return Ok(());
+    /// How long the drive may hold or brake besides its ramp.
+    async fn braking(&mut self, takes: Option<Takes>) -> Result<Span, Failure> {
+        let mut sum = Span::ZERO;
+        if !matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
+            return Ok(sum);
         }
-        let mode = situation.mode.unwrap_or_default();
-        let text = match self.lang {
-            Lang::En => format!("the drive is not controlled by the control word: P.412 is {mode}, it must be 1"),
-            Lang::De => format!("der Antrieb hört nicht auf das Steuerwort: P.412 ist {mode}, nötig ist 1"),
-        };
-        Err(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(self.lang.pick(
-            "--take-control sets it in RAM for the run and gives it back",
-            "--take-control stellt es für den Lauf im RAM um und danach zurück",
-        )))
+        let family = self.target.family.clone();
+        for param in family.motion.patience.iter().filter_map(|role| family.role(role)) {
+            let raw = look::raw(self.session, self.target, param, 0, self.lang).await?.unwrap_or(0);
+            let ms = raw * 1_000 / 10i64.pow(param.decimals_or_zero().into());
+            sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
+        }
+        Ok(sum)
+    }
+
+    fn demand_control(&mut self, situation: &Situation) -> Result<(), Failure> {
+        match no_control(situation, self.target, self.lang) {
+            Some(failure) => Err(failure),
+            None => {
+                self.lever = Lever::ControlWord;
+                Ok(())
+            }
+        }
     }
 
     /// Why a state does not come.
     async fn stuck(&mut self, state: &State, goal: &str) -> Failure {
-        let goal =
-            self.target.family.states.iter().find(|row| row.slug == goal).map_or(goal, |row| row.name(self.lang));
+        let goal = state_name(&self.target.family, goal, self.lang).to_owned();
         let text = match self.lang {
             Lang::En => format!("the drive stays in '{}' and does not go to '{goal}'", state.name),
             Lang::De => format!("der Antrieb bleibt in '{}' und geht nicht nach '{goal}'", state.name),
@@ -352,9 +374,9 @@ impl<'a, 's> Motor<'a, 's> {
         Ok(self.role_raw("status-word").await?.unwrap_or(0) as u32)
     }
 
-    /// Actual frequency in 0.01 Hz: the stator frequency, whose decimals are proved.
-    async fn speed(&mut self) -> Result<Option<i64>, Failure> {
-        self.role_raw("stator-frequency").await
+    /// What tells whether the shaft moves.
+    async fn movement(&mut self) -> Result<Option<i64>, Failure> {
+        self.role_raw("movement").await
     }
 
     async fn role_raw(&mut self, role: &str) -> Result<Option<i64>, Failure> {
@@ -392,8 +414,15 @@ impl<'a, 's> Motor<'a, 's> {
     }
 }
 
-/// A round of holding a run: well below the shortest watchdog, 1 s (P.413 counts in seconds).
-const ROUND: Span = Span::from_millis(250);
+/// A round of holding a run, in looks.
+const ROUND: u64 = 5;
+
+/// A pause between looks that leaves the drive's watchdog room for the telegrams between.
+fn beat(target: &Target, watchdog: Option<i64>) -> Span {
+    let watchdog = watchdog.map(|raw| watchdog_seconds(&target.family, raw)).filter(|span| span.raw > 0);
+    let ms = watchdog.map(|span| span.raw.unsigned_abs() * 1_000 / 10u64.pow(span.decimals.into()));
+    ms.map_or(POLL, |ms| Span::from_millis((ms / 10).clamp(1, POLL.as_millis())))
+}
 
 /// Runs a future; `None` if it panics.
 async fn catching<T>(future: impl Future<Output = T>) -> Option<T> {

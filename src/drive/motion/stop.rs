@@ -1,21 +1,21 @@
 //! The stop at the end of a run, and giving back what was changed for it.
 
-use super::look::ram_set;
-use super::{Lever, Motor, POLL, REMOTE_BIT};
+use super::look::{ram_set, watchdog_seconds};
+use super::shaft::Watch;
+use super::{Lever, Motor, beat};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Change, State, Stop};
-use crate::profile::{DataSets, Lang, Takes};
+use crate::outcome::{Change, Decimal, State, Stop};
+use crate::profile::value::format_decimal;
+use crate::profile::{DataSets, Family, Lang, Need, Param, StopRow, Takes};
 
-/// Control by digital inputs (P.412 = 0; CM-485 manual 9).
-const CONTACTS: i64 = 0;
 /// How long the stop at the end is tried on a line that does not answer.
 const STOP_TRIES: u8 = 5;
 
 /// How a run is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopChoice {
-    /// Disable operation: transition 5, by P.392.
+    /// The gentlest way that the family has.
     Ramp,
     /// Quick stop.
     QuickStop,
@@ -26,35 +26,45 @@ pub enum StopChoice {
 }
 
 impl StopChoice {
-    /// Name, command and the state that proves it.
-    fn row(self) -> (&'static str, &'static str, &'static str) {
+    /// The word that names it in catalogues and JSON.
+    pub fn slug(self) -> &'static str {
         match self {
-            StopChoice::Ramp => ("ramp", "disable", "switched-on"),
-            StopChoice::QuickStop => ("quick-stop", "quick-stop", "switch-on-disabled"),
-            StopChoice::Coast => ("coast", "disable-voltage", "switch-on-disabled"),
-            StopChoice::Keep => ("keep", "", ""),
+            StopChoice::Ramp => "ramp",
+            StopChoice::QuickStop => "quick-stop",
+            StopChoice::Coast => "coast",
+            StopChoice::Keep => "keep",
         }
     }
 }
 
 impl Motor<'_, '_> {
-    /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
+    /// Changes the setting with a role for the run, if the family has it; it is given back at the end.
     pub async fn change(&mut self, role: &str, new: i64) -> Result<(), Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(()) };
-        let set = ram_set(self.session, self.target, &param, self.lang).await?;
-        let reading = self.target.read_set(self.session, &param, set).await;
+        self.change_param(&param, new).await?;
+        if role == "watchdog" {
+            self.beat = beat(self.target, Some(new));
+        }
+        Ok(())
+    }
+
+    /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
+    pub async fn change_param(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
+        let set = ram_set(self.session, self.target, param, self.lang).await?;
+        let reading = self.target.read_set(self.session, param, set).await;
         let old = reading.map_err(|error| self.failure(&error))?.raw;
         if old == new {
             return Ok(());
         }
         let (data_set, _) = describe::place(set);
         self.changes.push(Change { param: param.id, data_set, old, new, restored: false });
-        self.write(&param, set, new).await
+        self.write(param, set, new).await
     }
 
     /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.
     pub(super) async fn give_back(&mut self, stands: bool) {
-        if stands && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
+        let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
+        if stands && zeroed && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
             let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
             if let Some(param) = param {
                 // So that nobody is surprised by it at the next enable.
@@ -72,10 +82,10 @@ impl Motor<'_, '_> {
             {
                 continue;
             }
+            let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
             let mut restored = false;
             for _ in 0..STOP_TRIES {
-                restored =
-                    restored || self.write(&param, change.data_set + DataSets::RAM_OFFSET, change.old).await.is_ok();
+                restored = restored || self.write(&param, change.data_set + ram, change.old).await.is_ok();
             }
             if let Some(change) = self.changes.get_mut(index) {
                 change.restored = restored;
@@ -83,57 +93,44 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// Whether the drive stays where it is when P.412 goes back. The control word of the stop would close contacts under
-    /// P.412 = 2, so it is cleared first; and contacts that are closed now would start the drive under P.412 = 0.
-    pub(super) async fn may_give_control_back(&mut self, old: i64) -> bool {
+    /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual
+    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them.
+    async fn may_give_control_back(&mut self, old: i64) -> bool {
         if self.write_control(0).await.is_err() {
             return false;
         }
+        let family = self.target.family.clone();
+        let Some(control) = family.motion.control else { return true };
         let Ok(status) = self.status().await else { return false };
-        if old != CONTACTS || status & REMOTE_BIT == 0 {
+        let released = family.motion.interlock(Need::Release).and_then(|row| row.bit);
+        if old != control.terminals || released.is_none_or(|bit| status >> bit & 1 == 0) {
             return true;
         }
-        let note = self.lang.pick(
-            "P.412 stays 1: enable and start contact are closed and would start the drive under P.412 = 0",
-            "P.412 bleibt 1: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter P.412 = 0 starten",
-        );
-        self.notes.push(note.to_owned());
+        let label = family.role("control-mode").map_or_else(String::new, Param::label);
+        let (now, would) = (control.obeys, control.terminals);
+        self.notes.push(match self.lang {
+            Lang::En => format!(
+                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}"
+            ),
+            Lang::De => format!(
+                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
+                 {would} starten"
+            ),
+        });
         false
     }
 
     /// Sends the stop and waits for the state that proves it. Never fails: it reports.
     pub(super) async fn stop(&mut self, choice: StopChoice, because: &'static str) -> Stop {
-        let (name, command, goal) = choice.row();
-        let mut stop = Stop { choice: name, because, acknowledged: false, state: None, note: None };
-        if choice == StopChoice::Keep {
-            stop.note = Some(
-                self.lang
-                    .pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt")
-                    .to_owned(),
-            );
+        let mut stop = Stop { choice: choice.slug(), because, acknowledged: false, state: None, note: None };
+        let Some(row) = self.way_to_stop(choice) else {
+            let text =
+                self.lang.pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt");
+            stop.note = Some(text.to_owned());
             return stop;
-        }
-        let word = match self.lever {
-            Lever::ControlWord => self.target.family.machine.command(command).map_or(0, |command| command.word),
-            Lever::Contacts | Lever::Setpoint => 0,
         };
-        let goal = if self.lever == Lever::ControlWord { goal } else { "switched-on" };
         for _ in 0..STOP_TRIES {
-            let sent = match (self.lever, self.setpoint.as_ref().map(|setpoint| setpoint.param)) {
-                (Lever::Setpoint, Some(param)) => {
-                    let param = self.target.family.param_or_unknown(param);
-                    self.write(&param, 0, 0).await
-                }
-                _ => self.write_control(word).await,
-            };
-            if sent.is_err() {
-                continue;
-            }
-            let stopped = match self.lever {
-                Lever::Setpoint => self.until_still().await,
-                Lever::ControlWord | Lever::Contacts => self.until_stopped(goal).await,
-            };
-            match stopped {
+            match self.try_stop(&row).await {
                 Ok(state) => {
                     stop.acknowledged = true;
                     stop.state = Some(state);
@@ -145,7 +142,7 @@ impl Motor<'_, '_> {
         }
         if let (Ok(status), true) = (self.status().await, self.lever != Lever::Setpoint) {
             let state = describe::state(&self.target.family, status, self.lang);
-            stop.acknowledged = stopped_states(goal).contains(&state.slug.as_str());
+            stop.acknowledged = stopped_states(&row.goal).contains(&state.slug.as_str());
             stop.state = Some(state);
         }
         if !stop.acknowledged {
@@ -154,56 +151,118 @@ impl Motor<'_, '_> {
         stop
     }
 
+    /// The row of the catalogue that says how: another one in modes that no setpoint 0 stops.
+    fn way_to_stop(&self, choice: StopChoice) -> Option<StopRow> {
+        let motion = &self.target.family.motion;
+        let row = motion.stop(choice.slug())?;
+        let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
+        let other = row.otherwise.as_ref().filter(|_| row.zero && !zeroed);
+        other.map_or(Some(row), |slug| motion.stop(slug)).cloned()
+    }
+
+    async fn try_stop(&mut self, row: &StopRow) -> Result<State, Failure> {
+        match self.lever {
+            Lever::ControlWord => self.stop_by_commands(row).await,
+            Lever::Contacts => {
+                self.write_control(0).await?;
+                self.until_stopped("switched-on", Some(Takes::Transition5)).await
+            }
+            Lever::Setpoint => {
+                self.zero().await?;
+                self.until_still().await
+            }
+        }
+    }
+
+    async fn stop_by_commands(&mut self, row: &StopRow) -> Result<State, Failure> {
+        if row.zero && self.setpoint.is_some() {
+            self.zero().await?;
+            // If it does not stand then, the commands stop it all the same.
+            let _proven_below = self.until_still().await;
+        }
+        let family = self.target.family.clone();
+        let words = row.commands.iter().filter_map(|slug| family.machine.command(slug)).map(|command| command.word);
+        for (index, word) in words.enumerate() {
+            if index > 0 {
+                let _proven_below = self.until_still().await;
+            }
+            self.write_control(word).await?;
+        }
+        self.until_stopped(&row.goal, row.takes).await
+    }
+
+    async fn zero(&mut self) -> Result<(), Failure> {
+        let Some(param) = self.setpoint.as_ref().map(|setpoint| setpoint.param) else { return Ok(()) };
+        let param = self.target.family.param_or_unknown(param);
+        self.write(&param, 0, 0).await
+    }
+
     /// A drive that tripped, or that lies in a state below the goal, does not turn either.
-    pub(super) async fn until_stopped(&mut self, goal: &str) -> Result<State, Failure> {
+    async fn until_stopped(&mut self, goal: &str, takes: Option<Takes>) -> Result<State, Failure> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status, self.lang);
         if stopped_states(goal).contains(&state.slug.as_str()) {
             return Ok(state);
         }
-        let takes = if goal == "switched-on" { Takes::Transition5 } else { Takes::QuickStop };
-        self.until(goal, Some(takes), true).await
+        self.until(goal, takes, true).await
     }
 
     /// Waits until the shaft stands; patience begins anew while it still slows down.
     pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
-        let mut seen = None;
+        let mut watch = Watch::new(self.target.family.motion.movement);
         let mut since = self.session.now();
         loop {
             let status = self.status().await?;
             let state = describe::state(&self.target.family, status, self.lang);
-            let speed = self.speed().await?;
-            if speed == Some(0) || state.slug != "operation-enabled" {
+            let movement = self.movement().await?;
+            let changed = watch.see(self.session.now(), movement);
+            if watch.stands() || !["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()) {
                 return Ok(state);
             }
-            if seen != Some(speed) {
-                seen = Some(speed);
+            if changed {
                 since = self.session.now();
             }
             if self.session.now().since(since) > self.patience {
                 return Err(self.stuck(&state, "switched-on").await);
             }
-            self.rest(POLL).await?;
+            self.rest(self.beat).await?;
         }
     }
 
-    pub(super) async fn watchdog_note(&mut self) -> String {
+    async fn watchdog_note(&mut self) -> String {
         let changed = self.target.family.role("watchdog").map(|param| param.id);
         let set = self.changes.iter().find(|change| Some(change.param) == changed).map(|change| change.new);
-        let seconds = match set {
-            Some(seconds) => Some(seconds),
+        let raw = match set {
+            Some(raw) => Some(raw),
             None => self.role_raw("watchdog").await.ok().flatten().or(self.target.known_watchdog),
         };
-        match (seconds, self.lang) {
-            (Some(0), Lang::En) => "the drive's watchdog (P.413) is off: THE SHAFT MAY STILL TURN".to_owned(),
-            (Some(0), Lang::De) => "der Watchdog (P.413) ist aus: DIE WELLE KANN NOCH DREHEN".to_owned(),
-            (Some(s), Lang::En) => format!("the drive's watchdog (P.413) trips it {s} s after the last telegram"),
-            (Some(s), Lang::De) => format!("der Watchdog (P.413) schaltet {s} s nach dem letzten Telegramm ab"),
-            (None, Lang::En) => {
-                "whether the drive's watchdog stops it is not known: THE SHAFT MAY STILL TURN".to_owned()
+        let family = &self.target.family;
+        let turns = self.lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN");
+        match raw {
+            Some(raw) if raw > 0 => watchdog_words(family, Some(watchdog_seconds(family, raw)), self.lang),
+            raw => {
+                let known = raw.map(|raw| watchdog_seconds(family, raw));
+                format!("{}: {turns}", watchdog_words(family, known, self.lang))
             }
-            (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt: DIE WELLE KANN NOCH DREHEN".to_owned(),
         }
+    }
+}
+
+/// What the drive's watchdog is set to, and what it does then.
+pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> String {
+    let label = family.role("watchdog").map_or_else(|| "-".to_owned(), Param::label);
+    let does = family.motion.watchdog.get(lang);
+    match (seconds, lang) {
+        (Some(off), Lang::En) if off.raw == 0 => format!("the drive's watchdog ({label}) is off"),
+        (Some(off), Lang::De) if off.raw == 0 => format!("der Watchdog ({label}) ist aus"),
+        (Some(on), Lang::En) => {
+            format!("the drive's watchdog ({label}) is {} s: {does}", format_decimal(on.raw, on.decimals))
+        }
+        (Some(on), Lang::De) => {
+            format!("der Watchdog ({label}) steht auf {} s: {does}", format_decimal(on.raw, on.decimals))
+        }
+        (None, Lang::En) => "whether the drive's watchdog stops it is not known".to_owned(),
+        (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt".to_owned(),
     }
 }
 

@@ -1,9 +1,10 @@
-//! Modbus over serial line: protocol data units ([`pdu`]) in RTU ([`rtu`]) or ASCII ([`ascii`]) frames.
+//! Modbus: protocol data units ([`pdu`]) in RTU ([`rtu`]), ASCII ([`ascii`]) or TCP ([`mbap`]) frames.
 //!
 //! Norms: MODBUS Application Protocol V1.1b3; MODBUS over Serial Line V1.02. Maker: CM-485 manual, chapters 6 and 8.
 //! The frame layer carries `(station, PDU)` and knows no function code, so new codes need no change there.
 
 pub mod ascii;
+pub mod mbap;
 pub mod pdu;
 pub mod rtu;
 
@@ -26,6 +27,8 @@ pub enum Framing {
     Rtu,
     /// Hexadecimal text between `:` and CR LF, with LRC.
     Ascii,
+    /// Modbus/TCP, for gateways: numbered transactions, no check value.
+    Tcp,
 }
 
 impl Framing {
@@ -34,6 +37,7 @@ impl Framing {
         match self {
             Framing::Rtu => rtu::encode(station, pdu),
             Framing::Ascii => ascii::encode(station, pdu),
+            Framing::Tcp => mbap::encode(0, station, pdu),
         }
     }
 
@@ -42,14 +46,16 @@ impl Framing {
         match self {
             Framing::Rtu => rtu::decode(frame),
             Framing::Ascii => ascii::decode(frame),
+            Framing::Tcp => mbap::decode(frame).map(|(_, adu)| adu),
         }
     }
 
-    /// The word that names this framing: `rtu` or `ascii`.
+    /// The word that names this framing: `rtu`, `ascii` or `mbtcp`.
     pub fn name(self) -> &'static str {
         match self {
             Framing::Rtu => "rtu",
             Framing::Ascii => "ascii",
+            Framing::Tcp => "mbtcp",
         }
     }
 }
@@ -60,6 +66,7 @@ impl FromStr for Framing {
         match text.to_ascii_lowercase().as_str() {
             "rtu" => Ok(Framing::Rtu),
             "ascii" => Ok(Framing::Ascii),
+            "mbtcp" => Ok(Framing::Tcp),
             _ => Err(format!("expected rtu or ascii, got '{text}'")),
         }
     }

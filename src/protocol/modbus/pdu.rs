@@ -1,10 +1,24 @@
 //! Protocol data units: function code and data, requests and replies, for master and slave.
 //!
 //! Codes 3, 6 and 8 follow MODBUS Application Protocol V1.1b3 (6.3, 6.6, 6.8) as narrowed by the CM-485 manual 6.4;
-//! codes 100 and 101 are the maker's own (CM-485 manual 6.4.3, 6.4.4). Any other code travels as raw data.
+//! codes 100 and 101 are the maker's own (CM-485 manual 6.4.3, 6.4.4). Codes 16, 23 and 43/14 follow V1.1b3 (6.12, 6.17,
+//! 6.21) and the LXM05 manual 5.2, with its lengths as corrected in facts G4. Any other code travels as raw data.
+
+mod address;
+mod end;
+mod exception;
+pub mod identification;
+mod order;
+#[cfg(test)]
+mod tests;
+
+pub use address::ParamAddress;
+pub use end::ReplyEnd;
+pub use exception::Exception;
+pub use identification::Identification;
+pub use order::WordOrder;
 
 use super::MAX_PDU;
-use std::fmt;
 
 /// Function code 3: read holding registers (CM-485 manual 6.4.1: one 16-bit parameter).
 pub const READ_REGISTERS: u8 = 3;
@@ -12,6 +26,14 @@ pub const READ_REGISTERS: u8 = 3;
 pub const WRITE_REGISTER: u8 = 6;
 /// Function code 8: diagnostics (CM-485 manual 6.4.5).
 pub const DIAGNOSTICS: u8 = 8;
+/// Function code 16: write multiple registers (LXM05 manual 5.2.3).
+pub const WRITE_REGISTERS: u8 = 16;
+/// Function code 23: write multiple registers, then read others (LXM05 manual 5.2.4).
+pub const EXCHANGE_REGISTERS: u8 = 23;
+/// Function code 43: encapsulated interface; its type says what is inside (LXM05 manual 5.2.5).
+pub const ENCAPSULATED: u8 = 43;
+/// Type 14 of code 43: read device identification (LXM05 manual 5.2.5).
+pub const IDENTIFICATION: u8 = 14;
 /// Function code 100: read one 32-bit parameter, vendor code (CM-485 manual 6.4.3).
 pub const READ_LONG: u8 = 100;
 /// Function code 101: write one 32-bit parameter, vendor code (CM-485 manual 6.4.4).
@@ -19,55 +41,26 @@ pub const WRITE_LONG: u8 = 101;
 /// Bit of the function code that marks an exception reply (CM-485 manual 6.5).
 pub const EXCEPTION_BIT: u8 = 0x80;
 
+/// Most registers that one telegram of code 3 or 23 reads (V1.1b3, 6.3, 6.17).
+pub const MOST_READ: u16 = 125;
+/// Most registers that one telegram of code 16 writes (V1.1b3, 6.12).
+pub const MOST_WRITTEN: u16 = 123;
+/// Most registers that one telegram of code 23 writes (V1.1b3, 6.17).
+pub const MOST_EXCHANGED: u16 = 121;
+
+/// Sub-function of code 8 that sends the data field back (LXM05 manual, table 5.2).
+pub const ECHO: u16 = 0x00;
+/// Sub-function of code 8 that starts the port anew, which ends "listen only" (LXM05 manual, table 5.2).
+pub const RESTART_COMMUNICATION: u16 = 0x01;
+/// Sub-function of code 8 that returns the diagnostic register: the number of the last synchronous error of an LXM05
+/// (LXM05 manual, table 5.2).
+pub const DIAGNOSTIC_REGISTER: u16 = 0x02;
+/// Sub-function of code 8 that silences the slave; it does not answer (LXM05 manual, table 5.2; V1.1b3, 6.8.1).
+pub const LISTEN_ONLY: u16 = 0x04;
 /// Sub-function of code 8 that sets every counter to zero (CM-485 manual 6.4.5).
 pub const CLEAR_COUNTERS: u16 = 0x0A;
 /// Sub-functions of code 8 that return a counter (CM-485 manual 6.4.5).
 pub const COUNTERS: std::ops::RangeInclusive<u16> = 0x0B..=0x12;
-
-/// The address word of the ACTIVE family: data set in the upper 4 bits, parameter number in the lower 12
-/// (CM-485 manual 6.4.1).
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ParamAddress(u16);
-
-impl ParamAddress {
-    /// Highest parameter number that the drives know (CM-485 manual 6.4.1).
-    pub const LAST_NUMBER: u16 = 1599;
-    /// Highest number that the 12 bits can carry.
-    pub const MAX_NUMBER: u16 = 0x0FFF;
-    /// Highest data set: 0-4 EEPROM, 5-9 RAM (CM-485 manual 7).
-    pub const LAST_SET: u8 = 9;
-
-    /// An address from data set (0-15) and parameter number (0-4095); `None` if they do not fit into their bits.
-    pub fn new(set: u8, number: u16) -> Option<Self> {
-        (set <= 0x0F && number <= Self::MAX_NUMBER).then(|| ParamAddress(u16::from(set) << 12 | number))
-    }
-
-    /// The address that a word on the wire stands for.
-    pub const fn from_word(word: u16) -> Self {
-        ParamAddress(word)
-    }
-
-    /// The word on the wire.
-    pub const fn word(self) -> u16 {
-        self.0
-    }
-
-    /// Data set, 0-15.
-    pub const fn set(self) -> u8 {
-        (self.0 >> 12) as u8
-    }
-
-    /// Parameter number, 0-4095.
-    pub const fn number(self) -> u16 {
-        self.0 & Self::MAX_NUMBER
-    }
-}
-
-impl fmt::Debug for ParamAddress {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "P.{}@{}", self.number(), self.set())
-    }
-}
 
 /// What a master asks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,6 +85,31 @@ pub enum Request {
         sub: u16,
         /// Data field, 0 for the sub-functions of the ACTIVE family.
         data: u16,
+    },
+    /// Code 16.
+    WriteRegisters {
+        /// First register.
+        start: u16,
+        /// At most [`MOST_WRITTEN`] registers.
+        values: Vec<u16>,
+    },
+    /// Code 23: writes first, then reads (V1.1b3, 6.17).
+    ExchangeRegisters {
+        /// First register to read.
+        start: u16,
+        /// Number of registers to read.
+        count: u16,
+        /// First register to write.
+        write_start: u16,
+        /// At most [`MOST_EXCHANGED`] registers to write.
+        values: Vec<u16>,
+    },
+    /// Code 43, type 14.
+    ReadIdentification {
+        /// Category: [`identification::BASIC`], [`identification::SINGLE`] or another of the norm.
+        category: u8,
+        /// Object to begin with.
+        object: u8,
     },
     /// Code 100.
     ReadLong {
@@ -133,6 +151,17 @@ pub enum Reply {
         /// Counter value, or the echoed data field.
         data: u16,
     },
+    /// Code 16.
+    RegistersWritten {
+        /// First register, echoed.
+        start: u16,
+        /// Number of registers, echoed.
+        count: u16,
+    },
+    /// Code 23: what was read after the write.
+    RegistersExchanged(Vec<u16>),
+    /// Code 43, type 14.
+    Identification(Identification),
     /// Code 100.
     Long(u32),
     /// Code 101: the echo of the request.
@@ -158,69 +187,6 @@ pub enum Reply {
     },
 }
 
-/// Exception codes (MODBUS Application Protocol V1.1b3, 7; CM-485 manual 6.6 uses 1-4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Exception {
-    /// 1: function code or sub-function unknown.
-    IllegalFunction,
-    /// 2: address (parameter) unknown, or a wrong number of registers.
-    IllegalDataAddress,
-    /// 3: wrong length, or a fixed field with another value.
-    IllegalDataValue,
-    /// 4: reading or writing the parameter failed.
-    DeviceFailure,
-    /// 5: accepted, takes long.
-    Acknowledge,
-    /// 6: busy with a long command.
-    DeviceBusy,
-    /// 8: memory parity error.
-    MemoryParity,
-    /// 10: gateway has no path.
-    GatewayPath,
-    /// 11: gateway target did not answer.
-    GatewayTarget,
-    /// A code that the norm does not define.
-    Other(u8),
-}
-
-impl Exception {
-    const TABLE: [(Exception, u8, &'static str); 9] = [
-        (Exception::IllegalFunction, 1, "illegal function"),
-        (Exception::IllegalDataAddress, 2, "illegal data address"),
-        (Exception::IllegalDataValue, 3, "illegal data value"),
-        (Exception::DeviceFailure, 4, "slave device failure"),
-        (Exception::Acknowledge, 5, "acknowledge"),
-        (Exception::DeviceBusy, 6, "slave device busy"),
-        (Exception::MemoryParity, 8, "memory parity error"),
-        (Exception::GatewayPath, 10, "gateway path unavailable"),
-        (Exception::GatewayTarget, 11, "gateway target failed to respond"),
-    ];
-
-    /// The exception that a code on the wire stands for.
-    pub fn from_code(code: u8) -> Self {
-        Self::TABLE.iter().find(|row| row.1 == code).map_or(Exception::Other(code), |row| row.0)
-    }
-
-    /// The code on the wire.
-    pub fn code(self) -> u8 {
-        match self {
-            Exception::Other(code) => code,
-            known => Self::TABLE.iter().find(|row| row.0 == known).map_or(0, |row| row.1),
-        }
-    }
-
-    /// The name that the norm gives.
-    pub fn name(self) -> &'static str {
-        Self::TABLE.iter().find(|row| row.0 == self).map_or("undefined exception", |row| row.2)
-    }
-}
-
-impl fmt::Display for Exception {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.code(), self.name())
-    }
-}
-
 /// Why a PDU is not what its function code promises.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PduError {
@@ -237,41 +203,22 @@ pub enum PduError {
         /// Data bytes that the code asks for.
         expected: usize,
     },
+    /// The field that counts the bytes of a request contradicts its number of registers.
+    #[error("function code {function}: {got} bytes announced for {count} registers")]
+    ByteCount {
+        /// Function code as it came.
+        function: u8,
+        /// Value of the field.
+        got: u8,
+        /// Number of registers in the same telegram.
+        count: u16,
+    },
     /// Longer than any PDU may be.
     #[error("PDU of {len} bytes, at most {MAX_PDU} are allowed")]
     TooLong {
         /// Length of the PDU.
         len: usize,
     },
-}
-
-/// How the normal reply to a request ends, so that nobody has to wait for silence to know that it is complete.
-///
-/// Lengths count the PDU: function code and data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReplyEnd {
-    /// The reply has this many bytes.
-    Fixed(usize),
-    /// The byte at this offset counts the bytes that follow it.
-    CountAt(usize),
-    /// Only silence (RTU) or the terminator (ASCII) tells.
-    Silence,
-    /// There is no reply: the request is a broadcast.
-    Never,
-}
-
-impl ReplyEnd {
-    /// Length of the whole reply PDU whose first bytes are `start`; `None` while it cannot be told yet or ever.
-    pub fn length(self, start: &[u8]) -> Option<usize> {
-        if start.first()? & EXCEPTION_BIT != 0 {
-            return Some(2);
-        }
-        match self {
-            ReplyEnd::Fixed(length) => Some(length),
-            ReplyEnd::CountAt(offset) => start.get(offset).map(|&count| offset + 1 + usize::from(count)),
-            ReplyEnd::Silence | ReplyEnd::Never => None,
-        }
-    }
 }
 
 impl Request {
@@ -281,6 +228,9 @@ impl Request {
             Request::ReadRegisters { .. } => READ_REGISTERS,
             Request::WriteRegister { .. } => WRITE_REGISTER,
             Request::Diagnostics { .. } => DIAGNOSTICS,
+            Request::WriteRegisters { .. } => WRITE_REGISTERS,
+            Request::ExchangeRegisters { .. } => EXCHANGE_REGISTERS,
+            Request::ReadIdentification { .. } => ENCAPSULATED,
             Request::ReadLong { .. } => READ_LONG,
             Request::WriteLong { .. } => WRITE_LONG,
             Request::Other { function, .. } => *function,
@@ -289,8 +239,14 @@ impl Request {
 
     /// Whether the request changes something in the slave, so that it may be broadcast.
     pub fn is_write(&self) -> bool {
-        matches!(self, Request::WriteRegister { .. } | Request::WriteLong { .. })
-            || matches!(self, Request::Diagnostics { sub: CLEAR_COUNTERS, .. })
+        match self {
+            Request::WriteRegister { .. }
+            | Request::WriteRegisters { .. }
+            | Request::ExchangeRegisters { .. }
+            | Request::WriteLong { .. } => true,
+            Request::Diagnostics { sub, .. } => [CLEAR_COUNTERS, RESTART_COMMUNICATION, LISTEN_ONLY].contains(sub),
+            _ => false,
+        }
     }
 
     /// The PDU on the wire.
@@ -303,6 +259,15 @@ impl Request {
                 pdu.extend(a.to_be_bytes());
                 pdu.extend(b.to_be_bytes());
             }
+            Request::WriteRegisters { start, values } => {
+                pdu.extend(start.to_be_bytes());
+                put_values(&mut pdu, values);
+            }
+            Request::ExchangeRegisters { start, count, write_start, values } => {
+                pdu.extend([start, count, write_start].into_iter().flat_map(|word| word.to_be_bytes()));
+                put_values(&mut pdu, values);
+            }
+            Request::ReadIdentification { category, object } => pdu.extend([IDENTIFICATION, *category, *object]),
             Request::ReadLong { address } => pdu.extend(address.to_be_bytes()),
             Request::WriteLong { address, value } => {
                 pdu.extend(address.to_be_bytes());
@@ -329,6 +294,21 @@ impl Request {
                 let [sub, data] = words(function, data)?;
                 Request::Diagnostics { sub, data }
             }
+            WRITE_REGISTERS => {
+                let ([start, count], rest) = leading(function, data)?;
+                Request::WriteRegisters { start, values: take_values(function, data, count, rest)? }
+            }
+            EXCHANGE_REGISTERS => {
+                let ([start, count, write_start, written], rest) = leading(function, data)?;
+                let values = take_values(function, data, written, rest)?;
+                Request::ExchangeRegisters { start, count, write_start, values }
+            }
+            ENCAPSULATED if data.first() == Some(&IDENTIFICATION) => {
+                let &[_, category, object] = data else {
+                    return Err(PduError::Length { function, len: data.len(), expected: 3 });
+                };
+                Request::ReadIdentification { category, object }
+            }
             READ_LONG => {
                 let [address] = words(function, data)?;
                 Request::ReadLong { address }
@@ -344,10 +324,13 @@ impl Request {
     /// How the normal reply ends.
     pub fn reply_end(&self) -> ReplyEnd {
         match self {
-            Request::ReadRegisters { .. } => ReplyEnd::CountAt(1),
-            Request::WriteRegister { .. } | Request::Diagnostics { .. } | Request::ReadLong { .. } => {
-                ReplyEnd::Fixed(5)
-            }
+            Request::ReadRegisters { .. } | Request::ExchangeRegisters { .. } => ReplyEnd::CountAt(1),
+            Request::Diagnostics { sub: LISTEN_ONLY, .. } => ReplyEnd::Never,
+            Request::WriteRegister { .. }
+            | Request::WriteRegisters { .. }
+            | Request::Diagnostics { .. }
+            | Request::ReadLong { .. } => ReplyEnd::Fixed(5),
+            Request::ReadIdentification { .. } => ReplyEnd::Objects,
             Request::WriteLong { .. } => ReplyEnd::Fixed(7),
             Request::Other { .. } => ReplyEnd::Silence,
         }
@@ -361,7 +344,19 @@ impl Request {
             (Request::WriteRegister { address, value }, Reply::RegisterWritten { address: written, value: echoed }) => {
                 address == written && value == echoed
             }
+            (Request::Diagnostics { sub: ECHO, data }, Reply::Diagnostics { sub: ECHO, data: echoed }) => {
+                data == echoed
+            }
             (Request::Diagnostics { sub, .. }, Reply::Diagnostics { sub: echoed, .. }) => sub == echoed,
+            (Request::WriteRegisters { start, values }, Reply::RegistersWritten { start: written, count }) => {
+                start == written && values.len() == usize::from(*count)
+            }
+            (Request::ExchangeRegisters { count, .. }, Reply::RegistersExchanged(values)) => {
+                values.len() == usize::from(*count)
+            }
+            (Request::ReadIdentification { category, object }, Reply::Identification(told)) => {
+                *category == told.category && (*category != identification::SINGLE || told.object(*object).is_some())
+            }
             (Request::ReadLong { .. }, Reply::Long(_)) => true,
             (Request::WriteLong { address, value }, Reply::LongWritten { address: written, value: echoed }) => {
                 address == written && value == echoed
@@ -379,6 +374,9 @@ impl Reply {
             Reply::Registers(_) => READ_REGISTERS,
             Reply::RegisterWritten { .. } => WRITE_REGISTER,
             Reply::Diagnostics { .. } => DIAGNOSTICS,
+            Reply::RegistersWritten { .. } => WRITE_REGISTERS,
+            Reply::RegistersExchanged(_) => EXCHANGE_REGISTERS,
+            Reply::Identification(_) => ENCAPSULATED,
             Reply::Long(_) => READ_LONG,
             Reply::LongWritten { .. } => WRITE_LONG,
             Reply::Exception { function, .. } | Reply::Other { function, .. } => *function,
@@ -389,14 +387,14 @@ impl Reply {
     pub fn encode(&self) -> Vec<u8> {
         let mut pdu = vec![self.function()];
         match self {
-            Reply::Registers(values) => {
-                pdu.push(u8::try_from(values.len() * 2).unwrap_or(u8::MAX));
-                pdu.extend(values.iter().flat_map(|value| value.to_be_bytes()));
-            }
-            Reply::RegisterWritten { address: a, value: b } | Reply::Diagnostics { sub: a, data: b } => {
+            Reply::Registers(values) | Reply::RegistersExchanged(values) => put_bytes(&mut pdu, values),
+            Reply::RegisterWritten { address: a, value: b }
+            | Reply::RegistersWritten { start: a, count: b }
+            | Reply::Diagnostics { sub: a, data: b } => {
                 pdu.extend(a.to_be_bytes());
                 pdu.extend(b.to_be_bytes());
             }
+            Reply::Identification(told) => pdu.extend(told.encode()),
             Reply::Long(value) => pdu.extend(value.to_be_bytes()),
             Reply::LongWritten { address, value } => {
                 pdu.extend(address.to_be_bytes());
@@ -412,20 +410,16 @@ impl Reply {
     pub fn decode(pdu: &[u8]) -> Result<Self, PduError> {
         let (function, data) = split(pdu)?;
         if function & EXCEPTION_BIT != 0 {
-            let &[code] = data else {
-                return Err(PduError::Length { function, len: data.len(), expected: 1 });
+            let function = function & !EXCEPTION_BIT;
+            let code = match *data {
+                [code] => code,
+                [IDENTIFICATION, code] if function == ENCAPSULATED => code,
+                _ => return Err(PduError::Length { function: function | EXCEPTION_BIT, len: data.len(), expected: 1 }),
             };
-            return Ok(Reply::Exception { function: function & !EXCEPTION_BIT, code: Exception::from_code(code) });
+            return Ok(Reply::Exception { function, code: Exception::from_code(code) });
         }
         Ok(match function {
-            READ_REGISTERS => {
-                let (&count, bytes) = data.split_first().ok_or(PduError::Length { function, len: 0, expected: 3 })?;
-                if bytes.len() != usize::from(count) || count % 2 != 0 {
-                    let expected = 1 + usize::from(count).next_multiple_of(2);
-                    return Err(PduError::Length { function, len: data.len(), expected });
-                }
-                Reply::Registers(bytes.chunks_exact(2).map(be16).collect())
-            }
+            READ_REGISTERS => Reply::Registers(take_bytes(function, data)?),
             WRITE_REGISTER => {
                 let [address, value] = words(function, data)?;
                 Reply::RegisterWritten { address, value }
@@ -433,6 +427,14 @@ impl Reply {
             DIAGNOSTICS => {
                 let [sub, data] = words(function, data)?;
                 Reply::Diagnostics { sub, data }
+            }
+            WRITE_REGISTERS => {
+                let [start, count] = words(function, data)?;
+                Reply::RegistersWritten { start, count }
+            }
+            EXCHANGE_REGISTERS => Reply::RegistersExchanged(take_bytes(function, data)?),
+            ENCAPSULATED if data.first() == Some(&IDENTIFICATION) => {
+                Reply::Identification(Identification::decode(data)?)
             }
             READ_LONG => {
                 let [high, low] = words(function, data)?;
@@ -447,11 +449,58 @@ impl Reply {
     }
 }
 
+/// The refusal of a code 43 that carries the type behind the function code, as the LXM05 sends it (LXM05 manual 6.2).
+/// The norm leaves the type out (V1.1b3, 6.21); [`Reply::decode`] takes both.
+pub fn refused_identification(code: Exception) -> Vec<u8> {
+    vec![ENCAPSULATED | EXCEPTION_BIT, IDENTIFICATION, code.code()]
+}
+
 fn split(pdu: &[u8]) -> Result<(u8, &[u8]), PduError> {
     if pdu.len() > MAX_PDU {
         return Err(PduError::TooLong { len: pdu.len() });
     }
     pdu.split_first().map(|(&function, data)| (function, data)).ok_or(PduError::Empty)
+}
+
+/// Number of registers, number of their bytes, registers.
+fn put_values(pdu: &mut Vec<u8>, values: &[u16]) {
+    pdu.extend(u16::try_from(values.len()).unwrap_or(u16::MAX).to_be_bytes());
+    put_bytes(pdu, values);
+}
+
+/// Number of bytes, registers.
+fn put_bytes(pdu: &mut Vec<u8>, values: &[u16]) {
+    pdu.push(u8::try_from(values.len() * 2).unwrap_or(u8::MAX));
+    pdu.extend(values.iter().flat_map(|value| value.to_be_bytes()));
+}
+
+/// Number of bytes, and `count` registers, of a request whose whole data are `data`.
+fn take_values(function: u8, data: &[u8], count: u16, rest: &[u8]) -> Result<Vec<u16>, PduError> {
+    let expected = data.len() - rest.len() + 1 + 2 * usize::from(count);
+    match rest.split_first() {
+        Some((&got, bytes)) if data.len() == expected && usize::from(got) == bytes.len() => {
+            Ok(bytes.chunks_exact(2).map(be16).collect())
+        }
+        Some((&got, _)) if data.len() == expected => Err(PduError::ByteCount { function, got, count }),
+        _ => Err(PduError::Length { function, len: data.len(), expected }),
+    }
+}
+
+/// Number of bytes, and as many registers.
+fn take_bytes(function: u8, data: &[u8]) -> Result<Vec<u16>, PduError> {
+    let (&count, bytes) = data.split_first().ok_or(PduError::Length { function, len: 0, expected: 3 })?;
+    if bytes.len() != usize::from(count) || count % 2 != 0 {
+        let expected = 1 + usize::from(count).next_multiple_of(2);
+        return Err(PduError::Length { function, len: data.len(), expected });
+    }
+    Ok(bytes.chunks_exact(2).map(be16).collect())
+}
+
+/// `N` big-endian words, and what follows them.
+fn leading<const N: usize>(function: u8, data: &[u8]) -> Result<([u16; N], &[u8]), PduError> {
+    let (head, rest) =
+        data.split_at_checked(2 * N).ok_or(PduError::Length { function, len: data.len(), expected: 2 * N + 1 })?;
+    Ok((words(function, head)?, rest))
 }
 
 /// Exactly `N` big-endian words (CM-485 manual 6.4: the most significant byte comes first).
@@ -468,36 +517,4 @@ fn words<const N: usize>(function: u8, data: &[u8]) -> Result<[u16; N], PduError
 
 fn be16(bytes: &[u8]) -> u16 {
     bytes.iter().fold(0, |word, &byte| word << 8 | u16::from(byte))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn address_word_of_the_manual() {
-        let address = ParamAddress::new(2, 372).unwrap();
-        assert_eq!(address.word(), 0x2174); // CM-485 manual 6.4.1
-        assert_eq!((address.set(), address.number()), (2, 372));
-        assert_eq!(ParamAddress::new(9, ParamAddress::LAST_NUMBER).unwrap().word(), 0x963F);
-        assert_eq!(ParamAddress::new(0, 0x1000), None);
-    }
-
-    #[test]
-    fn reply_length_is_known_from_the_request() {
-        let read = Request::ReadRegisters { start: 0x2174, count: 1 };
-        assert_eq!(read.reply_end().length(&[3]), None);
-        assert_eq!(read.reply_end().length(&[3, 2]), Some(4));
-        assert_eq!(read.reply_end().length(&[0x83]), Some(2));
-        assert_eq!(Request::ReadLong { address: 1 }.reply_end().length(&[100]), Some(5));
-    }
-
-    #[test]
-    fn an_echo_with_another_value_is_no_answer() {
-        let write = Request::WriteRegister { address: 0x4178, value: 15 };
-        assert!(write.is_answered_by(&Reply::RegisterWritten { address: 0x4178, value: 15 }));
-        assert!(!write.is_answered_by(&Reply::RegisterWritten { address: 0x4178, value: 16 }));
-        assert!(!write.is_answered_by(&Reply::Registers(vec![15])));
-        assert!(write.is_answered_by(&Reply::Exception { function: 6, code: Exception::DeviceFailure }));
-    }
 }

@@ -114,7 +114,7 @@ impl<'a> Stream<'a> {
         let text = match &event {
             Event::Note(text) => text.clone(),
             Event::Telegram { direction, meaning, .. } => format!("{direction} {meaning}"),
-            Event::Found(_) | Event::Progress { .. } | Event::Record(_) => String::new(),
+            Event::Found(_) | Event::Progress { .. } | Event::Search { .. } | Event::Record(_) => String::new(),
         };
         if !self.form.note(&text)? {
             self.console.observe(event);

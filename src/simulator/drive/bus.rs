@@ -10,9 +10,12 @@
 use super::{Body, Drive};
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::modbus::{BROADCAST, FrameError, Framing, rtu};
+use crate::protocol::vabus;
 use crate::simulator::active::Effect;
 use crate::simulator::disturb::Outgoing;
 use crate::simulator::judge::TURNAROUND;
+use crate::simulator::lexium;
+use crate::simulator::setup::Spoken;
 use crate::simulator::slave::{Counters, answer};
 use crate::simulator::wire::{Slot, fits};
 use crate::tick::{Span, Tick};
@@ -33,7 +36,9 @@ impl Drive {
     /// Takes a byte off the wire that somebody else put there.
     pub(in crate::simulator) fn hear(&mut self, slot: &Slot) {
         let sending = self.sending.is_some_and(|(until, _)| slot.start < until);
-        let Some(framing) = self.framing.filter(|_| self.awake() && !sending) else { return };
+        if !self.awake() || sending {
+            return;
+        }
         if !fits(self.line, slot.line) {
             let new = self.unread.is_none_or(|last| slot.start.since(last) >= self.line.t35());
             if new {
@@ -42,8 +47,8 @@ impl Drive {
             self.unread = Some(slot.end);
             return;
         }
-        match framing {
-            Framing::Rtu => {
+        match self.spoken {
+            Spoken::RTU => {
                 let last = self.last_byte;
                 let begins = self.rtu.ends().is_none_or(|ends| ends <= slot.start);
                 if let Some(burst) = self.rtu.feed(slot.end, slot.byte) {
@@ -55,12 +60,18 @@ impl Drive {
                 }
                 self.last_byte = slot.end;
             }
-            Framing::Ascii => {
+            Spoken::ASCII => {
                 self.last_byte = slot.end;
                 if let Some(frame) = self.ascii.feed(slot.end, slot.byte) {
                     self.take_frame(slot.end, slot.end, Framing::Ascii, &frame);
                 }
             }
+            Spoken::Vabus => {
+                if let Some(telegram) = self.vabus.feed(slot.end, slot.byte) {
+                    self.take_telegram(slot.end, &telegram);
+                }
+            }
+            Spoken::Modbus(_) | Spoken::PBus => {}
         }
     }
 
@@ -91,8 +102,8 @@ impl Drive {
         if adu.station == BROADCAST {
             self.counters.count(Counters::BROADCASTS);
             // Broadcasts are writes only (CM-485 manual 6.1).
-            if Request::decode(&adu.pdu).is_ok_and(|request| request.is_write()) {
-                let (_, effect) = self.execute(now, &adu.pdu);
+            let is_write = Request::decode(&adu.pdu).is_ok_and(|request| request.is_write());
+            if let Some((_, effect)) = is_write.then(|| self.execute(now, &adu.pdu)).flatten() {
                 self.follow_up(now, effect);
             }
             return;
@@ -101,40 +112,78 @@ impl Drive {
             return;
         }
         self.counters.count(Counters::OWN);
-        if let Body::Active(active) = &mut self.body {
-            active.catch_up(now);
-            active.heard(last);
+        match &mut self.body {
+            Body::Active(active) => {
+                active.catch_up(now);
+                active.heard(last);
+            }
+            Body::Lexium(lexium) => {
+                lexium.catch_up(now);
+                lexium.heard(last);
+            }
+            Body::Foreign(_) => {}
         }
-        let (reply, effect) = self.execute(now, &adu.pdu);
-        self.prepare(last, framing, &reply, effect);
+        if let Some((reply, effect)) = self.execute(now, &adu.pdu) {
+            self.prepare(last, framing, &reply, effect);
+        }
     }
 
-    fn execute(&mut self, now: Tick, pdu: &[u8]) -> (Reply, Effect) {
+    /// Takes a telegram of a VABus master whose last bit was on the wire `now`.
+    fn take_telegram(&mut self, now: Tick, telegram: &[u8]) {
+        let Body::Active(active) = &mut self.body else { return };
+        let request = vabus::Request::decode(telegram);
+        let is_select = matches!(request, Ok(vabus::Request::Select { .. }));
+        let Some(own) = vabus::Address::drive(self.address) else { return };
+        let answer = match request {
+            Ok(request) if request.address() == own => {
+                active.catch_up(now);
+                active.heard(now);
+                self.writes += u64::from(is_select);
+                Some(self.vabus.answer(active, now, &request))
+            }
+            Ok(request) if request.address().is_broadcast() => {
+                self.writes += u64::from(is_select);
+                let effect = self.vabus.obey(active, now, &request);
+                return self.follow_up(now, effect);
+            }
+            Err(vabus::TelegramError::Check { .. }) => self.vabus.garbled(active, own, telegram),
+            _ => None,
+        };
+        if let Some((reply, effect)) = answer {
+            let refused = matches!(reply, vabus::Reply::Nak { .. });
+            self.queue(now, Span::ZERO, reply.encode(), effect, refused);
+        }
+    }
+
+    /// Executes a request; `None` if it is not answered.
+    fn execute(&mut self, now: Tick, pdu: &[u8]) -> Option<(Reply, Effect)> {
         self.writes += u64::from(Request::decode(pdu).is_ok_and(|request| request.is_write()));
         match &mut self.body {
-            Body::Active(active) => answer(active, &mut self.counters, now, pdu),
-            Body::Foreign(foreign) => (foreign.answer(pdu), Effect::None),
+            Body::Active(active) => Some(answer(active, &mut self.counters, now, pdu)),
+            Body::Lexium(lexium) => Some((lexium.answer(&mut self.counters, now, pdu)?, Effect::None)),
+            Body::Foreign(foreign) => Some((foreign.answer(pdu), Effect::None)),
         }
     }
 
-    /// Puts a reply into the queue: not before 10 ms or what the bench file says, and never before t3.5
-    /// (CM-485 manual 6.8, 6.7.1.3).
     fn prepare(&mut self, last: Tick, framing: Framing, reply: &Reply, effect: Effect) {
+        let rest = if framing == Framing::Rtu { self.line.t35() } else { Span::ZERO };
+        let pdu = if matches!(self.body, Body::Lexium(_)) { lexium::encode(reply) } else { reply.encode() };
+        let frame = framing.encode(self.address, &pdu);
+        self.queue(last, rest, frame, effect, matches!(reply, Reply::Exception { .. }));
+    }
+
+    /// Puts a reply into the queue: not before 10 ms or what the bench file says, and never before the silence `rest`
+    /// (CM-485 manual 6.8, 6.7.1.3).
+    fn queue(&mut self, last: Tick, rest: Span, frame: Vec<u8>, effect: Effect, exception: bool) {
         if self.pending.len() >= QUEUE {
             return;
         }
-        let rest = match framing {
-            Framing::Rtu => self.line.t35(),
-            Framing::Ascii => Span::ZERO,
-        };
         let jitter = Span::from_micros(self.dice.below(self.jitter.as_micros().saturating_add(1)));
         let mut start = last + self.delay + jitter;
         let before = self.pending.back().map(|reply| reply.start + self.line.chars(reply.frame.len() as u64));
         if let Some(free) = before.or(self.sending.map(|(until, _)| until)) {
             start = start.max(free + TURNAROUND.longer(rest));
         }
-        let frame = framing.encode(self.address, &reply.encode());
-        let exception = matches!(reply, Reply::Exception { .. });
         self.pending.push_back(Pending { start: start.max(last + rest), frame, effect, exception });
     }
 
@@ -144,9 +193,13 @@ impl Drive {
         let pending = self.pending.front().filter(|_| self.sending.is_none()).map(|reply| reply.start);
         let body = match &self.body {
             Body::Active(active) => active.next(),
+            Body::Lexium(lexium) => lexium.next(),
             Body::Foreign(_) => None,
         };
-        [self.next_scene(), sending, pending, self.away, self.rtu.ends(), body].into_iter().flatten().min()
+        [self.next_scene(), sending, pending, self.away, self.rtu.ends(), body, self.vabus.next()]
+            .into_iter()
+            .flatten()
+            .min()
     }
 
     /// Lets everything happen that is due by `now`; returns a reply that starts now, and has to be called again then.
@@ -163,19 +216,21 @@ impl Drive {
         if let Some(burst) = self.rtu.idle(now) {
             self.take_burst(self.last_byte, burst);
         }
-        if let Body::Active(active) = &mut self.body {
-            active.catch_up(now);
+        match &mut self.body {
+            Body::Active(active) => active.catch_up(now),
+            Body::Lexium(lexium) => lexium.catch_up(now),
+            Body::Foreign(_) => {}
         }
+        self.vabus.catch_up(now);
         self.play(now);
         if self.sending.is_some() {
             return None;
         }
         self.pending.front().filter(|reply| reply.start <= now)?;
         let reply = self.pending.pop_front()?;
-        let framing = self.framing.unwrap_or(Framing::Rtu);
         self.sending = Some((now + self.line.chars(reply.frame.len() as u64), reply.effect));
         self.answered += 1;
         self.exceptions += u64::from(reply.exception);
-        Some(Outgoing { station: self.address, framing, line: self.line, frame: reply.frame })
+        Some(Outgoing { station: self.address, spoken: self.spoken, line: self.line, frame: reply.frame })
     }
 }

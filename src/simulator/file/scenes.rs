@@ -18,6 +18,14 @@ impl Reader<'_> {
     ) -> Result<(), BenchError> {
         let row = table.get_ref();
         let trigger = self.trigger(table)?;
+        if model == Model::Lxm05 {
+            let actions = self.servo_actions(table)?;
+            script.extend(actions.into_iter().map(|action| Event { trigger, action }));
+            return Ok(());
+        }
+        if row.class.is_some() || row.qualifier.is_some() {
+            return Err(self.error(table.span(), "class and qualifier are for model lxm05".to_owned()));
+        }
         let mut actions = Vec::new();
         if let Some(fault) = &row.fault {
             actions.push(Action::Fault(self.fault(fault)?));

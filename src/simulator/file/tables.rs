@@ -33,6 +33,7 @@ pub(super) struct DriveTable {
     pub(super) baud: Option<Spanned<i64>>,
     pub(super) parity: Option<Spanned<String>>,
     pub(super) data_bits: Option<Spanned<i64>>,
+    pub(super) stop_bits: Option<Spanned<i64>>,
     pub(super) reply_delay: Option<Spanned<String>>,
     pub(super) jitter: Option<Spanned<String>>,
     pub(super) load: Option<Spanned<String>>,
@@ -57,7 +58,38 @@ pub(super) struct DriveTable {
     #[serde(default)]
     pub(super) registers: BTreeMap<String, Spanned<i64>>,
     #[serde(default)]
+    pub(super) nodes: Vec<Spanned<NodeTable>>,
+    pub(super) servo: Option<Spanned<ServoTable>>,
+    #[serde(default)]
     pub(super) event: Vec<Spanned<EventTable>>,
+}
+
+/// A drive on the system bus.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct NodeTable {
+    pub(super) id: u8,
+    pub(super) model: Spanned<String>,
+    #[serde(default)]
+    pub(super) modules: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub(super) set: BTreeMap<String, Spanned<Value>>,
+}
+
+/// What stands around an LXM05, and what it tells of itself.
+#[derive(Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ServoTable {
+    pub(super) limn: Option<i64>,
+    pub(super) limp: Option<i64>,
+    pub(super) limits: Option<bool>,
+    pub(super) guide: Option<i64>,
+    pub(super) bit6: Option<Spanned<String>>,
+    pub(super) vendor: Option<Spanned<String>>,
+    pub(super) product: Option<Spanned<String>>,
+    pub(super) revision: Option<Spanned<String>>,
+    pub(super) revision_object: Option<Spanned<u8>>,
+    pub(super) in_pieces: Option<bool>,
 }
 
 /// Hertz per second.
@@ -81,6 +113,8 @@ pub(super) struct EventTable {
     pub(super) when: Option<Spanned<String>>,
     pub(super) after_writes: Option<Spanned<u64>>,
     pub(super) fault: Option<Spanned<String>>,
+    pub(super) class: Option<u8>,
+    pub(super) qualifier: Option<u16>,
     pub(super) warning: Option<u16>,
     pub(super) power_cycle: Option<bool>,
     pub(super) silent: Option<Spanned<String>>,

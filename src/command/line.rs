@@ -1,0 +1,116 @@
+//! `line`: speed, parity and address of a drive. What `protocol` shares with it is here too.
+
+use super::write::denied;
+use super::{Context, addresses_to_write, connect, read, target};
+use crate::drive::relocate::{self, Course, Wish};
+use crate::failure::{Class, Failure};
+use crate::gate::{self, Hazard, Question};
+use crate::outcome::{Data, Outcome};
+use crate::profile::Lang;
+use clap::{Arg, Args as ClapArgs, Subcommand};
+
+/// Changes speed, parity or address of a drive, and follows it.
+///
+/// Options before `line` say how the drive is reached now; those behind `set` say what is to be:
+///
+///   antrieb -a 1 line set --baud 115200 --parity odd --address 5
+///
+/// A new address holds at once. Speed (P.10) and parity (P.1375) hold after a restart (P.34 = 123), which is done too.
+/// After every step the drive has to answer at its new place. If it does not, but still answers at the old one,
+/// everything is put back. The way back is printed.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum What {
+    /// Speed, parity and addresses as they are stored in the drive
+    Show,
+    /// Brings the drive to another speed, parity or address
+    #[command(arg = present("baud", "now-baud"), arg = present("parity", "now-parity"), arg = present("address", "now-address"))]
+    Set {
+        /// New speed: 2400, 4800, 9600, 19200, 57600 or 115200
+        #[arg(id = "new_baud", short = 'b', long = "baud", value_name = "BAUD")]
+        baud: Option<u32>,
+        /// New parity of Modbus: even, odd, none
+        #[arg(id = "new_parity", long = "parity", value_name = "PARITY")]
+        parity: Option<String>,
+        /// New address: of Modbus 1-247 (P.1376), of VABus 1-30 (P.394)
+        #[arg(id = "new_address", short = 'a', long = "address", value_name = "ADDRESS")]
+        address: Option<u8>,
+    },
+}
+
+/// Takes the place of an option of every verb, so that its flag is free for the new setting.
+fn present(option: &'static str, flag: &'static str) -> Arg {
+    Arg::new(option).long(flag).hide(true)
+}
+
+/// Shows or changes it.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    match &args.what {
+        What::Show => show(context).await,
+        What::Set { baud, parity, address } => {
+            let parity = parity.as_ref().map(|text| text.parse()).transpose();
+            let parity =
+                parity.map_err(|why: String| Failure::new(Class::Usage, "usage.parity", format!("--parity: {why}")))?;
+            let wish = Wish { baud: *baud, parity, address: *address, ..Wish::default() };
+            if wish == Wish::default() {
+                let message = "expected at least one of --baud, --parity, --address behind `line set`";
+                return Err(Failure::new(Class::Usage, "usage.nothing_to_set", message));
+            }
+            move_drive(wish, context).await
+        }
+    }
+}
+
+/// The settings of the line as they are stored in every drive that was named.
+pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let params = ["protocol", "baud-rate", "modbus-parity", "modbus-address", "rs-node-id"].map(str::to_owned);
+    read::run(&read::Args { params: params.to_vec(), kind: None, decimals: None }, context).await
+}
+
+/// Moves one drive to what is wished for.
+pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let [address] = addresses_to_write(context.settings)?[..] else {
+        let message = "expected one address: drives are moved one by one";
+        return Err(Failure::new(Class::Usage, "usage.one_address", message));
+    };
+    if address == 0 {
+        let message = "address 0 is everybody: drives are moved one by one";
+        return Err(Failure::new(Class::Usage, "usage.one_address", message).hint("name one drive, such as -a 1"));
+    }
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let lang = settings.lang;
+    wish.check(lang)?;
+    if !settings.dry_run {
+        gate::somebody(*ask).map_err(denied)?;
+    }
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let mut target = target(&mut session, settings, registry, address, false).await?;
+    let course = relocate::course(&mut session, &mut target, &wish, lang).await?;
+    if course.is_done() || settings.dry_run {
+        return Ok(Outcome::of(Data::Relocation(course.planned(&target, lang))));
+    }
+    course.check_free(&mut session, &mut target, lang).await?;
+    let permit = gate::ask(*ask, &question(&course, lang)).map_err(denied)?;
+    let (relocation, failure) = course.go(&mut session, &mut target, &permit, lang).await;
+    Ok(Outcome { data: Some(Data::Relocation(relocation)), warnings: Vec::new(), failure })
+}
+
+fn question(course: &Course, lang: Lang) -> Question {
+    let mut hazards = vec![Hazard::Write, Hazard::Wear, Hazard::Line];
+    hazards.extend(course.restarts().then_some(Hazard::Reset));
+    let title = lang.pick("move the drive to other line settings", "die Leitung des Antriebs umstellen");
+    let mut details = course.details(lang);
+    details.push(
+        lang.pick(
+            "LINE: the line follows the drive; if it does not answer there, everything is put back as far as it answers here",
+            "LEITUNG: die Leitung folgt dem Antrieb; antwortet er dort nicht, wird alles zurückgestellt, solange er hier antwortet",
+        )
+        .to_owned(),
+    );
+    Question { hazards, title: title.to_owned(), details }
+}

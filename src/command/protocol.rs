@@ -1,0 +1,41 @@
+//! `protocol`: what a drive speaks on its line, and how it is brought to speak something else.
+
+use super::Context;
+use super::line::{move_drive, show};
+use crate::drive::relocate::Wish;
+use crate::failure::Failure;
+use crate::outcome::Outcome;
+use clap::{Args as ClapArgs, Subcommand};
+
+/// Shows or changes the protocol of a drive: Modbus RTU, Modbus ASCII, VABus.
+///
+/// A drive leaves the factory speaking VABus. `protocol set rtu` brings it to Modbus without a keypad: it writes P.395,
+/// which holds at once, follows the drive, and proves that it answers. If it does not, but the old protocol still does,
+/// everything is left as it was. The way back is printed.
+///
+/// The options say how the drive is reached now: antrieb --protocol vabus -a 1 protocol set rtu
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum What {
+    /// Protocol, speed, parity and addresses as they are stored in the drive
+    Show,
+    /// Brings the drive to another protocol
+    Set {
+        /// rtu, ascii, vabus
+        #[arg(id = "to", value_name = "PROTOCOL", value_parser = Wish::to_protocol)]
+        wish: Wish,
+    },
+}
+
+/// Shows or changes it.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    match args.what {
+        What::Show => show(context).await,
+        What::Set { wish } => move_drive(wish, context).await,
+    }
+}

@@ -1,0 +1,257 @@
+//! A look at somebody who was heard, and what is odd about what was heard.
+
+use super::Tuning;
+use crate::drive::session::{AccessError, Session};
+use crate::drive::{describe, family};
+use crate::exchange::Answer;
+use crate::exchange::survey::{Sign, Survey};
+use crate::outcome::{FoundDrive, Warning};
+use crate::profile::{Lang, Registry};
+use crate::protocol::line::LineSetting;
+
+/// Characters of the reply to the first question, about.
+pub(super) const REPLY: u64 = 8;
+
+/// What a look brings.
+pub(super) enum Sight {
+    /// Somebody is there, with what is odd about him.
+    Drive(Box<FoundDrive>, Option<Warning>),
+    /// Somebody is there, but only garbage comes when he is asked more.
+    Garbled,
+    /// Nobody answers any more.
+    Nobody,
+}
+
+/// Asks a station that was heard what it is. A sign that came late may have been somebody else's telegram, so it must be
+/// confirmed by any answer.
+pub(super) async fn look(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    sign: &Sign,
+    is_late: bool,
+    lang: Lang,
+) -> Result<Sight, AccessError> {
+    match describe_drive(session, registry, sign, is_late, lang).await {
+        Ok(Some(drive)) => Ok(Sight::Drive(Box::new(drive), is_late.then(|| late(sign, lang)))),
+        Ok(None) => Ok(Sight::Nobody),
+        Err(AccessError::Exchange(_)) => Ok(Sight::Garbled),
+        Err(error) => Err(error),
+    }
+}
+
+async fn describe_drive(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    sign: &Sign,
+    is_late: bool,
+    lang: Lang,
+) -> Result<Option<FoundDrive>, AccessError> {
+    let address = sign.station;
+    let first = match &sign.said {
+        Some(said) => Answer::Reply { said: said.clone(), after: sign.after },
+        None => match confirm(session, address).await? {
+            Some(answer) => answer,
+            None => return Ok(None),
+        },
+    };
+    let finding = family::judge(session, registry, address, &first, lang, false).await?;
+    if finding.drive.is_none() && is_late && sign.said.is_some() && confirm(session, address).await?.is_none() {
+        return Ok(None);
+    }
+    let stranger = lang.pick("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
+    let mut found = FoundDrive {
+        address,
+        drive: finding.drive.clone().unwrap_or_else(|| "unknown".to_owned()),
+        title: stranger.to_owned(),
+        port: session.port().to_owned(),
+        line: session.line().to_string(),
+        protocol: session.protocol().name().to_owned(),
+        evidence: finding.evidence.clone(),
+        state: None,
+        fault: None,
+    };
+    let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
+    let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
+    found.title = titles.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
+    for role in ["status-word", "fault"] {
+        let Some(param) = target.family.role(role).cloned() else { continue };
+        match target.read_set(session, &param, 0).await {
+            Ok(reading) if role == "fault" => {
+                let fault = describe::fault(&target.family, reading.raw as u32, lang);
+                found.fault = fault.map(|fault| format!("{} {}", fault.key, fault.name));
+            }
+            Ok(reading) => found.state = Some(describe::state(&target.family, reading.raw as u32, lang)),
+            Err(error) if error.is_fatal() => return Err(error),
+            Err(_) => {}
+        }
+    }
+    Ok(Some(found))
+}
+
+/// Asks once more; `None` if there is no answer.
+async fn confirm(session: &mut Session<'_>, address: u8) -> Result<Option<Answer>, AccessError> {
+    let Some(question) = family::probe(session.protocol(), address) else { return Ok(None) };
+    match session.ask(address, question).await {
+        Ok(answer) => Ok(Some(answer)),
+        Err(AccessError::Exchange(_)) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+fn late(sign: &Sign, lang: Lang) -> Warning {
+    let (address, after) = (sign.station, sign.after);
+    let message = match lang {
+        Lang::En => format!(
+            "address {address} answered only after {after}; a reply as late as that can be lost behind another \
+             question: --thorough leaves nobody out"
+        ),
+        Lang::De => format!(
+            "Adresse {address} antwortete erst nach {after}; eine so späte Antwort kann hinter einer anderen Frage \
+             verloren gehen: --thorough lässt niemanden aus"
+        ),
+    };
+    Warning { code: "scan.late".to_owned(), message }
+}
+
+/// The warning about somebody who was heard once and is gone.
+pub(super) fn gone(address: u8, lang: Lang) -> Warning {
+    let message = match lang {
+        Lang::En => format!("address {address} was heard once and does not answer any more"),
+        Lang::De => format!("Adresse {address} war einmal zu hören und antwortet nicht mehr"),
+    };
+    Warning { code: "scan.gone".to_owned(), message }
+}
+
+/// The warning about an address where only garbage came. `is_clear`: others are understood at this setting.
+pub(super) fn garbled(address: u8, is_clear: bool, lang: Lang) -> Warning {
+    let (code, message) = match is_clear {
+        true => ("scan.same_address", same_address(address, lang)),
+        false => ("scan.garbage", garbage(address, lang)),
+    };
+    Warning { code: code.to_owned(), message }
+}
+
+/// The warning about a port whose line cannot be set from here.
+pub(super) fn fixed_line(port: &str, line: LineSetting, lang: Lang) -> Warning {
+    let message = match lang {
+        Lang::En => format!(
+            "{port}: speed and parity are set at the other end, so only {line} was searched; rfc2217:// can set them"
+        ),
+        Lang::De => format!(
+            "{port}: Baudrate und Parität werden am anderen Ende eingestellt, deshalb wurde nur {line} abgesucht; \
+             rfc2217:// kann sie einstellen"
+        ),
+    };
+    Warning { code: "scan.fixed_line".to_owned(), message }
+}
+
+/// What is odd about what a survey heard.
+pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let mut warn = |code: &str, message: String| warnings.push(Warning { code: format!("scan.{code}"), message });
+    if survey.is_occupied() {
+        warn("occupied", occupied(tuning, lang));
+    } else if survey.is_noisy() {
+        warn("noise", noise(tuning, lang));
+    }
+    for (&address, known) in survey.attendance().iter().filter(|(_, known)| known.surplus() > 0) {
+        let (asked, replies) = (known.asked, known.replies.len());
+        match known.differ() {
+            true => warn("same_address", two_voices(address, asked, replies, lang)),
+            false => warn("doubled", doubled(address, asked, replies, lang)),
+        }
+    }
+    for &address in survey.strangers() {
+        warn("stranger", stranger(address, lang));
+    }
+    warnings
+}
+
+fn occupied(tuning: Tuning, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "{tuning}: the line is never silent, somebody else speaks on it all the time, so it was left alone; \
+             disconnect the other master"
+        ),
+        Lang::De => format!(
+            "{tuning}: die Leitung ist nie still, jemand anderes spricht ununterbrochen, deshalb wurde sie in Ruhe \
+             gelassen; den anderen Master abklemmen"
+        ),
+    }
+}
+
+fn noise(tuning: Tuning, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "{tuning}: garbage came after most questions, so it is the line's own: check termination, bias resistors, \
+             shield, and whether another master speaks"
+        ),
+        Lang::De => format!(
+            "{tuning}: nach den meisten Fragen kam Unlesbares, es kommt also von der Leitung selbst: Abschluss, \
+             Ruhepegel-Widerstände und Schirm prüfen, und ob ein anderer Master spricht"
+        ),
+    }
+}
+
+fn garbage(address: u8, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "address {address}: only garbage came; another baud rate or parity, or two devices with this address"
+        ),
+        Lang::De => format!(
+            "Adresse {address}: es kam nur Unlesbares; andere Baudrate oder Parität, oder zwei Geräte mit dieser Adresse"
+        ),
+    }
+}
+
+fn same_address(address: u8, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "address {address}: every reply is garbage, while others are understood at this setting: two drives with \
+             one address?"
+        ),
+        Lang::De => format!(
+            "Adresse {address}: jede Antwort ist unlesbar, während andere bei dieser Einstellung verstanden werden: \
+             zwei Antriebe mit derselben Adresse?"
+        ),
+    }
+}
+
+fn two_voices(address: u8, asked: u32, replies: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En => {
+            format!(
+                "address {address}: {replies} different replies to {asked} question(s): two drives with one address?"
+            )
+        }
+        Lang::De => format!(
+            "Adresse {address}: {replies} verschiedene Antworten auf {asked} Frage(n): zwei Antriebe mit derselben Adresse?"
+        ),
+    }
+}
+
+fn doubled(address: u8, asked: u32, replies: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "address {address}: {replies} equal replies to {asked} question(s): the line doubles them, or two drives of \
+             the same kind have one address"
+        ),
+        Lang::De => format!(
+            "Adresse {address}: {replies} gleiche Antworten auf {asked} Frage(n): die Leitung verdoppelt sie, oder zwei \
+             gleiche Antriebe haben dieselbe Adresse"
+        ),
+    }
+}
+
+fn stranger(address: u8, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "a telegram of address {address} came that nobody here had asked for: another master on the line, or a \
+             telegram that the line changed"
+        ),
+        Lang::De => format!(
+            "es kam ein Telegramm der Adresse {address}, die hier niemand gefragt hat: ein anderer Master an der \
+             Leitung, oder ein Telegramm, das die Leitung verändert hat"
+        ),
+    }
+}

@@ -1,0 +1,113 @@
+//! Which settings are tried, and in which order: the likely ones first.
+
+use super::Tuning;
+use crate::protocol::Protocol;
+use crate::protocol::line::Parity;
+use crate::protocol::modbus::Framing;
+
+/// What nobody knows about a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unknown {
+    /// Its speed.
+    pub baud: bool,
+    /// Its parity.
+    pub parity: bool,
+    /// What is spoken.
+    pub protocol: bool,
+}
+
+impl Unknown {
+    /// Whether anything is unknown.
+    pub fn any(self) -> bool {
+        self.baud || self.parity || self.protocol
+    }
+}
+
+/// Speeds that the drives have (CM-485 manual 5.2.1, LXM05 manual 5.3), most likely first.
+const BAUDS: [(u32, &str); 7] = [
+    (19_200, "factory setting of CM-232, CM-485 and LXM05"),
+    (9_600, "what most other devices on a Modbus line are set to"),
+    (115_200, "chosen where speed matters"),
+    (57_600, "the next best of the CM modules"),
+    (38_400, "the fastest of the LXM05"),
+    (4_800, "long lines"),
+    (2_400, "very long lines"),
+];
+
+/// Parities, most likely first.
+const PARITIES: [(Parity, &str); 3] = [
+    (Parity::Even, "factory setting, and the default of the norm"),
+    (Parity::None, "common elsewhere"),
+    (Parity::Odd, "hardly ever chosen"),
+];
+
+/// Protocols, most likely first.
+const PROTOCOLS: [(Protocol, &str); 3] = [
+    (Protocol::Modbus(Framing::Rtu), "what a drive on a Modbus line speaks"),
+    (Protocol::Vabus, "P.395 = 0, as an ACTIVE drive leaves the factory"),
+    (Protocol::Modbus(Framing::Ascii), "P.395 = 3, chosen on purpose"),
+];
+
+/// The settings to try, for what is unknown of `known`. One that differs from the usual in one thing is likelier than one
+/// that differs in two.
+pub fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
+    if !unknown.any() {
+        return vec![known];
+    }
+    let protocols = ranked(&PROTOCOLS, unknown.protocol, known.protocol);
+    let parities = ranked(&PARITIES, unknown.parity, known.line.parity);
+    let bauds = ranked(&BAUDS, unknown.baud, known.line.baud);
+    let mut tries = Vec::new();
+    for &(protocol, third) in &protocols {
+        for &(parity, second) in &parities {
+            // VABus has no other parity (facts A1).
+            if protocol == Protocol::Vabus && unknown.parity && parity != Parity::Even {
+                continue;
+            }
+            for &(baud, first) in &bauds {
+                let tuning = Tuning { protocol, line: protocol.line(baud, parity) };
+                tries.push((first + second + third, tuning));
+            }
+        }
+    }
+    tries.sort_by_key(|tried| tried.0);
+    tries.into_iter().map(|tried| tried.1).collect()
+}
+
+/// The rows of a table with their ranks; only what is known, if it is known.
+fn ranked<T: Copy>(table: &[(T, &str)], unknown: bool, known: T) -> Vec<(T, usize)> {
+    if !unknown {
+        return vec![(known, 0)];
+    }
+    table.iter().enumerate().map(|(rank, row)| (row.0, rank)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::LineSetting;
+
+    const USUAL: Tuning =
+        Tuning { protocol: Protocol::Modbus(Framing::Rtu), line: LineSetting::rtu(19_200, Parity::Even) };
+
+    #[test]
+    fn the_factory_setting_comes_first_and_nothing_twice() {
+        let all = tunings(USUAL, Unknown { baud: true, parity: true, protocol: true });
+        assert_eq!(all.first(), Some(&USUAL));
+        let first: Vec<String> = all.iter().take(4).map(ToString::to_string).collect();
+        assert_eq!(first, ["19200 8E1 rtu", "9600 8E1 rtu", "19200 8N2 rtu", "19200 7E1 vabus"]);
+        assert_eq!(all.len(), 7 * 3 * 2 + 7);
+        for (index, tuning) in all.iter().enumerate() {
+            assert!(!all[..index].contains(tuning), "{tuning}");
+        }
+    }
+
+    #[test]
+    fn what_is_known_is_not_tried() {
+        let known = Tuning { line: LineSetting { stop_bits: 2, ..USUAL.line }, ..USUAL };
+        assert_eq!(tunings(known, Unknown::default()), [known], "also an unusual format");
+        let shown: Vec<String> =
+            tunings(USUAL, Unknown { parity: true, ..Unknown::default() }).iter().map(ToString::to_string).collect();
+        assert_eq!(shown, ["19200 8E1 rtu", "19200 8N2 rtu", "19200 8O1 rtu"]);
+    }
+}

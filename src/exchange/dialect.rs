@@ -1,0 +1,295 @@
+//! What the protocols differ in, as a conversation sees it: telegrams, silences, and which replies could be confused.
+
+use crate::protocol::Protocol;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::{COUNTERS, Reply, Request};
+use crate::protocol::modbus::{Adu, Framing, ascii, mbap, rtu};
+use crate::protocol::vabus::{self, Arrival};
+use crate::tick::Span;
+
+/// Something to ask, in the words of its protocol.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Question {
+    /// A Modbus request.
+    Modbus(Request),
+    /// A VABus telegram.
+    Vabus(vabus::Request),
+}
+
+/// What a station answered.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// A Modbus reply; an exception is one too.
+    Modbus(Reply),
+    /// A VABus reply; a NAK is one too.
+    Vabus(vabus::Reply),
+}
+
+impl From<Request> for Question {
+    fn from(request: Request) -> Self {
+        Question::Modbus(request)
+    }
+}
+
+impl From<vabus::Request> for Question {
+    fn from(request: vabus::Request) -> Self {
+        Question::Vabus(request)
+    }
+}
+
+impl Question {
+    /// Whether everybody may be asked this: nobody answers, so it must be a write.
+    pub fn is_write(&self) -> bool {
+        match self {
+            Question::Modbus(request) => request.is_write(),
+            Question::Vabus(request) => matches!(request, vabus::Request::Select { .. }),
+        }
+    }
+
+    /// Whether `said` can be the answer.
+    pub fn is_answered_by(&self, said: &Said) -> bool {
+        match (self, said) {
+            (Question::Modbus(request), Said::Modbus(reply)) => request.is_answered_by(reply),
+            (Question::Vabus(request), Said::Vabus(reply)) => request.is_answered_by(reply),
+            _ => false,
+        }
+    }
+
+    /// The telegram that puts this question to a station, for showing it.
+    pub fn telegram(&self, protocol: Protocol, station: u8) -> Vec<u8> {
+        Dialect::new(protocol).encode(station, self)
+    }
+
+    /// Whether its own echo would pass for its answer.
+    pub(super) fn resembles_its_reply(&self) -> bool {
+        match self {
+            Question::Modbus(request) => {
+                Reply::decode(&request.encode()).is_ok_and(|reply| request.is_answered_by(&reply))
+            }
+            Question::Vabus(_) => false,
+        }
+    }
+
+    /// Whether asking it once more, for nothing but its answer, changes nothing in the drive; the error register of
+    /// VABus is cleared by reading.
+    pub(super) fn is_harmless(&self) -> bool {
+        match self {
+            Question::Modbus(_) => false, // code 8 parts replies there
+            Question::Vabus(vabus::Request::Enquiry { header, .. }) => {
+                header.number != vabus::ParamNumber::ERROR_REGISTER
+            }
+            Question::Vabus(vabus::Request::Select { .. }) => false,
+        }
+    }
+}
+
+impl Said {
+    /// Whether the station said no.
+    pub fn is_refusal(&self) -> bool {
+        matches!(self, Said::Modbus(Reply::Exception { .. }) | Said::Vabus(vabus::Reply::Nak { .. }))
+    }
+}
+
+/// A protocol as it is spoken on one line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Dialect {
+    protocol: Protocol,
+    /// Number of the last telegram, where telegrams are numbered.
+    transaction: u16,
+}
+
+/// A reply inside what has come so far.
+#[derive(Debug)]
+pub(super) struct Found {
+    pub(super) start: usize,
+    pub(super) said: Said,
+}
+
+/// Bytes of one telegram may come in pieces with pauses between them: USB adapters hold them for up to 16 ms.
+const STRAGGLE: Span = Span::from_millis(50);
+
+/// Counters that have counted the very question that asks for them, so that their reply never looks like its echo:
+/// telegrams on the bus, telegrams to this station (CM-485 manual 6.4.5; LXM05 manual, table 5.2, has the first).
+const BUSY_COUNTERS: [u16; 2] = [0x0B, 0x0E];
+
+impl Dialect {
+    pub(super) fn new(protocol: Protocol) -> Self {
+        Dialect { protocol, transaction: 0 }
+    }
+
+    pub(super) fn protocol(self) -> Protocol {
+        self.protocol
+    }
+
+    /// The telegram that asks; where telegrams are numbered, with the next number.
+    pub(super) fn encode(&mut self, station: u8, question: &Question) -> Vec<u8> {
+        match (question, self.protocol) {
+            (Question::Modbus(request), Protocol::Modbus(Framing::Tcp)) => {
+                self.transaction = self.transaction.wrapping_add(1);
+                mbap::encode(self.transaction, station, &request.encode())
+            }
+            (Question::Modbus(request), Protocol::Modbus(framing)) => framing.encode(station, &request.encode()),
+            (Question::Modbus(request), Protocol::Vabus) => Framing::Rtu.encode(station, &request.encode()),
+            (Question::Vabus(request), _) => request.encode(),
+        }
+    }
+
+    /// Looks for the complete answer to `question`; bytes of noise before it do not cost it.
+    pub(super) fn find(self, came: &[u8], station: u8, question: &Question) -> Option<Found> {
+        match question {
+            Question::Modbus(request) => self.find_modbus(came, station, request),
+            Question::Vabus(request) => find_vabus(came, request),
+        }
+    }
+
+    fn find_modbus(self, came: &[u8], station: u8, request: &Request) -> Option<Found> {
+        (0..came.len()).find_map(|start| {
+            let rest = came.get(start..)?;
+            let adu = match self.protocol {
+                Protocol::Modbus(Framing::Rtu) => rtu_frame(rest, station, request),
+                Protocol::Modbus(Framing::Ascii) => ascii_frame(rest),
+                Protocol::Modbus(Framing::Tcp) => self.tcp_frame(rest),
+                Protocol::Vabus => None,
+            }?;
+            let reply = Reply::decode(&adu.pdu).ok()?;
+            let fits = adu.station == station && request.is_answered_by(&reply);
+            fits.then_some(Found { start, said: Said::Modbus(reply) })
+        })
+    }
+
+    /// A frame with the number of the last question; others are late.
+    fn tcp_frame(self, rest: &[u8]) -> Option<Adu> {
+        let (transaction, adu) = mbap::decode(rest.get(..mbap::length(rest)?)?).ok()?;
+        (transaction == self.transaction).then_some(adu)
+    }
+
+    /// The station that one whole valid telegram names, and what it says if it is a reply.
+    pub(super) fn sender(self, bytes: &[u8]) -> Option<(u8, Option<Said>)> {
+        match self.protocol {
+            Protocol::Modbus(framing) => {
+                let adu = framing.decode(bytes).ok()?;
+                Some((adu.station, Reply::decode(&adu.pdu).ok().map(Said::Modbus)))
+            }
+            Protocol::Vabus => match vabus::Reply::decode(bytes) {
+                Ok(reply) => Some((reply.address().id(), Some(Said::Vabus(reply)))),
+                Err(_) => vabus::Request::decode(bytes).ok().map(|request| (request.address().id(), None)),
+            },
+        }
+    }
+
+    /// Silence that must go before a telegram.
+    pub(super) fn silence(self, line: LineSetting) -> Span {
+        match self.protocol {
+            Protocol::Modbus(Framing::Rtu) => line.t35(),
+            Protocol::Modbus(Framing::Ascii | Framing::Tcp) | Protocol::Vabus => Span::ZERO,
+        }
+    }
+
+    /// How long bytes take on the wire; behind a gateway nobody knows.
+    pub(super) fn duration(self, line: LineSetting, bytes: usize) -> Span {
+        match self.protocol {
+            Protocol::Modbus(Framing::Tcp) => Span::ZERO,
+            Protocol::Modbus(_) | Protocol::Vabus => line.chars(bytes as u64),
+        }
+    }
+
+    /// Pause after a reply; a gateway keeps its own.
+    pub(super) fn gap(self, line: LineSetting, pause: Span) -> Span {
+        match self.protocol {
+            Protocol::Modbus(Framing::Tcp) => Span::ZERO,
+            Protocol::Modbus(_) | Protocol::Vabus => pause.longer(self.silence(line)),
+        }
+    }
+
+    /// Silence after which a telegram that has begun is over.
+    pub(super) fn straggle(self, came: &[u8]) -> Span {
+        let dawdles = self.protocol == Protocol::Modbus(Framing::Ascii) && !came.ends_with(ascii::END);
+        if dawdles { ascii::MAX_PAUSE } else { STRAGGLE }
+    }
+
+    /// Bytes of the shortest reply; fewer are noise, behind which the reply may still come.
+    pub(super) fn shortest_reply(self) -> usize {
+        match self.protocol {
+            Protocol::Modbus(Framing::Rtu) => 5,
+            Protocol::Modbus(Framing::Ascii) => 11,
+            Protocol::Modbus(Framing::Tcp) => mbap::OVERHEAD + 2,
+            Protocol::Vabus => 2,
+        }
+    }
+
+    /// What ends an exchange on the line; nothing in Modbus.
+    pub(super) fn farewell(self) -> &'static [u8] {
+        match self.protocol {
+            Protocol::Modbus(_) => &[],
+            Protocol::Vabus => &[vabus::EOT],
+        }
+    }
+
+    /// Whether the late reply to `missing` could be taken for the answer to `question`. Refusals name only the function
+    /// code in Modbus, so the same code is enough, and nothing at all in VABus.
+    pub(super) fn confuses(self, missing: &Question, question: &Question) -> bool {
+        match (missing, question) {
+            _ if missing == question || self.protocol == Protocol::Modbus(Framing::Tcp) => false,
+            (Question::Modbus(missing), Question::Modbus(question)) => missing.function() == question.function(),
+            _ => true,
+        }
+    }
+
+    /// A question whose answer can be taken for none of the missing ones. Modbus: a counter, at best one that counts the
+    /// question itself. VABus: `known`, a harmless one that the station has answered before.
+    pub(super) fn fence(self, missing: &[Question], question: &Question, known: Option<&Question>) -> Option<Question> {
+        let fresh = |fence: &Question| !missing.contains(fence) && fence != question;
+        match self.protocol {
+            Protocol::Modbus(_) => {
+                let subs = BUSY_COUNTERS.into_iter().chain(COUNTERS.rev());
+                subs.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 })).find(fresh)
+            }
+            Protocol::Vabus => known.filter(|known| fresh(known)).cloned(),
+        }
+    }
+
+    /// Whether this answer to a fence proves that nothing older can come. Its echo does not, and a refusal only if none
+    /// of the missing replies could be one.
+    pub(super) fn settles(self, fence: &Question, said: &Said, missing: &[Question]) -> bool {
+        let may_be_old = said.is_refusal() && missing.iter().any(|missing| self.confuses(missing, fence));
+        let is_echo = match (fence, said) {
+            (Question::Modbus(fence), Said::Modbus(reply)) => {
+                matches!(fence, Request::Diagnostics { .. }) && fence.encode() == reply.encode()
+            }
+            _ => false,
+        };
+        !may_be_old && !is_echo
+    }
+}
+
+fn find_vabus(came: &[u8], request: &vabus::Request) -> Option<Found> {
+    let mut start = 0;
+    loop {
+        match vabus::arrival(request, came.get(start..)?) {
+            Arrival::Pending => return None,
+            Arrival::Reply { reply, noise, .. } => {
+                return Some(Found { start: start + noise, said: Said::Vabus(reply) });
+            }
+            Arrival::Stray { len, .. } | Arrival::Spoilt { len, .. } => start += len,
+        }
+    }
+}
+
+fn rtu_frame(rest: &[u8], station: u8, request: &Request) -> Option<Adu> {
+    let (&first, pdu) = rest.split_first()?;
+    if first != station {
+        return None;
+    }
+    let length = request.reply_end().length(pdu)?;
+    rtu::decode(rest.get(..length + rtu::OVERHEAD)?).ok()
+}
+
+fn ascii_frame(rest: &[u8]) -> Option<Adu> {
+    // Some drivers leave the parity bit of 7-bit characters in place.
+    let masked: Vec<u8> = rest.iter().map(|byte| byte & 0x7F).collect();
+    if masked.first() != Some(&ascii::START) {
+        return None;
+    }
+    let end = masked.windows(2).position(|pair| pair == ascii::END)? + ascii::END.len();
+    ascii::decode(masked.get(..end)?).ok()
+}

@@ -1,0 +1,949 @@
+//! The master of a line: asks, waits, repeats, and never takes a reply for the answer to another question.
+//!
+//! * The question says how its reply ends, so a reply is taken the moment it is complete and its check is right.
+//! * Times of the CM-485 manual 6.8: 2 ms pause after a reply, 500 ms until a missing reply is given up.
+//! * Serial telegrams have no numbers. After a time-out or garbage a station *owes* a reply that may still come.
+//!   Repeating the same question is harmless; before another one that could be confused with it a *fence* is sent, a
+//!   question whose answer cannot be taken for the missing one. Stations answer in order, so behind the fence's answer
+//!   nothing old can come. Where no fence is known, the time until nothing can come any more is waited for.
+//! * What the adapter gives back of our own telegrams is told from replies (`echo`).
+
+use super::debt::{Debts, LATEST_REPLY};
+use super::dialect::{Dialect, Question, Said};
+use super::echo::Echo;
+use super::{Answer, Conversation, ExchangeError, Limits, Record, Step, Tally, Verdict};
+use crate::protocol::Protocol;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::BROADCAST;
+use crate::tick::Tick;
+use std::collections::BTreeMap;
+
+type Outcome = Result<Answer, ExchangeError>;
+
+/// The master of one line.
+#[derive(Debug)]
+pub struct Master {
+    dialect: Dialect,
+    line: LineSetting,
+    limits: Limits,
+    /// The line is free for the next telegram from then on.
+    ready_at: Tick,
+    debts: Debts,
+    echo: Echo,
+    job: Option<Job>,
+    /// A question that was given up before its time, and whose reply may be on its way.
+    orphan: Option<Orphan>,
+    /// The last harmless question that a station answered without a refusal.
+    known: BTreeMap<u8, Question>,
+    /// The last reply that was taken.
+    last_reply: Option<Record>,
+    /// Bytes that nobody waits for, until they make a telegram or pause.
+    loose: Loose,
+    tally: Tally,
+    records: Vec<Record>,
+}
+
+#[derive(Debug)]
+struct Orphan {
+    station: u8,
+    question: Question,
+    deadline: Tick,
+    came: Vec<u8>,
+}
+
+#[derive(Debug, Default)]
+struct Loose {
+    last: Tick,
+    bytes: Vec<u8>,
+}
+
+#[derive(Debug)]
+struct Job {
+    station: u8,
+    question: Question,
+    parting: Parting,
+    asked: u8,
+    phase: Phase,
+}
+
+/// What keeps old replies from the question.
+#[derive(Clone, Debug)]
+enum Parting {
+    /// Nothing old can come that could be confused.
+    None,
+    /// This is asked first, but not before the time.
+    Fence(Question, Tick),
+    /// Nothing is sent before the time.
+    Until(Tick),
+}
+
+#[derive(Debug)]
+enum Phase {
+    Gap,
+    Reply(Waiting),
+    Turnaround { until: Tick },
+    Farewell(Outcome),
+    Done(Outcome),
+}
+
+/// Waiting for the reply to a telegram.
+#[derive(Debug)]
+struct Waiting {
+    sent: Vec<u8>,
+    sent_end: Tick,
+    deadline: Tick,
+    came: Vec<u8>,
+    last: Tick,
+    /// The echo of the telegram has been taken away already.
+    echoed: bool,
+    stray: Option<u8>,
+    garbage: Vec<u8>,
+}
+
+/// What has come when the line fell silent.
+enum Came {
+    Nothing,
+    Stray(u8),
+    /// Too little for a reply, which may still come.
+    Noise,
+    Garbage,
+}
+
+impl Job {
+    /// What is asked now: the fence, if there is one, then the question.
+    fn asks(&self) -> &Question {
+        match &self.parting {
+            Parting::Fence(fence, _) => fence,
+            Parting::None | Parting::Until(_) => &self.question,
+        }
+    }
+}
+
+impl Master {
+    /// A master on a line with this setting.
+    pub fn new(protocol: Protocol, line: LineSetting, limits: Limits) -> Self {
+        let dialect = Dialect::new(protocol);
+        Master {
+            dialect,
+            line,
+            limits,
+            ready_at: Tick::ZERO + dialect.silence(line),
+            debts: Debts::default(),
+            echo: Echo::default(),
+            job: None,
+            orphan: None,
+            known: BTreeMap::new(),
+            last_reply: None,
+            loose: Loose::default(),
+            tally: Tally::default(),
+            records: Vec::new(),
+        }
+    }
+
+    /// The same line from now on with another protocol or setting. What was owed under the old one is no valid telegram
+    /// under the new.
+    pub fn retune(&mut self, protocol: Protocol, line: LineSetting, now: Tick) {
+        let (tally, records) = (self.tally, std::mem::take(&mut self.records));
+        *self = Master { tally, records, ..Master::new(protocol, line, self.limits) };
+        self.ready_at = now + self.dialect.silence(line);
+    }
+
+    /// What is spoken.
+    pub fn protocol(&self) -> Protocol {
+        self.dialect.protocol()
+    }
+
+    /// Setting of the line, which decides how long characters take.
+    pub fn line(&self) -> LineSetting {
+        self.line
+    }
+
+    /// Time limits.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Other time limits from the next question on.
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.limits = limits;
+    }
+
+    /// What happened on the line so far.
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
+    pub fn echoes(&self) -> Option<bool> {
+        (self.echo != Echo::Unknown).then_some(self.echo == Echo::Present)
+    }
+
+    /// Whether the echo of this question would pass for its answer, and nobody knows yet whether the line echoes: then
+    /// something else must be asked first.
+    pub fn needs_sounding(&self, station: u8, question: &Question) -> bool {
+        station != BROADCAST && self.echo == Echo::Unknown && question.resembles_its_reply()
+    }
+
+    /// The telegrams since the last call.
+    pub fn take_records(&mut self) -> Vec<Record> {
+        std::mem::take(&mut self.records)
+    }
+
+    /// Begins to ask. Ask [`Master::step`] what to do until it is done.
+    ///
+    /// A question that is still open is given up: its reply or its time-out is waited for before anything is sent.
+    pub fn ask(&mut self, station: u8, question: impl Into<Question>, now: Tick) {
+        let question = question.into();
+        self.abandon(now);
+        let phase = if station == BROADCAST && !question.is_write() {
+            Phase::Done(Err(ExchangeError::BroadcastRead))
+        } else {
+            Phase::Gap
+        };
+        let parting = self.parting(station, &question, now);
+        self.job = Some(Job { station, question, parting, asked: 0, phase });
+    }
+
+    /// A station was asked this by somebody else on our side, and its reply may still come.
+    pub fn expect(&mut self, station: u8, question: Question, now: Tick) {
+        self.debts.owes(station, question, now + LATEST_REPLY, now);
+    }
+
+    /// Gives the open question up, but does not forget that its reply may be on its way.
+    fn abandon(&mut self, now: Tick) {
+        let Some(job) = self.job.take() else { return };
+        let (station, question) = (job.station, job.asks().clone());
+        let Phase::Reply(Waiting { sent_end, deadline, came, .. }) = job.phase else { return };
+        self.debts.owes(station, question.clone(), sent_end + LATEST_REPLY, now);
+        self.orphan = Some(Orphan { station, question, deadline, came });
+    }
+
+    /// Until when a reply may still come: to a question that is open, or from a station that has answered before and owes
+    /// one. Nothing must be closed before, or another program would take that reply for its own. `None` if nobody owes
+    /// anything.
+    pub fn owes_until(&self, now: Tick) -> Option<Tick> {
+        let open = match &self.job {
+            Some(Job { phase: Phase::Reply(waiting), .. }) => Some(waiting.deadline),
+            _ => self.orphan.as_ref().map(|orphan| orphan.deadline),
+        };
+        self.debts.until().chain(open).filter(|&until| until > now).max()
+    }
+
+    /// How the question is kept apart from replies that the station still owes.
+    fn parting(&mut self, station: u8, question: &Question, now: Tick) -> Parting {
+        self.debts.forget(now);
+        let missing = self.debts.missing(station, now);
+        if !missing.iter().any(|missing| self.dialect.confuses(missing, question)) {
+            return Parting::None;
+        }
+        let Some((due, end)) = self.debts.due(station) else { return Parting::None };
+        let fence = self.dialect.fence(missing, question, self.known.get(&station));
+        fence.map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
+    }
+
+    /// What to do now. Call again after every step; after `Done` the question is over.
+    pub fn step(&mut self, now: Tick) -> Step<Outcome> {
+        let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
+        let orphan = self.orphan.as_ref().map(|orphan| orphan.deadline);
+        if self.debts.due(job.station).is_none() && job.asked == 0 {
+            job.parting = Parting::None; // what was owed has come meanwhile
+        }
+        let parted = match job.parting {
+            Parting::Fence(_, until) | Parting::Until(until) => until,
+            Parting::None => now,
+        };
+        let free = self.ready_at.max(parted).max(orphan.unwrap_or(now));
+        match &job.phase {
+            Phase::Gap if now < free => Step::Wait(free),
+            Phase::Farewell(_) if now < self.ready_at => Step::Wait(self.ready_at),
+            Phase::Gap => self.send(now),
+            Phase::Farewell(_) => self.bid_farewell(now),
+            Phase::Turnaround { until } if now < *until => Step::Wait(*until),
+            Phase::Turnaround { .. } => self.finish(Ok(Answer::Broadcast)),
+            Phase::Reply(waiting) => {
+                let pause = self.dialect.straggle(&waiting.came);
+                let until = if waiting.came.is_empty() { waiting.deadline } else { waiting.last + pause };
+                if now < until { Step::Wait(until) } else { self.look(now) }
+            }
+            Phase::Done(outcome) => {
+                let outcome = outcome.clone();
+                self.finish(outcome)
+            }
+        }
+    }
+
+    fn send(&mut self, now: Tick) -> Step<Outcome> {
+        self.orphan = None;
+        self.flush_loose();
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        let fence = matches!(job.parting, Parting::Fence(..));
+        let verdict = if fence { Verdict::Fence } else { Verdict::Request };
+        let bytes = self.dialect.encode(job.station, &job.asks().clone());
+        let sent_end = now + self.dialect.duration(self.line, bytes.len());
+        job.asked += 1;
+        self.tally.sent += 1;
+        self.tally.repeats += u64::from(job.asked > 1 && !fence);
+        self.tally.fences += u64::from(fence);
+        let silence = self.dialect.silence(self.line);
+        job.phase = if job.station == BROADCAST {
+            Phase::Turnaround { until: sent_end + self.limits.turnaround.longer(silence) }
+        } else {
+            Phase::Reply(Waiting {
+                sent: bytes.clone(),
+                sent_end,
+                deadline: sent_end + self.limits.reply_timeout,
+                came: Vec::new(),
+                last: sent_end,
+                echoed: false,
+                stray: None,
+                garbage: Vec::new(),
+            })
+        };
+        self.ready_at = sent_end + silence;
+        self.records.push(Record { at: now, verdict, bytes: bytes.clone() });
+        Step::Send(bytes)
+    }
+
+    /// Ends the exchange, where the protocol wants that.
+    fn bid_farewell(&mut self, now: Tick) -> Step<Outcome> {
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        let Phase::Farewell(outcome) = &job.phase else { return Step::Wait(now) };
+        job.phase = Phase::Done(outcome.clone());
+        let bytes = self.dialect.farewell().to_vec();
+        self.ready_at = now + self.dialect.duration(self.line, bytes.len());
+        self.records.push(Record { at: now, verdict: Verdict::Farewell, bytes: bytes.clone() });
+        Step::Send(bytes)
+    }
+
+    /// Takes bytes that came in at `at`.
+    pub fn feed(&mut self, at: Tick, bytes: &[u8]) {
+        self.ready_at = self.ready_at.max(at + self.dialect.gap(self.line, self.limits.pause));
+        if self.feed_orphan(at, bytes) {
+            return;
+        }
+        match &mut self.job {
+            Some(Job { phase: Phase::Reply(waiting), .. }) => {
+                waiting.came.extend_from_slice(bytes);
+                waiting.last = at;
+            }
+            _ => return self.feed_loose(at, bytes),
+        }
+        if let Some((end, said)) = self.found(at) {
+            self.take(at, end, said);
+        }
+    }
+
+    /// The answer to what was asked, if it has come, with what came before it and when the question was out.
+    fn found(&mut self, at: Tick) -> Option<(Tick, Said)> {
+        let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &self.job else { return None };
+        let job = self.job.as_ref()?;
+        let mut from = 0;
+        let found = loop {
+            let found = self.dialect.find(waiting.came.get(from..)?, *station, job.asks())?;
+            from += found.start;
+            if !self.is_echo(waiting, from) && self.proves(job, &found.said, at) {
+                break found;
+            }
+            from += 1;
+        };
+        let (before, reply) = waiting.came.split_at_checked(from)?;
+        let (before, reply, sent, sent_end) = (before.to_vec(), reply.to_vec(), waiting.sent.clone(), waiting.sent_end);
+        if !waiting.echoed {
+            self.echo.learn(&sent, &before);
+        }
+        self.note_before(at, &before, &sent);
+        let record = Record { at, verdict: Verdict::Reply, bytes: reply };
+        self.last_reply = Some(record.clone());
+        self.records.push(record);
+        Some((sent_end, found.said))
+    }
+
+    /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
+    fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
+        let before = waiting.came.get(..from).unwrap_or_default();
+        let seen = waiting.echoed || before.windows(waiting.sent.len()).any(|window| window == waiting.sent);
+        let same = waiting.came.get(from..).is_some_and(|rest| rest.starts_with(&waiting.sent));
+        same && !seen && self.echo != Echo::Absent
+    }
+
+    /// Whether this answer can be no older one; that matters for a fence only.
+    fn proves(&self, job: &Job, said: &Said, at: Tick) -> bool {
+        match &job.parting {
+            Parting::Fence(fence, _) => self.dialect.settles(fence, said, self.debts.missing(job.station, at)),
+            Parting::None | Parting::Until(_) => true,
+        }
+    }
+
+    /// The answer has come: to the fence, then the question goes out; or to the question, then it is over.
+    fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
+        self.tally.replies += 1;
+        self.tally.exceptions += u64::from(said.is_refusal());
+        let Some(job) = &mut self.job else { return };
+        self.debts.hears(job.station);
+        if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
+            // Everything older has come; of a fence that was asked more than once further replies may.
+            self.debts.settle(job.station);
+            for _ in 1..job.asked {
+                self.debts.owes(job.station, fence.clone(), sent_end + LATEST_REPLY, at);
+            }
+            job.asked = 0;
+            job.phase = Phase::Gap;
+            return;
+        }
+        if !said.is_refusal() && job.question.is_harmless() {
+            self.known.insert(job.station, job.question.clone());
+        }
+        let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
+        job.phase =
+            if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome) };
+    }
+
+    /// The line has been silent for long enough: name what came, then wait on, repeat or end.
+    fn look(&mut self, now: Tick) -> Step<Outcome> {
+        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
+        let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
+        let (verdict, rest) = self.judge(now, &came, &sent);
+        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
+        waiting.echoed |= came.starts_with(&sent);
+        match verdict {
+            Came::Nothing => {}
+            Came::Stray(station) => waiting.stray = Some(station),
+            Came::Noise | Came::Garbage => waiting.garbage = rest,
+        }
+        // Behind an echo, a stray telegram or a little noise the reply may still come.
+        if now < deadline && !matches!(verdict, Came::Garbage) {
+            return Step::Wait(deadline);
+        }
+        let (stray, garbage) = (waiting.stray, std::mem::take(&mut waiting.garbage));
+        // Garbage as long as a reply most likely was the reply.
+        let due = if matches!(verdict, Came::Garbage) { now } else { waiting.sent_end + LATEST_REPLY };
+        self.miss(now, due, stray, garbage)
+    }
+
+    /// Says what bytes are that hold no answer, and notes them.
+    fn judge(&mut self, at: Tick, came: &[u8], sent: &[u8]) -> (Came, Vec<u8>) {
+        let rest = came.strip_prefix(sent).unwrap_or(came);
+        if rest.len() < came.len() {
+            self.echo = Echo::Present;
+            self.note_echo(at, sent);
+        }
+        if rest.is_empty() {
+            return (Came::Nothing, Vec::new());
+        }
+        self.note_stray(at, rest);
+        let verdict = match self.dialect.sender(rest) {
+            Some((station, _)) => Came::Stray(station),
+            None if rest.len() < self.dialect.shortest_reply() => Came::Noise,
+            None => Came::Garbage,
+        };
+        (verdict, rest.to_vec())
+    }
+
+    /// No answer came: repeat, or end.
+    fn miss(&mut self, now: Tick, due: Tick, stray: Option<u8>, garbage: Vec<u8>) -> Step<Outcome> {
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        let (station, missing, asked) = (job.station, job.asks().clone(), job.asked);
+        self.debts.owes(station, missing, due, now);
+        let error = match stray {
+            _ if !garbage.is_empty() => ExchangeError::Garbled { asked, bytes: garbage },
+            Some(station) => ExchangeError::Stray { station },
+            None => ExchangeError::Silence { timeout: self.limits.reply_timeout, asked },
+        };
+        match error {
+            ExchangeError::Silence { .. } => self.tally.silences += 1,
+            _ => self.tally.garbled += 1,
+        }
+        if asked <= self.limits.retries {
+            job.phase = Phase::Gap;
+            return self.step(now);
+        }
+        self.finish(Err(error))
+    }
+
+    fn finish(&mut self, outcome: Outcome) -> Step<Outcome> {
+        self.job = None;
+        Step::Done(outcome)
+    }
+
+    /// Takes bytes for the question that was given up; its reply settles what is owed.
+    fn feed_orphan(&mut self, at: Tick, bytes: &[u8]) -> bool {
+        let Some(orphan) = &mut self.orphan else { return false };
+        orphan.came.extend_from_slice(bytes);
+        if self.dialect.find(&orphan.came, orphan.station, &orphan.question).is_none() {
+            return true;
+        }
+        let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
+        self.orphan = None;
+        self.debts.settle(station);
+        if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
+            job.parting = Parting::None;
+        }
+        self.note_stray(at, &came);
+        true
+    }
+
+    /// Takes bytes that nobody waits for.
+    fn feed_loose(&mut self, at: Tick, bytes: &[u8]) {
+        if at.since(self.loose.last) > self.dialect.straggle(&self.loose.bytes) {
+            self.flush_loose();
+        }
+        self.loose.last = at;
+        self.loose.bytes.extend_from_slice(bytes);
+        if self.dialect.sender(&self.loose.bytes).is_some() {
+            self.flush_loose();
+        }
+    }
+
+    fn flush_loose(&mut self) {
+        let bytes = std::mem::take(&mut self.loose.bytes);
+        if !bytes.is_empty() {
+            self.note_stray(self.loose.last, &bytes);
+        }
+    }
+
+    /// Notes what came before an answer: an echo, noise, strays.
+    fn note_before(&mut self, at: Tick, before: &[u8], sent: &[u8]) {
+        let noise = before.strip_suffix(sent);
+        if let Some(noise) = noise.or((!before.is_empty()).then_some(before)).filter(|noise| !noise.is_empty()) {
+            self.note_stray(at, noise);
+        }
+        if noise.is_some() {
+            self.note_echo(at, sent);
+        }
+    }
+
+    fn note_echo(&mut self, at: Tick, sent: &[u8]) {
+        self.tally.echoes += 1;
+        self.records.push(Record { at, verdict: Verdict::Echo, bytes: sent.to_vec() });
+    }
+
+    /// Counts bytes that are nobody's answer.
+    fn note_stray(&mut self, at: Tick, bytes: &[u8]) {
+        let verdict = match self.dialect.sender(bytes) {
+            Some((station, said)) => {
+                self.debts.hears(station);
+                let doubled = self.last_reply.as_ref().is_some_and(|last| last.is_doubled_by(at, bytes));
+                if let Some(said) = said.filter(|_| !doubled) {
+                    self.debts.pays(station, &said);
+                }
+                self.tally.strays += 1;
+                Verdict::Stray { station }
+            }
+            None => Verdict::Garbage,
+        };
+        self.records.push(Record { at, verdict, bytes: bytes.to_vec() });
+    }
+}
+
+impl Conversation for Master {
+    type End = Outcome;
+
+    fn step(&mut self, now: Tick) -> Step<Outcome> {
+        Master::step(self, now)
+    }
+
+    fn feed(&mut self, at: Tick, bytes: &[u8]) {
+        Master::feed(self, at, bytes);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+    use crate::protocol::modbus::pdu::{Exception, Reply, Request};
+    use crate::protocol::modbus::{Framing, mbap, rtu};
+    use crate::protocol::vabus::{self, Address, Data, Header, ParamNumber};
+    use crate::tick::Span;
+
+    /// A line on which bytes come at set times after the end of each request.
+    struct Line {
+        master: Master,
+        now: Tick,
+        /// Still to come.
+        coming: Vec<(Tick, Vec<u8>)>,
+        sent: Vec<Vec<u8>>,
+    }
+
+    impl Line {
+        fn new(framing: Framing) -> Self {
+            let line = LineSetting::rtu(19_200, Parity::Even);
+            let master = Master::new(framing.into(), line, Limits::default());
+            Line { master, now: Tick::ZERO, coming: Vec::new(), sent: Vec::new() }
+        }
+
+        fn vabus() -> Self {
+            let line = LineSetting::ascii(19_200, Parity::Even);
+            let master = Master::new(Protocol::Vabus, line, Limits::default());
+            Line { master, now: Tick::ZERO, coming: Vec::new(), sent: Vec::new() }
+        }
+
+        /// Asks; `replies` holds what comes after each telegram that we send, with milliseconds from its end.
+        fn ask(&mut self, station: u8, request: impl Into<Question>, replies: &[&[(u64, Vec<u8>)]]) -> Outcome {
+            self.master.ask(station, request, self.now);
+            let mut replies = replies.iter();
+            loop {
+                match self.master.step(self.now) {
+                    Step::Done(outcome) => return outcome,
+                    Step::Send(bytes) => {
+                        let end = self.now + self.master.line.chars(bytes.len() as u64);
+                        let farewell = bytes == [vabus::EOT];
+                        let chunks = if farewell { &[] } else { replies.next().copied().unwrap_or_default() };
+                        self.coming.extend(chunks.iter().map(|(ms, b)| (end + Span::from_millis(*ms), b.clone())));
+                        self.coming.sort_by_key(|chunk| chunk.0);
+                        self.sent.push(bytes);
+                    }
+                    Step::Wait(until) => match self.coming.first() {
+                        Some((at, _)) if *at <= until => {
+                            let (at, bytes) = self.coming.remove(0);
+                            self.now = at.max(self.now);
+                            self.master.feed(self.now, &bytes);
+                        }
+                        _ => self.now = until,
+                    },
+                }
+            }
+        }
+
+        fn verdicts(&mut self) -> Vec<Verdict> {
+            self.master.take_records().into_iter().map(|record| record.verdict).collect()
+        }
+    }
+
+    const READ: Request = Request::ReadRegisters { start: 0x2174, count: 1 };
+    const OTHER: Request = Request::ReadRegisters { start: 0x0101, count: 1 };
+
+    fn frame(station: u8, reply: &Reply) -> Vec<u8> {
+        rtu::encode(station, &reply.encode())
+    }
+
+    fn value(value: u16) -> Vec<u8> {
+        frame(1, &Reply::Registers(vec![value]))
+    }
+
+    /// The counter of telegrams on the bus, by which replies are parted.
+    fn fence_reply() -> Vec<u8> {
+        frame(1, &Reply::Diagnostics { sub: 0x0B, data: 7 })
+    }
+
+    fn taken(outcome: Outcome) -> Reply {
+        match outcome {
+            Ok(Answer::Reply { said: Said::Modbus(reply), .. }) => reply,
+            other => panic!("no reply: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_reply_is_taken_the_moment_it_is_complete() {
+        let mut line = Line::new(Framing::Rtu);
+        let outcome = line.ask(1, READ, &[&[(10, value(1390))]]);
+        assert!(matches!(outcome, Ok(Answer::Reply { after, .. }) if after == Span::from_millis(10)), "{outcome:?}");
+        assert_eq!(line.sent, [[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C]]);
+    }
+
+    #[test]
+    fn a_reply_in_pieces_is_put_together() {
+        let bytes = value(1390);
+        for split in 1..bytes.len() {
+            let mut line = Line::new(Framing::Rtu);
+            let (head, tail) = bytes.split_at(split);
+            let pieces = [(10, head.to_vec()), (26, tail.to_vec())];
+            assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
+        }
+    }
+
+    #[test]
+    fn silence_is_given_up_after_the_time_of_the_manual_and_repeated() {
+        let mut line = Line::new(Framing::Rtu);
+        let outcome = line.ask(1, READ, &[]);
+        assert_eq!(outcome, Err(ExchangeError::Silence { timeout: Span::from_millis(500), asked: 3 }));
+        assert_eq!(line.sent.len(), 3);
+        assert!(line.now >= Tick::from_micros(3 * 500_000));
+    }
+
+    #[test]
+    fn a_late_reply_is_never_credited_to_the_next_question() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        // The reply to READ comes 700 ms after it was asked, in the middle of the next question.
+        assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+        let outcome = line.ask(1, OTHER, &[&[(210, fence_reply())], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        let verdicts = line.verdicts();
+        assert!(verdicts.contains(&Verdict::Fence), "{verdicts:?}");
+        assert!(verdicts.contains(&Verdict::Stray { station: 1 }), "{verdicts:?}");
+        // Behind the fence there is no doubt any more.
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, value(1390))]])), Reply::Registers(vec![1390]));
+        assert_eq!(line.master.tally().fences, 1);
+    }
+
+    #[test]
+    fn a_fence_is_never_one_of_the_missing_questions() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let counter = |sub| Request::Diagnostics { sub, data: 0 };
+        let counted = |sub, data| frame(1, &Reply::Diagnostics { sub, data });
+        assert!(line.ask(1, counter(0x0B), &[]).is_err());
+        let late = counted(0x0B, 99);
+        let outcome = line.ask(1, counter(0x12), &[&[(10, late), (60, counted(0x0E, 5))], &[(10, counted(0x12, 3))]]);
+        assert_eq!(taken(outcome), Reply::Diagnostics { sub: 0x12, data: 3 });
+    }
+
+    #[test]
+    fn a_question_that_cannot_be_confused_needs_no_fence() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+        let long = Request::ReadLong { address: 210 };
+        let outcome = line.ask(1, long, &[&[(300, frame(1, &Reply::Long(5000)))]]);
+        assert_eq!(taken(outcome), Reply::Long(5000));
+        assert_eq!((line.master.tally().fences, line.master.tally().strays), (0, 1));
+    }
+
+    #[test]
+    fn a_refusal_that_may_be_old_is_nobodys() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let refused = Reply::Exception { function: 3, code: Exception::DeviceFailure };
+        assert!(line.ask(1, READ, &[&[(650, frame(1, &refused))]]).is_err());
+        let outcome = line.ask(1, OTHER, &[&[(300, fence_reply())], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn the_echo_of_a_fence_settles_nothing() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+        let echo = frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 });
+        let outcome = line.ask(1, OTHER, &[&[(1, echo), (300, fence_reply())], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn an_echo_is_learnt_and_removed() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let write = Request::WriteRegister { address: 0x4178, value: 15 };
+        let echo = |request: &Request| rtu::encode(1, &request.encode());
+        assert!(line.master.needs_sounding(1, &write.clone().into()));
+        let pieces = [(0, echo(&READ)), (10, value(1390))];
+        assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
+        assert_eq!(line.master.echoes(), Some(true));
+        // The drive is off: the echo alone is not its reply.
+        let outcome = line.ask(1, write.clone(), &[&[(0, echo(&write))]]);
+        assert!(matches!(outcome, Err(ExchangeError::Silence { .. })), "{outcome:?}");
+        let pieces = [(0, echo(&write)), (10, echo(&write))];
+        assert!(line.ask(1, write.clone(), &[&pieces]).is_ok());
+        assert_eq!((line.master.tally().echoes, line.master.tally().strays), (3, 0));
+    }
+
+    #[test]
+    fn a_line_without_echo_is_learnt_too() {
+        let mut line = Line::new(Framing::Rtu);
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        assert_eq!(line.master.echoes(), Some(false));
+        let write = Request::WriteRegister { address: 0x4178, value: 15 };
+        let reply = rtu::encode(1, &write.encode());
+        assert!(line.ask(1, write, &[&[(10, reply)]]).is_ok());
+    }
+
+    #[test]
+    fn behind_a_little_noise_the_reply_may_still_come() {
+        let mut line = Line::new(Framing::Rtu);
+        let outcome = line.ask(1, READ, &[&[(1, vec![0x00]), (300, value(1390))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![1390]));
+        assert_eq!(line.sent.len(), 1);
+    }
+
+    #[test]
+    fn a_doubled_reply_is_one_stray_telegram() {
+        let mut line = Line::new(Framing::Rtu);
+        let again: Vec<_> = value(1390).into_iter().enumerate().map(|(at, byte)| (11 + at as u64, vec![byte])).collect();
+        let chunks: Vec<_> = [(10, value(1390))].into_iter().chain(again).collect();
+        taken(line.ask(1, READ, &[&chunks]));
+        assert_eq!(taken(line.ask(1, OTHER, &[&[(10, value(7))]])), Reply::Registers(vec![7]));
+        assert_eq!(line.master.tally().strays, 1);
+        assert!(line.verdicts().contains(&Verdict::Stray { station: 1 }));
+    }
+
+    #[test]
+    fn numbered_transactions_need_no_fences() {
+        let mut line = Line::new(Framing::Tcp);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let reply = |number, value| mbap::encode(number, 1, &Reply::Registers(vec![value]).encode());
+        assert!(line.ask(1, READ, &[&[(700, reply(1, 1390))]]).is_err());
+        let outcome = line.ask(1, OTHER, &[&[(400, reply(2, 7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert_eq!((line.master.tally().fences, line.master.tally().strays), (0, 1));
+    }
+
+    #[test]
+    fn vabus_ends_its_exchanges_and_parts_replies_by_what_was_answered_before() {
+        let mut line = Line::vabus();
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let enquiry = |number| {
+            let header = Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
+            vabus::Request::Enquiry { address: Address::drive(1).unwrap(), header }
+        };
+        let told = |number, bits| {
+            let header = Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
+            vabus::Reply::Value { address: Address::drive(1).unwrap(), header, data: Data::word(bits) }.encode()
+        };
+        let nak = vabus::Reply::Nak { address: Address::drive(1).unwrap() }.encode();
+        assert!(line.ask(1, enquiry(411), &[&[(10, told(411, 0x40))]]).is_ok());
+        assert_eq!(line.sent.last(), Some(&vec![vabus::EOT]));
+        // The NAK to the second question comes while the third is asked: it is not the third one's.
+        assert!(line.ask(1, enquiry(484), &[&[(650, nak)]]).is_err());
+        let outcome = line.ask(1, enquiry(372), &[&[(300, told(411, 0x40))], &[(10, told(372, 1390))]]);
+        let Ok(Answer::Reply { said: Said::Vabus(reply), .. }) = outcome else { panic!("{outcome:?}") };
+        assert_eq!(reply.encode(), told(372, 1390));
+        assert_eq!(line.master.tally().fences, 1);
+    }
+
+    #[test]
+    fn a_fence_that_was_asked_twice_is_itself_in_doubt() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 1, ..Limits::default() });
+        assert!(line.ask(1, READ, &[]).is_err());
+        // The first fence is answered only after it was repeated; the reply to the repeat comes later still.
+        let outcome =
+            line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, fence_reply())], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert!(line.master.owes_until(line.now).is_some(), "the second fence's reply is still to come");
+        let (at, late) = line.coming.remove(0);
+        line.master.feed(at, &late);
+        assert_eq!(line.master.owes_until(at), None);
+    }
+
+    #[test]
+    fn another_station_is_asked_without_a_fence() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        assert!(line.ask(1, READ, &[]).is_err());
+        let own = frame(2, &Reply::Registers(vec![5]));
+        let outcome = line.ask(2, OTHER, &[&[(5, value(1390)), (30, own)]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![5]));
+        assert_eq!(line.master.tally().fences, 0);
+    }
+
+    #[test]
+    fn garbage_noise_and_foreign_telegrams_are_named() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let mut broken = value(1390);
+        broken[4] ^= 0x10;
+        let outcome = line.ask(1, READ, &[&[(10, broken)]]);
+        assert!(matches!(outcome, Err(ExchangeError::Garbled { asked: 1, .. })), "{outcome:?}");
+        let mut noisy = vec![0x00, 0xFF];
+        noisy.extend(value(1390));
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, noisy)]])), Reply::Registers(vec![1390]));
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let foreign = frame(9, &Reply::Registers(vec![1]));
+        assert_eq!(line.ask(1, READ, &[&[(10, foreign)]]), Err(ExchangeError::Stray { station: 9 }));
+    }
+
+    #[test]
+    fn truncated_replies_are_never_believed() {
+        let whole = value(1390);
+        for length in 1..whole.len() {
+            let mut line = Line::new(Framing::Rtu);
+            line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+            assert!(line.ask(1, READ, &[&[(10, whole[..length].to_vec())]]).is_err(), "{length}");
+        }
+    }
+
+    #[test]
+    fn single_flipped_bits_are_never_believed() {
+        let whole = value(1390);
+        for bit in 0..whole.len() * 8 {
+            let mut line = Line::new(Framing::Rtu);
+            line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+            let mut flipped = whole.clone();
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            assert!(line.ask(1, READ, &[&[(10, flipped)]]).is_err(), "{bit}");
+        }
+    }
+
+    #[test]
+    fn an_exception_is_an_answer() {
+        let mut line = Line::new(Framing::Rtu);
+        let refused = Reply::Exception { function: 3, code: Exception::DeviceFailure };
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, frame(1, &refused))]])), refused);
+        assert_eq!(line.master.tally().exceptions, 1);
+    }
+
+    #[test]
+    fn a_write_is_answered_by_its_own_echo_only() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        let write = Request::WriteRegister { address: 0x4178, value: 15 };
+        let other = Reply::RegisterWritten { address: 0x4178, value: 16 };
+        let echo = Reply::RegisterWritten { address: 0x4178, value: 15 };
+        let outcome = line.ask(1, write, &[&[(10, frame(1, &other)), (40, frame(1, &echo))]]);
+        assert_eq!(taken(outcome), echo);
+    }
+
+    #[test]
+    fn broadcasts_write_and_wait_for_nobody() {
+        let mut line = Line::new(Framing::Rtu);
+        assert_eq!(line.ask(0, READ, &[]), Err(ExchangeError::BroadcastRead));
+        let write = Request::WriteRegister { address: 0x019A, value: 0 };
+        assert_eq!(line.ask(0, write, &[]), Ok(Answer::Broadcast));
+        assert!(line.now > Tick::from_micros(100_000));
+    }
+
+    #[test]
+    fn the_next_telegram_waits_for_the_pause_of_the_manual() {
+        let mut line = Line::new(Framing::Rtu);
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        let replied = line.now;
+        line.master.ask(1, OTHER, line.now);
+        let Step::Wait(until) = line.master.step(line.now) else { panic!("sends at once") };
+        assert_eq!(until.since(replied), line.master.line.t35());
+        assert!(until.since(replied) >= Span::from_millis(2));
+    }
+
+    #[test]
+    fn a_question_given_up_is_waited_for_before_the_next_is_sent() {
+        let mut line = Line::new(Framing::Rtu);
+        // Asked, sent, and given up 5 ms later; its reply comes 10 ms after its end.
+        line.master.ask(1, READ, line.now);
+        while !matches!(line.master.step(line.now), Step::Send(_)) {
+            line.now += Span::from_micros(100);
+        }
+        let end = line.now + line.master.line.chars(8);
+        line.now += Span::from_millis(5);
+        line.coming.push((end + Span::from_millis(10), value(1390)));
+        let outcome = line.ask(1, OTHER, &[&[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        let telegrams: Vec<_> = line.master.take_records();
+        let times: Vec<_> = telegrams.iter().map(|record| (record.at, record.verdict)).collect();
+        let second = times.iter().filter(|row| row.1 == Verdict::Request).nth(1).unwrap().0;
+        assert_eq!(second, end + Span::from_millis(10) + line.master.line.t35());
+        assert_eq!(line.master.tally().fences, 0, "the reply came, so there is no doubt");
+        // The same without a reply: nothing is sent before the time-out, and then a fence.
+        let mut line = Line::new(Framing::Rtu);
+        line.master.ask(1, READ, line.now);
+        while !matches!(line.master.step(line.now), Step::Send(_)) {
+            line.now += Span::from_micros(100);
+        }
+        let begun = line.now;
+        let outcome = line.ask(1, OTHER, &[&[(10, fence_reply())], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert!(line.now.since(begun) > Span::from_millis(500));
+        assert_eq!(line.master.tally().fences, 1);
+    }
+
+    #[test]
+    fn ascii_replies_may_dawdle() {
+        let mut line = Line::new(Framing::Ascii);
+        let reply = b":010302056E87\r\n";
+        let (head, tail) = reply.split_at(5);
+        let pieces = [(10, head.to_vec()), (40, tail.to_vec())];
+        assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
+        assert_eq!(line.sent, [b":010321740001 66\r\n".iter().copied().filter(|&b| b != b' ').collect::<Vec<_>>()]);
+    }
+}

@@ -1,0 +1,85 @@
+//! How the parameters of a family are reached over Modbus: the `[link]` table of a catalogue.
+
+use super::param::Type;
+use super::text::Text;
+use serde::Deserialize;
+
+/// The way to the parameters of a family.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Link {
+    /// Which function codes, and what the address word means.
+    pub route: Route,
+    /// Highest number that a telegram can carry.
+    pub last: u32,
+    /// What numbers there are, for hints.
+    pub numbers: Text,
+    /// What the product code of the family's drives begins with (code 43, object 1).
+    pub product: Option<String>,
+    /// Where the drive says why it refused something.
+    pub cause: Cause,
+    /// Sub-function of code 8 that changes nothing, for link tests.
+    pub echo: u16,
+    /// When a value takes effect that does not do so at once.
+    pub after_reset: Text,
+}
+
+/// Function codes, width and addressing of parameters.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Route {
+    /// Codes 3 and 6 for 16 bits, 100 and 101 for 32; the address word carries the data set (CM-485 manual 6.4, 7).
+    #[default]
+    Active,
+    /// Codes 3, 16 and 23; every parameter is two registers wide, and neighbours are two apart (LXM05 manual 5.2, 5.3).
+    Registers32,
+}
+
+impl Route {
+    /// Whether parameters can exist in several data sets.
+    pub fn has_data_sets(self) -> bool {
+        self == Route::Active
+    }
+
+    /// How many parameters one telegram can read: code 3 returns at most 125 registers.
+    pub fn most(self) -> usize {
+        match self {
+            Route::Active => 1,
+            Route::Registers32 => 125 / 2,
+        }
+    }
+
+    /// The width of a parameter that no catalogue knows, if the route alone decides it.
+    pub fn width(self) -> Option<Type> {
+        match self {
+            Route::Active => None,
+            Route::Registers32 => Some(Type::Long),
+        }
+    }
+
+    /// The number behind `id` whose parameter may be read in the same telegram.
+    pub fn neighbour(self, id: u32) -> Option<u32> {
+        match self {
+            Route::Active => None,
+            Route::Registers32 => id.checked_add(2),
+        }
+    }
+}
+
+/// Where a drive says why it refused something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// In the parameter with the role `error-register`; reading clears it.
+    #[default]
+    ErrorRegister,
+    /// In this sub-function of code 8.
+    Diagnostics(u16),
+}
+
+impl Link {
+    /// Whether a telegram can carry this number.
+    pub fn carries(&self, id: u32) -> bool {
+        id <= self.last
+    }
+}

@@ -1,0 +1,256 @@
+//! An LXM05 in a bench file.
+
+use super::tables::{DriveTable, EventTable, ServoTable};
+use super::{BenchError, Reader, decimal, own_seed};
+use crate::protocol::line::{LineSetting, Parity};
+use crate::simulator::drive::Drive;
+use crate::simulator::lexium::{BAUD_RATES, Fault, Fittings, named};
+use crate::simulator::script::Action;
+use crate::simulator::setup::{Model, PARITIES, Setup};
+use crate::tick::Span;
+use toml::{Spanned, Value};
+
+/// Earliest reply: a choice of the bench, the manual tells no time.
+const REPLY_DELAY: Span = Span::from_millis(3);
+/// Class of an error if the file names none: power off at once.
+const CLASS: u8 = 3;
+/// Longest text of an object of code 43.
+const MOST_TEXT: usize = 60;
+
+impl Reader<'_> {
+    pub(super) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, BenchError> {
+        let row = table.get_ref();
+        if let Some(key) = foreign_key(row) {
+            return Err(self.error(table.span(), format!("{key} is not for model lxm05")));
+        }
+        if let Some(protocol) = row.protocol.as_ref().filter(|protocol| protocol.get_ref() != "rtu") {
+            return Err(self.error(protocol.span(), "an LXM05 speaks rtu only".to_owned()));
+        }
+        let mut setup = Setup::plain(Model::Lxm05, address);
+        setup.line = self.servo_line(row)?;
+        setup.delay = match (&row.slow, &row.load, &row.reply_delay) {
+            (None, None, None) => REPLY_DELAY,
+            _ => self.delay(row)?,
+        };
+        setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
+        setup.strict_silence = row.strict_silence;
+        setup.seed = own_seed(seed, address);
+        if let Some(servo) = &row.servo {
+            setup.fittings = self.fittings(servo.get_ref())?;
+        }
+        for (key, value) in &row.set {
+            setup.values.push(self.servo_value(key, value)?);
+        }
+        for event in &row.event {
+            self.event(event, Model::Lxm05, &mut setup.script)?;
+        }
+        Ok(Drive::new(setup, None))
+    }
+
+    /// Baud rate, parity and stop bits as MBbaud and MBformat can have them (LXM05 manual 4.1).
+    fn servo_line(&self, row: &DriveTable) -> Result<LineSetting, BenchError> {
+        let mut line = LineSetting::rtu(19_200, Parity::Even);
+        if let Some(got) = &row.baud {
+            let known = BAUD_RATES.iter().find(|&&rate| i64::from(rate) == *got.get_ref());
+            let message = || {
+                format!(
+                    "baud = {}; expected one of: {}",
+                    got.get_ref(),
+                    BAUD_RATES.map(|rate| rate.to_string()).join(", ")
+                )
+            };
+            line.baud = known.ok_or_else(|| self.error(got.span(), message()))?.unsigned_abs();
+        }
+        if let Some(got) = &row.parity {
+            let parity = self.word("parity", got, &PARITIES.map(|(_, parity)| (parity.name(), parity)))?;
+            line = LineSetting::rtu(line.baud, parity);
+        }
+        match row.stop_bits.as_ref().map(|got| (*got.get_ref(), got)) {
+            Some((1, _)) => line.stop_bits = 1,
+            Some((2, _)) if line.parity == Parity::None => {}
+            Some((_, got)) => {
+                return Err(self.error(got.span(), "stop_bits: expected 1, or 2 with parity \"none\"".to_owned()));
+            }
+            None => {}
+        }
+        Ok(line)
+    }
+
+    fn fittings(&self, servo: &ServoTable) -> Result<Fittings, BenchError> {
+        let Fittings { mut world, mut identity } = Fittings::default();
+        world.limn = servo.limn.unwrap_or(world.limn);
+        world.limp = servo.limp.unwrap_or(world.limp);
+        world.limits = servo.limits.unwrap_or(world.limits);
+        world.guide = servo.guide.unwrap_or(world.guide);
+        if let Some(bit6) = &servo.bit6 {
+            world.bit6_absolute = self.word("bit6", bit6, &[("relative", false), ("absolute", true)])?;
+        }
+        for (got, text) in [
+            (&servo.vendor, &mut identity.vendor),
+            (&servo.product, &mut identity.product),
+            (&servo.revision, &mut identity.revision),
+        ] {
+            let Some(got) = got else { continue };
+            if got.get_ref().len() > MOST_TEXT {
+                return Err(self.error(got.span(), format!("expected a text of at most {MOST_TEXT} bytes")));
+            }
+            text.clone_from(got.get_ref());
+        }
+        if let Some(object) = &servo.revision_object {
+            if !(2..=3).contains(object.get_ref()) {
+                return Err(self.error(object.span(), "revision_object: expected 2 or 3".to_owned()));
+            }
+            identity.revision_object = *object.get_ref();
+        }
+        identity.in_pieces = servo.in_pieces.unwrap_or(identity.in_pieces);
+        Ok(Fittings { world, identity })
+    }
+
+    /// Address and raw value of a row of `set`.
+    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, u8, i64), BenchError> {
+        let refuse = |message: &str| self.error(value.span(), format!("set \"{key}\": {message}"));
+        let row = named(key)
+            .ok_or_else(|| refuse("an LXM05 of this bench has no such parameter; expected its name or address"))?;
+        if !row.is_settable() {
+            return Err(refuse("cannot be given; it is what the drive does"));
+        }
+        let raw = match value.get_ref().as_str().and_then(|text| text.strip_prefix("0x")) {
+            Some(hex) => u32::from_str_radix(hex, 16)
+                .map(|bits| i64::from(bits as i32))
+                .map_err(|_| refuse("expected hexadecimal digits"))?,
+            None => decimal(value.get_ref(), row.decimals).map_err(|message| refuse(&message))?,
+        };
+        let fits = i32::try_from(raw).is_ok_and(|raw| row.takes(raw));
+        fits.then_some((row.address.into(), 0, raw)).ok_or_else(|| refuse("out of the range of this parameter"))
+    }
+
+    /// What an event does to an LXM05.
+    pub(super) fn servo_actions(&self, table: &Spanned<EventTable>) -> Result<Vec<Action>, BenchError> {
+        let row = table.get_ref();
+        let mut actions = Vec::new();
+        if let Some(fault) = &row.fault {
+            actions.push(Action::Error(self.servo_fault(row, fault)?));
+        }
+        if let Some(silent) = &row.silent {
+            actions.push(Action::Silent(self.time("silent", silent)?));
+        }
+        actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
+        let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
+        let others =
+            others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
+        let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
+        if actions.is_empty() || others || lonely {
+            let message = "expected fault (with class and qualifier), power_cycle or silent, as an LXM05 knows them";
+            return Err(self.error(table.span(), message.to_owned()));
+        }
+        Ok(actions)
+    }
+
+    fn servo_fault(&self, row: &EventTable, got: &Spanned<String>) -> Result<Fault, BenchError> {
+        let digits = got.get_ref().strip_prefix('E').filter(|digits| digits.len() == 4);
+        let number = digits.and_then(|digits| u16::from_str_radix(digits, 16).ok()).filter(|&number| number != 0);
+        let message = || format!("fault = \"{}\"; expected E and 4 digits, such as \"E2300\"", got.get_ref());
+        let number = number.ok_or_else(|| self.error(got.span(), message()))?;
+        let class = row.class.unwrap_or(CLASS);
+        if class > 4 {
+            return Err(self.error(got.span(), format!("class = {class}; expected 0 to 4")));
+        }
+        Ok(Fault { number, class, qualifier: row.qualifier.unwrap_or(0) })
+    }
+}
+
+/// A key that this table has and an LXM05 has not.
+fn foreign_key(row: &DriveTable) -> Option<&'static str> {
+    [
+        ("data_bits", row.data_bits.is_some()),
+        ("strict_remote", row.strict_remote),
+        ("enable", !row.enable),
+        ("stoa", row.stoa.is_some()),
+        ("stob", row.stob.is_some()),
+        ("start_right", row.start_right.is_some()),
+        ("start_left", row.start_left.is_some()),
+        ("mains", row.mains.is_some()),
+        ("torque", row.torque.is_some()),
+        ("ramps", row.ramps.is_some()),
+        ("modules", !row.modules.is_empty()),
+        ("registers", !row.registers.is_empty()),
+        ("nodes", !row.nodes.is_empty()),
+    ]
+    .into_iter()
+    .find_map(|(key, given)| given.then_some(key))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read;
+    use crate::profile::Registry;
+
+    fn refused(rest: &str) -> String {
+        let text = format!("[[drive]]\nmodel = \"lxm05\"\n{rest}\n");
+        read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message
+    }
+
+    #[test]
+    fn keys_of_other_models_are_refused() {
+        for key in [
+            "data_bits = 8",
+            "strict_remote = true",
+            "enable = false",
+            "start_right = true",
+            "start_left = false",
+            "mains = true",
+            "torque = 3",
+            "ramps = { }",
+            "modules = [\"X\"]",
+            "registers = { \"1\" = 2 }",
+            "nodes = [{ id = 1, model = \"act\" }]",
+            "stoa = true",
+            "stob = true",
+        ] {
+            let name = key.split(' ').next().unwrap_or_default();
+            assert_eq!(refused(key), format!("{name} is not for model lxm05"));
+        }
+        assert!(refused("protocol = \"ascii\"").contains("rtu only"));
+        let act = |rest: &str| {
+            let text = format!("[[drive]]\nmodel = \"act\"\n{rest}\n");
+            read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message
+        };
+        assert!(act("stop_bits = 1").contains("for model lxm05"));
+        assert!(act("servo = { }").contains("for model lxm05"));
+        assert!(act("[[drive.event]]\nat = \"1s\"\nfault = \"F0500\"\nclass = 2").contains("for model lxm05"));
+    }
+
+    #[test]
+    fn refusals_say_what_was_expected() {
+        assert!(refused("baud = 57600").contains("9600, 19200, 38400"));
+        assert!(refused("parity = \"even\"\nstop_bits = 2").contains("2 with parity"));
+        assert!(refused("set = { X = 1 }").contains("its name or address"));
+        assert!(refused("set = { DCOMcontrol = 15 }").contains("what the drive does"));
+        assert!(refused("set = { MBformat = 5 }").contains("out of the range"));
+        assert!(refused("set = { CUR_I_target = \"1.555\" }").contains("more decimals"));
+        assert!(refused("set = { RAMPacc = \"0xG\" }").contains("hexadecimal"));
+        assert!(refused("servo = { bit6 = \"on\" }").contains("relative, absolute"));
+        assert!(refused("servo = { revision_object = 4 }").contains("2 or 3"));
+        assert!(refused(&format!("servo = {{ vendor = \"{}\" }}", "x".repeat(61))).contains("at most 60"));
+        for event in ["", "mains = false", "class = 2", "silent = \"1s\"\nclass = 2", "warning = 1", "torque = 5"] {
+            assert!(
+                refused(&format!("[[drive.event]]\nat = \"1s\"\n{event}")).contains("as an LXM05 knows"),
+                "{event}"
+            );
+        }
+        assert!(refused("[[drive.event]]\nat = \"1s\"\nfault = \"F2300\"").contains("E and 4 digits"));
+        assert!(refused("[[drive.event]]\nat = \"1s\"\nfault = \"E2300\"\nclass = 5").contains("0 to 4"));
+    }
+
+    #[test]
+    fn what_a_file_says_is_what_the_drive_has() {
+        let text = "[[drive]]\nmodel = \"lxm05\"\naddress = 9\nbaud = 38400\nparity = \"none\"\nstop_bits = 1\n\
+                    set = { rampacc = 700, \"6940\" = \"0xFFFFFFFE\", CUR_I_target = \"1.5\", FLT_class = 2 }\n";
+        let bench = read("bench.toml", text, &Registry::open(&[]).unwrap()).unwrap();
+        let drive = bench.drive(9).unwrap();
+        assert_eq!(drive.line().to_string(), "38400 8N1");
+        let values = [5_638, 5_640, 5_642, 1_556, 6_940, 8_200, 15_364].map(|address| drive.ram(address, 0));
+        assert_eq!(values, [38_400, 9, 1, 700, -2, 150, 2].map(Some));
+        assert_eq!((drive.eeprom(1_556, 0), drive.eeprom(6_940, 0), drive.ram(1_557, 0)), (Some(700), None, None));
+    }
+}

@@ -1,0 +1,281 @@
+//! A Lexium LXM05 behind the line: parameters, errors, time (LXM05 manual V1.04, chapters 4 to 6).
+//!
+//! Parameters are in `params.rs`, function codes in `slave.rs`, the state machine in `machine.rs`, modes of operation in
+//! `motion.rs`, the shaft in `axis.rs`.
+//!
+//! Choices where the manual is silent:
+//! - settings of the line (4.1) act from power-on; the manual says so of MBbaud and MBformat, and nothing of the others;
+//! - power-on takes 3 s; the electronics have their own supply, so nothing here looks at the mains;
+//! - the node guard counts from the write of MBnode_guard on, then from the last telegram to this station with a right
+//!   check value; it acts only in "operation enabled", as an error of class 1;
+//! - the fault memory shows the newest entry; FLT_Time counts seconds since the bench was built; the memory outlives the
+//!   power;
+//! - error numbers below 1000h are this bench's own: the list of the maker (E1xxx to ECxxx) is in no source.
+
+mod axis;
+mod machine;
+mod motion;
+mod params;
+mod slave;
+
+pub(super) use machine::Fault;
+pub(super) use motion::World;
+pub(super) use params::{BAUD_RATES, named};
+pub(super) use slave::encode;
+
+use super::setup::Setup;
+use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::modbus::pdu::WordOrder;
+use crate::tick::{Span, Tick};
+use machine::{Machine, Power};
+use motion::Motion;
+use params::{Kind, Values};
+
+/// One step of the drive.
+const STEP: Span = Span::from_millis(1);
+/// MBformat: number, parity, stop bits (manual 4.1).
+const FORMATS: [(i32, Parity, u8); 4] =
+    [(1, Parity::None, 1), (2, Parity::Even, 1), (3, Parity::Odd, 1), (4, Parity::None, 2)];
+/// The master has not called in time. A number of the bench.
+const GUARD_ERROR: Fault = Fault { number: 0x0101, class: 1, qualifier: 0 };
+/// The shaft has run onto a limit switch. A number of the bench.
+const LIMIT_ERROR: Fault = Fault { number: 0x0102, class: 1, qualifier: 0 };
+
+/// What a bench file says of an LXM05.
+#[derive(Clone, Debug)]
+pub(super) struct Fittings {
+    pub(super) world: World,
+    pub(super) identity: Identity,
+}
+
+/// What code 43 tells.
+#[derive(Clone, Debug)]
+pub(super) struct Identity {
+    pub(super) vendor: String,
+    pub(super) product: String,
+    pub(super) revision: String,
+    /// Number of the object with the revision: 3 by the manual, 2 by the norm.
+    pub(super) revision_object: u8,
+    /// One object in a telegram, and "more follows".
+    pub(super) in_pieces: bool,
+}
+
+impl Default for Fittings {
+    /// Limit switches 5 turns away that only homing looks for, no guide signal, and texts that are plainly the bench's:
+    /// the manual prints only the shape of the revision.
+    fn default() -> Self {
+        let turns = 5 * axis::USR_PER_TURN;
+        let world = World { limn: -turns, limp: turns, limits: false, guide: 0, bit6_absolute: false };
+        let identity = Identity {
+            vendor: "antrieb bench".to_owned(),
+            product: "LXM05-SIM".to_owned(),
+            revision: "V02.001".to_owned(),
+            revision_object: 3,
+            in_pieces: false,
+        };
+        Fittings { world, identity }
+    }
+}
+
+/// What stands at the shaft of an LXM05, as an eye would see it, whatever the drive shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Servo {
+    /// Bits 0-3, 5 and 6 of DCOMstatus: 27h is "operation enabled" (CiA 402).
+    pub state: u16,
+    /// Active mode of operation as _DCOMopmd_act shows it; 0 before the first one.
+    pub mode: i64,
+    /// Position, user units of 1/16384 turn, from the reference point or from power-on.
+    pub position_usr: i64,
+    /// Speed, 0.001 1/min, positive clockwise.
+    pub speed_milli_rpm: i64,
+    /// Whether a homing has found the reference point.
+    pub referenced: bool,
+}
+
+/// An LXM05 without its line.
+#[derive(Clone, Debug)]
+pub(super) struct Lexium {
+    values: Values,
+    identity: Identity,
+    machine: Machine,
+    motion: Motion,
+    /// End of the last step.
+    at: Tick,
+    /// As it was at power-on.
+    order: WordOrder,
+    /// Number of the last synchronous error.
+    synchronous: u16,
+    listen_only: bool,
+    /// Last telegram that the node guard counts from.
+    heard: Option<Tick>,
+}
+
+impl Lexium {
+    /// A drive that is switched on.
+    pub(super) fn new(setup: &Setup) -> Self {
+        let line = setup.line;
+        let format = FORMATS.iter().find(|row| (row.1, row.2) == (line.parity, line.stop_bits)).map_or(2, |row| row.0);
+        let mut values = Values::new();
+        values.put(params::BAUD, i32::try_from(line.baud).unwrap_or(i32::MAX));
+        values.put(params::FORMAT, format);
+        values.put(params::ADDRESS, setup.address.into());
+        for &(address, _, value) in &setup.values {
+            if let (Ok(address), Ok(value)) = (address.try_into(), value.try_into()) {
+                values.put(address, value);
+            }
+        }
+        let mut lexium = Lexium {
+            values,
+            identity: setup.fittings.identity.clone(),
+            machine: Machine::new(Some(Tick::ZERO)),
+            motion: Motion::new(setup.fittings.world),
+            at: Tick::ZERO,
+            order: WordOrder::HighFirst,
+            synchronous: 0,
+            listen_only: false,
+            heard: None,
+        };
+        lexium.take_settings();
+        lexium.motion.take_ratio(&lexium.values);
+        lexium.machine.tick(Tick::ZERO, true);
+        lexium
+    }
+
+    /// Speed and character format that MBbaud and MBformat hold.
+    pub(super) fn line(&self) -> LineSetting {
+        let (_, parity, stop_bits) =
+            *FORMATS.iter().find(|row| i64::from(row.0) == self.values.get(params::FORMAT)).unwrap_or(&FORMATS[1]);
+        let baud = u32::try_from(self.values.get(params::BAUD)).unwrap_or(19_200);
+        LineSetting { baud, data_bits: 8, parity, stop_bits }
+    }
+
+    /// MBadr.
+    pub(super) fn address(&self) -> u8 {
+        u8::try_from(self.values.get(params::ADDRESS)).unwrap_or(1)
+    }
+
+    /// Power-on (or off and on again): off the bus until `up`.
+    pub(super) fn power_up(&mut self, now: Tick, up: Tick) {
+        self.catch_up(now);
+        self.values.power_up();
+        self.machine = Machine::new(Some(up));
+        self.motion.power_up();
+        self.take_settings();
+        (self.synchronous, self.listen_only, self.heard) = (0, false, None);
+    }
+
+    fn take_settings(&mut self) {
+        self.order = if self.values.get(params::WORD_ORDER) == 1 { WordOrder::LowFirst } else { WordOrder::HighFirst };
+    }
+
+    /// A telegram to this station.
+    pub(super) fn heard(&mut self, now: Tick) {
+        if self.values.get(params::NODE_GUARD) > 0 {
+            self.heard = Some(now);
+        }
+    }
+
+    /// An asynchronous error.
+    pub(super) fn fail(&mut self, now: Tick, fault: Fault) {
+        self.catch_up(now);
+        self.record(now, fault);
+    }
+
+    fn record(&mut self, now: Tick, fault: Fault) {
+        self.machine.fail(fault);
+        let seconds = i32::try_from(now.since(Tick::ZERO).as_millis() / 1_000).unwrap_or(i32::MAX);
+        self.values.put(params::FAULT_NUMBER, fault.number.into());
+        self.values.put(params::FAULT_CLASS, fault.class.into());
+        self.values.put(params::FAULT_TIME, seconds);
+        self.values.put(params::FAULT_QUALIFIER, fault.qualifier.into());
+    }
+
+    /// Whether the output stage feeds the motor.
+    pub(super) fn powered(&self) -> bool {
+        self.machine.power() != Power::Off
+    }
+
+    pub(super) fn in_fault(&self) -> bool {
+        self.machine.in_fault()
+    }
+
+    /// What the shaft does at `now`, if nobody does anything until then.
+    pub(super) fn servo(&self, now: Tick) -> Servo {
+        let mut later = self.clone();
+        later.catch_up(now);
+        Servo {
+            state: later.machine.status() & 0x6F,
+            mode: later.motion.mode_number(),
+            position_usr: later.motion.position(),
+            speed_milli_rpm: later.motion.speed(),
+            referenced: later.motion.referenced(),
+        }
+    }
+
+    /// Frequency of the shaft at `now`, 0.01 turns per second; never 0 while it turns.
+    pub(super) fn frequency(&self, now: Tick) -> i64 {
+        let speed = self.servo(now).speed_milli_rpm;
+        speed.signum() * (speed.abs() / 600).max(speed.abs().min(1))
+    }
+
+    /// Present value of a parameter; `None` if there is no such address.
+    pub(super) fn value(&self, address: u32) -> Option<i64> {
+        let row = params::at(u16::try_from(address).ok()?)?;
+        Some(self.read(row.address).into())
+    }
+
+    /// Cells of the EEPROM written.
+    pub(super) fn eeprom_writes(&self) -> u64 {
+        self.values.writes()
+    }
+
+    /// Value of a persistent parameter.
+    pub(super) fn kept(&self, address: u32) -> Option<i64> {
+        let row = params::at(u16::try_from(address).ok()?).filter(|row| row.kind == Kind::Kept)?;
+        Some(self.values.get(row.address))
+    }
+
+    /// When the state can change by itself: never before the next step.
+    pub(super) fn next(&self) -> Option<Tick> {
+        let ends = [self.machine.next(), self.motion.next(), self.guard_ends()];
+        ends.into_iter().flatten().min().map(|end| end.max(self.at + STEP))
+    }
+
+    /// When the speed can change by itself.
+    pub(super) fn next_turning(&self) -> Option<Tick> {
+        (self.powered() || !self.motion.stands()).then(|| self.at + STEP)
+    }
+
+    fn guard_ends(&self) -> Option<Tick> {
+        let guard = u64::try_from(self.values.get(params::NODE_GUARD)).ok().filter(|&guard| guard > 0)?;
+        let heard = self.heard.filter(|_| self.machine.power() == Power::Drives)?;
+        Some(heard + Span::from_millis(guard))
+    }
+
+    /// Lets the time pass, in steps of a millisecond.
+    pub(super) fn catch_up(&mut self, now: Tick) {
+        while self.at + STEP <= now {
+            let before = (self.motion.clone(), self.machine.state());
+            self.at += STEP;
+            self.step();
+            if before == (self.motion.clone(), self.machine.state()) {
+                // Nothing goes on: the next step that can differ is the one of a deadline.
+                let until = self.next().unwrap_or(now).min(now);
+                let idle = until.since(self.at).as_micros() / STEP.as_micros();
+                self.at += STEP.times(idle.saturating_sub(1));
+            }
+        }
+    }
+
+    fn step(&mut self) {
+        let now = self.at;
+        if self.guard_ends().is_some_and(|ends| ends <= now) {
+            self.record(now, GUARD_ERROR);
+        }
+        if self.powered() && self.motion.off_limits() && !self.in_fault() {
+            self.record(now, LIMIT_ERROR);
+        }
+        self.machine.tick(now, self.motion.stands());
+        self.motion.tick(now, &mut self.values, self.machine.word(), self.machine.power());
+    }
+}

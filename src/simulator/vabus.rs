@@ -1,0 +1,200 @@
+//! VABus of an ACT or ACU (facts A; EM-RES-03 manual 5.10.2): how it hears a master's telegrams, what it answers, and
+//! the drives of the system bus that can be reached through it.
+//!
+//! Choices where the sources are silent or say two things:
+//! - a wrong check character gets NAK and cause 12, which the EM-RES-03 manual (5.10.1) names for this protocol only; all
+//!   else that is wrong in the structure gets silence (facts A2), so cause 13 is left for values that are no digits;
+//! - a SELECT during the lock gets NAK and changes nothing, the cause in P.11 neither;
+//! - every NAK locks, also one to an enquiry; power-on and a change of the protocol unlock;
+//! - a pause of more than [`PAUSE`] inside a telegram drops it;
+//! - a string parameter exists only where the bench file gives it a text, in one copy for all memories and data sets;
+//! - a drive is system-bus master if the bench file puts nodes behind it; a node that restarts is not reachable; P.11 of
+//!   a node does not hear of accesses through the master.
+
+use super::active::{Active, Cause, Effect, Width};
+use super::drive::RESTART;
+use crate::profile::Type;
+use crate::protocol::modbus::pdu::ParamAddress;
+use crate::protocol::vabus::{
+    Address, Data, ENQ, EOT, ETX, Header, MAX_TELEGRAM, ParamNumber, Reply, Request, SystemNode,
+};
+use crate::tick::{Span, Tick};
+
+/// Longest pause inside a telegram: well below the 500 ms after which a master repeats (CM-485 manual 6.8).
+pub(super) const PAUSE: Span = Span::from_millis(250);
+
+/// The VABus side of a drive.
+#[derive(Clone, Debug)]
+pub(super) struct Port {
+    /// What has come of a telegram, from EOT on.
+    bytes: Vec<u8>,
+    last: Tick,
+    /// A NAK was sent and P.11 not read since.
+    locked: bool,
+    nodes: Vec<Node>,
+}
+
+/// A drive on the system bus.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub(super) id: u8,
+    pub(super) active: Active,
+    /// It restarts until then.
+    away: Tick,
+}
+
+impl Node {
+    pub(super) fn new(id: u8, active: Active) -> Self {
+        Node { id, active, away: Tick::ZERO }
+    }
+}
+
+/// Why a telegram gets NAK; `None` leaves P.11 as it is.
+type Refusal = Option<Cause>;
+
+impl Port {
+    pub(super) fn new(nodes: Vec<Node>) -> Self {
+        Port { bytes: Vec::new(), last: Tick::ZERO, locked: false, nodes }
+    }
+
+    /// Forgets what has come in.
+    pub(super) fn forget(&mut self) {
+        self.bytes.clear();
+    }
+
+    /// Takes SELECTs again.
+    pub(super) fn unlock(&mut self) {
+        self.locked = false;
+    }
+
+    /// The drives behind this one.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = &Active> {
+        self.nodes.iter().map(|node| &node.active)
+    }
+
+    /// When something will happen behind this drive by itself.
+    pub(super) fn next(&self) -> Option<Tick> {
+        self.nodes().filter_map(Active::next).min()
+    }
+
+    /// Lets the time pass for the drives behind this one.
+    pub(super) fn catch_up(&mut self, now: Tick) {
+        self.nodes.iter_mut().for_each(|node| node.active.catch_up(now));
+    }
+
+    /// Takes a character that was complete at `at`; returns the telegram that ends with it, right or wrong.
+    ///
+    /// EOT begins a telegram wherever it comes, but behind ETX every character is the check character.
+    pub(super) fn feed(&mut self, at: Tick, byte: u8) -> Option<Vec<u8>> {
+        if at.since(self.last) > PAUSE {
+            self.bytes.clear();
+        }
+        self.last = at;
+        let is_check = self.bytes.last() == Some(&ETX);
+        if byte == EOT && !is_check {
+            self.bytes.clear();
+        } else if self.bytes.is_empty() {
+            return None;
+        }
+        self.bytes.push(byte);
+        let over = is_check || byte == ENQ || self.bytes.len() >= MAX_TELEGRAM;
+        over.then(|| std::mem::take(&mut self.bytes))
+    }
+
+    /// Executes a request and makes the reply.
+    pub(super) fn answer(&mut self, drive: &mut Active, now: Tick, request: &Request) -> (Reply, Effect) {
+        let address = request.address();
+        match self.execute(drive, now, request) {
+            Ok((None, effect)) => (Reply::Ack { address }, effect),
+            Ok((Some(data), effect)) => {
+                let header = request.header();
+                let header = Header { set: header.set.as_replied(), ..header };
+                (Reply::Value { address, header, data }, effect)
+            }
+            Err(refusal) => (self.refuse(drive, address, refusal), Effect::None),
+        }
+    }
+
+    /// Obeys a broadcast: nobody answers, and so nobody is locked by one.
+    pub(super) fn obey(&mut self, drive: &mut Active, now: Tick, request: &Request) -> Effect {
+        match request {
+            Request::Enquiry { .. } => Effect::None,
+            Request::Select { .. } => self.execute(drive, now, request).map_or(Effect::None, |(_, effect)| effect),
+        }
+    }
+
+    /// What a telegram with a wrong check character gets, if it names this drive.
+    pub(super) fn garbled(&mut self, drive: &mut Active, own: Address, telegram: &[u8]) -> Option<(Reply, Effect)> {
+        let named = telegram.get(1).is_some_and(|&byte| byte == own.character());
+        named.then(|| (self.refuse(drive, own, Some(Cause::Check)), Effect::None))
+    }
+
+    fn refuse(&mut self, drive: &mut Active, address: Address, refusal: Refusal) -> Reply {
+        self.locked = true;
+        if let Some(cause) = refusal {
+            drive.blame(cause);
+        }
+        Reply::Nak { address }
+    }
+
+    fn execute(&mut self, drive: &mut Active, now: Tick, request: &Request) -> Result<(Option<Data>, Effect), Refusal> {
+        let Header { node, set, number } = request.header();
+        let at = ParamAddress::new(set.number(), number.get()).ok_or(Some(Cause::Unknown))?;
+        match request {
+            Request::Enquiry { .. } if node == SystemNode::SELF => {
+                let data = read(drive, now, at)?;
+                if number == ParamNumber::ERROR_REGISTER {
+                    self.locked = false;
+                }
+                Ok((Some(data), Effect::None))
+            }
+            Request::Select { .. } if self.locked => Err(None),
+            Request::Select { data, .. } if node == SystemNode::SELF => Ok((None, write(drive, now, at, data)?)),
+            Request::Enquiry { .. } => {
+                Ok((Some(read(&mut self.node(drive, now, node, at)?.active, now, at)?), Effect::None))
+            }
+            Request::Select { data, .. } => {
+                let behind = self.node(drive, now, node, at)?;
+                if write(&mut behind.active, now, at, data)? == Effect::Reset {
+                    behind.away = now + RESTART;
+                    behind.active.power_up(now, behind.away);
+                }
+                Ok((None, Effect::None))
+            }
+        }
+    }
+
+    /// The drive behind this one that an access means. The parameter must exist in the master too, and strings do not
+    /// travel (EM-RES-03 manual 5.10.2, 5.8.4).
+    fn node(&mut self, drive: &Active, now: Tick, node: SystemNode, at: ParamAddress) -> Result<&mut Node, Cause> {
+        if drive.kind(at.number())? == Type::String {
+            return Err(Cause::StringOnBus);
+        }
+        let reached = self.nodes.iter_mut().find(|behind| behind.id == node.id() && behind.away <= now);
+        reached.ok_or(Cause::NotReachable)
+    }
+}
+
+fn read(drive: &mut Active, now: Tick, at: ParamAddress) -> Result<Data, Cause> {
+    match drive.kind(at.number())? {
+        Type::String => drive.read_text(at).and_then(|text| Data::text(text).map_err(|_| Cause::Other)),
+        Type::Long => drive.fetch(now, at, Width::Long).map(Data::long),
+        _ => drive.fetch(now, at, Width::Word).map(|bits| Data::word(bits as u16)),
+    }
+}
+
+fn write(drive: &mut Active, now: Tick, at: ParamAddress, data: &Data) -> Result<Effect, Cause> {
+    let (width, digits, bits) = match drive.kind(at.number())? {
+        Type::String => return drive.write_text(at, data.characters()),
+        Type::Long => (Width::Long, 8, data.as_long()),
+        _ => (Width::Word, 4, data.as_word().map(u32::from)),
+    };
+    match bits {
+        Some(bits) => drive.put(now, at, width, bits),
+        None if data.characters().len() == digits => Err(Cause::Syntax),
+        None => Err(Cause::Width),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,85 @@
+//! The real clock of a line, and waiting that is exact to a fraction of a character.
+//!
+//! tokio's timers are 1-2 ms late, so the end of a wait is slept by the thread and the very last of it is spun
+//! (facts/engineering.md, measured).
+
+use super::Wake;
+use crate::tick::{Span, Tick};
+use std::io;
+use std::time::{Duration, Instant};
+use tokio::io::{AsyncRead, AsyncReadExt};
+
+/// Tells the time since a port was first opened.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clock {
+    opened: Instant,
+}
+
+const THREAD_SLEEPS_FROM: Span = Span::from_millis(3);
+const SPIN_FROM: Duration = Duration::from_micros(150);
+/// Longest piece that is read at once.
+const CHUNK: usize = 512;
+
+#[expect(clippy::disallowed_methods, reason = "this is the room's clock")]
+impl Clock {
+    pub(super) fn start() -> Self {
+        Clock { opened: Instant::now() }
+    }
+
+    pub(super) fn now(self) -> Tick {
+        Tick::ZERO + Span::from(self.opened.elapsed())
+    }
+
+    /// Waits exactly until a moment, without giving way to anybody.
+    pub(super) fn sleep_until(self, until: Tick) {
+        loop {
+            let rest = Duration::from(until.since(self.now()));
+            match rest.checked_sub(SPIN_FROM) {
+                _ if rest.is_zero() => return,
+                Some(sleep) if !sleep.is_zero() => std::thread::sleep(sleep),
+                _ => std::hint::spin_loop(),
+            }
+        }
+    }
+
+    /// Waits exactly until a moment; others go on until shortly before it.
+    pub(super) async fn rest_until(self, until: Tick) {
+        let coarse = self.coarse(until);
+        if !coarse.is_zero() {
+            tokio::time::sleep(coarse).await;
+        }
+        self.sleep_until(until);
+    }
+
+    /// Waits until bytes come or the time is over; an end of the stream is an error, whatever it is called.
+    pub(super) async fn listen(self, stream: &mut (impl AsyncRead + Unpin), until: Tick) -> io::Result<Wake> {
+        let mut buffer = [0; CHUNK];
+        let coarse = self.coarse(until);
+        if !coarse.is_zero()
+            && let Ok(read) = tokio::time::timeout(coarse, stream.read(&mut buffer)).await
+        {
+            return took(read?, &buffer);
+        }
+        self.sleep_until(until);
+        // A time-out of zero would cost a millisecond; one turn of the reactor and one look do not.
+        tokio::task::yield_now().await;
+        tokio::select! {
+            biased;
+            read = stream.read(&mut buffer) => took(read?, &buffer),
+            () = std::future::ready(()) => Ok(Wake::Silence),
+        }
+    }
+
+    /// What of the time until a moment tokio may sleep.
+    fn coarse(self, until: Tick) -> Duration {
+        Duration::from(until.since(self.now()) - THREAD_SLEEPS_FROM)
+    }
+}
+
+/// A tty that was hung up reads as end of file for ever, and so does a connection that the other end has closed.
+fn took(count: usize, buffer: &[u8]) -> io::Result<Wake> {
+    match buffer.get(..count) {
+        Some(bytes @ [_, ..]) => Ok(Wake::Bytes(bytes.to_vec())),
+        _ => Err(io::ErrorKind::UnexpectedEof.into()),
+    }
+}

@@ -1,0 +1,150 @@
+//! What `--port` names: a tty, a port on the network, a recording, or the built-in bench.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Where the drives are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Port {
+    /// A serial port by its path or name.
+    Serial(String),
+    /// `tcp://HOST:PORT`: a device server that passes bytes on as they are. Its serial side is set at the server.
+    Tcp(Endpoint),
+    /// `rfc2217://HOST:PORT`: a device server whose serial side is set through the connection (RFC 2217).
+    Rfc2217(Endpoint),
+    /// `mbtcp://HOST[:502]`: a Modbus/TCP gateway.
+    Mbtcp(Endpoint),
+    /// `tape:FILE`: a recording that is played back.
+    Tape(PathBuf),
+    /// The built-in bench: the standard one, or one from a file.
+    Sim(Option<PathBuf>),
+}
+
+/// A TCP port of a host.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Endpoint {
+    /// Name or address of the host; an IPv6 address without brackets.
+    pub host: String,
+    /// TCP port, not 0.
+    pub port: u16,
+}
+
+/// TCP port of Modbus/TCP (Modbus Messaging on TCP/IP Implementation Guide V1.0b, 3.1.3).
+const MODBUS_PORT: u16 = 502;
+
+impl FromStr for Port {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.is_empty() {
+            return Err("the name of the port is empty; expected a tty such as /dev/ttyUSB0, or sim".to_owned());
+        }
+        match text.split_once(':') {
+            _ if text == "sim" => Ok(Port::Sim(None)),
+            Some(("sim", "")) => Err("expected sim:FILE.toml, or just sim".to_owned()),
+            Some(("sim", file)) => Ok(Port::Sim(Some(PathBuf::from(file)))),
+            Some(("tape", "")) => Err("expected tape:FILE, a recording that --trace has written".to_owned()),
+            Some(("tape", file)) => Ok(Port::Tape(PathBuf::from(file))),
+            Some(("tcp", rest)) => Endpoint::parse("tcp", rest, None).map(Port::Tcp),
+            Some(("rfc2217", rest)) => Endpoint::parse("rfc2217", rest, None).map(Port::Rfc2217),
+            Some(("mbtcp", rest)) => Endpoint::parse("mbtcp", rest, Some(MODBUS_PORT)).map(Port::Mbtcp),
+            Some((scheme @ ("slcan" | "can"), _)) => Err(format!(
+                "{scheme}: ports are not supported by this version; expected a tty such as /dev/ttyUSB0, or sim"
+            )),
+            _ => Ok(Port::Serial(text.to_owned())),
+        }
+    }
+}
+
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Port::Serial(name) => f.write_str(name),
+            Port::Tcp(endpoint) => write!(f, "tcp://{endpoint}"),
+            Port::Rfc2217(endpoint) => write!(f, "rfc2217://{endpoint}"),
+            Port::Mbtcp(endpoint) => write!(f, "mbtcp://{endpoint}"),
+            Port::Tape(file) => write!(f, "tape:{}", file.display()),
+            Port::Sim(None) => f.write_str("sim"),
+            Port::Sim(Some(file)) => write!(f, "sim:{}", file.display()),
+        }
+    }
+}
+
+impl Endpoint {
+    /// Reads what stands behind `SCHEME:`, such as `//192.168.1.50:4001` or `//[fe80::1]:4001`.
+    fn parse(scheme: &str, rest: &str, default: Option<u16>) -> Result<Self, String> {
+        let expected = if default.is_some() { "HOST[:PORT]" } else { "HOST:PORT" };
+        let bad = || format!("expected {scheme}://{expected}, an IPv6 address in brackets; got '{scheme}:{rest}'");
+        let text = rest.strip_prefix("//").ok_or_else(bad)?;
+        let (host, port) = match text.strip_prefix('[').map(|inside| inside.split_once(']')) {
+            Some(split) => split.ok_or_else(bad)?,
+            None => text.split_at(text.find(':').unwrap_or(text.len())),
+        };
+        let port = match (port.strip_prefix(':'), default) {
+            (Some(number), _) => number.parse().ok().filter(|port| *port != 0).ok_or_else(bad)?,
+            (None, Some(default)) if port.is_empty() => default,
+            (None, _) => return Err(bad()),
+        };
+        if host.is_empty() || host.contains(|c: char| c.is_whitespace() || "/[]@".contains(c)) {
+            return Err(bad());
+        }
+        Ok(Endpoint { host: host.to_owned(), port })
+    }
+}
+
+impl fmt::Display for Endpoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.host.contains(':') {
+            write!(f, "[{}]:{}", self.host, self.port)
+        } else {
+            write!(f, "{}:{}", self.host, self.port)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_port_prints_as_it_is_written() {
+        for text in [
+            "/dev/ttyUSB0",
+            "COM3",
+            "tcp://192.168.1.50:4001",
+            "tcp://[fe80::1%eth0]:4001",
+            "rfc2217://server.local:2217",
+            "mbtcp://gateway:1502",
+            "tape:run.trace",
+            "sim",
+            "sim:bench.toml",
+        ] {
+            assert_eq!(text.parse::<Port>().map(|port| port.to_string()), Ok(text.to_owned()));
+        }
+        assert_eq!("mbtcp://gateway".parse::<Port>().unwrap().to_string(), "mbtcp://gateway:502");
+        assert_eq!("mbtcp://[::1]".parse::<Port>().unwrap().to_string(), "mbtcp://[::1]:502");
+    }
+
+    #[test]
+    fn what_is_no_port_is_told_with_what_was_expected() {
+        for text in [
+            "tcp://host",
+            "tcp:host:1",
+            "tcp://:1",
+            "tcp://host:0",
+            "tcp://host:65536",
+            "tcp://host:",
+            "tcp://::1:4001",
+            "tcp://[::1:4001",
+            "rfc2217://[::1]4001",
+            "mbtcp://a b",
+            "mbtcp://host/unit",
+        ] {
+            let error = text.parse::<Port>().unwrap_err();
+            assert!(error.contains("HOST") && error.ends_with(&format!("got '{text}'")), "{text}: {error}");
+        }
+        for text in ["", "tape:", "sim:", "can:can0"] {
+            assert!(text.parse::<Port>().unwrap_err().contains("expected"), "{text}");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! A second way into a serial port, for what tokio-serial does not offer: stripping the eighth bit, and reading back
+//! what the driver accepted.
+
+#[cfg(unix)]
+pub(super) use unix::{SideDoor, finish, open};
+
+#[cfg(not(unix))]
+pub(super) use elsewhere::{SideDoor, finish, open};
+
+#[cfg(unix)]
+mod unix {
+    use crate::protocol::line::{LineSetting, Parity};
+    use rustix::fs::{Mode, OFlags};
+    use rustix::termios::{ControlModes, InputModes, OptionalActions, tcgetattr, tcsetattr};
+    use std::os::fd::OwnedFd;
+
+    pub(in super::super) type SideDoor = OwnedFd;
+
+    pub(in super::super) fn open(name: &str) -> rustix::io::Result<SideDoor> {
+        rustix::fs::open(name, OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty())
+    }
+
+    /// Sets ISTRIP for 7-bit characters and says what the driver set in place of what was asked.
+    pub(in super::super) fn finish(tty: &SideDoor, name: &str, line: LineSetting) -> Vec<String> {
+        let Ok(mut termios) = tcgetattr(tty) else { return Vec::new() };
+        termios.input_modes.set(InputModes::ISTRIP, line.data_bits == 7);
+        let _best_effort = tcsetattr(tty, OptionalActions::Now, &termios);
+        let Ok(set) = tcgetattr(tty) else { return Vec::new() };
+        let mut deviations = Vec::new();
+        if set.input_speed() != line.baud {
+            deviations.push(format!("asked for {} baud, the driver set {}", line.baud, set.input_speed()));
+        }
+        let is_pty = std::fs::canonicalize(name).is_ok_and(|path| path.starts_with("/dev/pts"));
+        if is_pty {
+            return deviations; // the kernel masks parity and width on a pty
+        }
+        let modes = set.control_modes;
+        let parity = match (modes.contains(ControlModes::PARENB), modes.contains(ControlModes::PARODD)) {
+            (false, _) => Parity::None,
+            (true, false) => Parity::Even,
+            (true, true) => Parity::Odd,
+        };
+        if parity != line.parity {
+            deviations.push(format!("asked for parity {}, the driver set {}", line.parity.name(), parity.name()));
+        }
+        let data_bits = if modes & ControlModes::CSIZE == ControlModes::CS7 { 7 } else { 8 };
+        if data_bits != line.data_bits {
+            deviations.push(format!("asked for {} data bits, the driver set {data_bits}", line.data_bits));
+        }
+        deviations
+    }
+}
+
+#[cfg(not(unix))]
+mod elsewhere {
+    use crate::protocol::line::LineSetting;
+
+    #[derive(Debug)]
+    pub(in super::super) struct SideDoor;
+
+    pub(in super::super) fn open(_name: &str) -> std::io::Result<SideDoor> {
+        Err(std::io::ErrorKind::Unsupported.into())
+    }
+
+    pub(in super::super) fn finish(_tty: &SideDoor, _name: &str, _line: LineSetting) -> Vec<String> {
+        Vec::new()
+    }
+}

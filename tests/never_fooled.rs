@@ -1,0 +1,323 @@
+//! The trial of the late replies: a line on which every fifth reply comes after its time-out, and much else goes wrong.
+//! A value that belongs to another question must never be believed. In virtual time, so every run is the same.
+
+#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
+
+use antrieb::exchange::{Answer, Limits, Master, Question, Said, Step, Tally};
+use antrieb::profile::Registry;
+use antrieb::protocol::Protocol;
+use antrieb::protocol::line::{LineSetting, Parity};
+use antrieb::protocol::modbus::Framing;
+use antrieb::protocol::modbus::pdu::identification::Object;
+use antrieb::protocol::modbus::pdu::{Exception, Identification, ParamAddress, Reply, Request};
+use antrieb::protocol::vabus::{self, Address, Data, Header, ParamNumber};
+use antrieb::simulator::Bench;
+use antrieb::tick::{Span, Tick};
+
+/// Parameters with values that no other one has: number, data set, width, raw value.
+const CELLS: [(u16, u8, bool, u32); 8] = [
+    (372, 1, false, 1_391),
+    (372, 2, false, 1_392),
+    (372, 3, false, 1_393),
+    (376, 1, false, 11),
+    (376, 4, false, 14),
+    (481, 1, true, 1_001),
+    (481, 2, true, 1_002),
+    (480, 3, true, 0x1234_5678),
+];
+
+/// A foreign telegram names the next station, which nobody asks.
+const STATIONS: [u8; 2] = [1, 3];
+
+/// Every n-th reply suffers this; primes, so that everything meets everything.
+const FAULTS: &str = r#"
+[[disturb]]
+every = 5
+kind = "late"
+by = "150ms"
+[[disturb]]
+every = 7
+kind = "lost"
+[[disturb]]
+every = 11
+kind = "foreign"
+[[disturb]]
+every = 13
+kind = "echo"
+[[disturb]]
+every = 17
+kind = "doubled"
+[[disturb]]
+every = 19
+kind = "noise"
+[[disturb]]
+every = 23
+kind = "truncated"
+[[disturb]]
+every = 29
+kind = "garbled"
+"#;
+
+fn bench(protocol: Framing, faults: &str) -> Bench {
+    let mut text = String::from("[line]\nseed = 11\n");
+    for address in STATIONS {
+        text += &format!("[[drive]]\nmodel = \"act\"\naddress = {address}\nprotocol = \"{}\"\nset = {{ ", protocol.name());
+        let cells = CELLS.iter().map(|(number, set, _, raw)| format!("\"{number}@{set}\" = \"0x{:X}\"", raw + u32::from(address)));
+        text += &cells.collect::<Vec<_>>().join(", ");
+        text += " }\n";
+    }
+    text += faults;
+    Bench::from_toml("trial", &text, &Registry::open(&[]).unwrap()).unwrap()
+}
+
+/// What came of many reads.
+#[derive(Debug, Default)]
+struct Count {
+    right: u64,
+    wrong: u64,
+    unread: u64,
+}
+
+struct Trial {
+    bench: Bench,
+    line: LineSetting,
+    now: Tick,
+}
+
+impl Trial {
+    fn new(framing: Framing, faults: &str) -> Self {
+        let line = Protocol::from(framing).line(19_200, Parity::Even);
+        Trial { bench: bench(framing, faults), line, now: Tick::ZERO }
+    }
+
+    /// Waits on the bench; what comes, comes at once.
+    fn wait(&mut self, until: Tick) -> Vec<u8> {
+        while self.now < until {
+            self.now = self.bench.next_event().map_or(until, |event| event.min(until)).max(self.now);
+            let bytes = self.bench.advance(self.now);
+            if !bytes.is_empty() {
+                return bytes.into_iter().map(|(_, byte)| byte).collect();
+            }
+        }
+        Vec::new()
+    }
+
+    fn read(&mut self, master: &mut Master, station: u8, request: Request) -> Option<Reply> {
+        master.ask(station, request, self.now);
+        loop {
+            match master.step(self.now) {
+                Step::Send(bytes) => self.bench.master_sends(self.now, self.line, &bytes),
+                Step::Wait(until) => {
+                    let bytes = self.wait(until);
+                    if !bytes.is_empty() {
+                        master.feed(self.now, &bytes);
+                    }
+                }
+                Step::Done(Ok(Answer::Reply { said: Said::Modbus(reply), .. })) => return Some(reply),
+                Step::Done(_) => return None,
+            }
+        }
+    }
+}
+
+/// A question with the reply that is the only right one.
+fn question(round: u64) -> (u8, Request, Reply) {
+    let station = STATIONS[(round / 3 % 2) as usize];
+    let (number, set, long, raw) = CELLS[(round * 5 % 8) as usize];
+    let address = ParamAddress::new(set, number).unwrap().word();
+    let raw = raw + u32::from(station);
+    match long {
+        true => (station, Request::ReadLong { address }, Reply::Long(raw)),
+        false => (station, Request::ReadRegisters { start: address, count: 1 }, Reply::Registers(vec![raw as u16])),
+    }
+}
+
+fn judge(count: &mut Count, reply: Option<Reply>, right: &Reply) {
+    match reply {
+        Some(reply) if reply == *right => count.right += 1,
+        Some(Reply::Exception { .. }) | None => count.unread += 1,
+        Some(_) => count.wrong += 1,
+    }
+}
+
+fn ours(framing: Framing, rounds: u64) -> (Count, Tally, f64) {
+    let mut trial = Trial::new(framing, FAULTS);
+    let limits = Limits { reply_timeout: Span::from_millis(100), ..Limits::default() };
+    let mut master = Master::new(framing.into(), trial.line, limits);
+    let mut count = Count::default();
+    for round in 0..rounds {
+        let (station, request, right) = question(round);
+        let reply = trial.read(&mut master, station, request);
+        judge(&mut count, reply, &right);
+        master.take_records();
+    }
+    let seconds = trial.now.as_micros() as f64 / 1e6;
+    (count, master.tally(), rounds as f64 / seconds)
+}
+
+#[test]
+fn ten_thousand_disturbed_reads_believe_no_wrong_value() {
+    for (framing, rounds) in [(Framing::Rtu, 10_000), (Framing::Ascii, 2_000)] {
+        let (count, tally, rate) = ours(framing, rounds);
+        println!("{}: {count:?}, {rate:.1} reads a second, {tally:?}", framing.name());
+        assert_eq!(count.wrong, 0, "{count:?} {tally:?}");
+        // Half of all replies suffer; three tries bring more than nine of ten values all the same.
+        assert!(count.right > rounds * 9 / 10, "{count:?} {tally:?}");
+        assert!([tally.fences, tally.strays, tally.echoes].iter().all(|&count| count > rounds / 20), "{tally:?}");
+    }
+}
+
+/// The same trial with a master that does what most do: take the next telegram with the right address, code and check
+/// value. If this one believed nothing wrong, the trial would prove nothing.
+#[test]
+fn a_master_without_fences_is_fooled_by_the_same_trial() {
+    let mut trial = Trial::new(Framing::Rtu, FAULTS);
+    let mut count = Count::default();
+    for round in 0..600 {
+        let (station, request, right) = question(round);
+        let sent = Framing::Rtu.encode(station, &request.encode());
+        trial.now += trial.line.t35();
+        trial.bench.master_sends(trial.now, trial.line, &sent);
+        let deadline = trial.now + trial.line.chars(sent.len() as u64) + Span::from_millis(100);
+        let mut came = Vec::new();
+        let reply = loop {
+            came.extend(trial.wait(deadline));
+            if let Ok(adu) = Framing::Rtu.decode(&came) {
+                break Reply::decode(&adu.pdu).ok().filter(|reply| request.is_answered_by(reply) && adu.station == station);
+            }
+            if trial.now >= deadline {
+                break None;
+            }
+        };
+        judge(&mut count, reply, &right);
+    }
+    println!("without fences: {count:?}");
+    assert!(count.wrong > 5, "{count:?}");
+}
+
+/// One of every kind: what is asked, and what the right answer is on the wire.
+fn exchanges(protocol: Protocol) -> Vec<(Question, Vec<u8>)> {
+    if protocol == Protocol::Vabus {
+        let header = Header { number: ParamNumber::new(372).unwrap(), ..Header::default() };
+        let address = Address::drive(1).unwrap();
+        let data = [Data::word(1390), Data::long(0x0012_D687)];
+        let enquiry = vabus::Request::Enquiry { address, header };
+        let values = data.into_iter().map(|data| vabus::Reply::Value { address, header, data });
+        let replies = values.chain([vabus::Reply::Nak { address }]).map(|reply| (enquiry.clone(), reply));
+        let select = vabus::Request::Select { address, header, data: Data::word(1391) };
+        let written = [(select.clone(), vabus::Reply::Ack { address }), (select, vabus::Reply::Nak { address })];
+        return replies.chain(written).map(|(question, reply)| (question.into(), reply.encode())).collect();
+    }
+    let refused = |function| Reply::Exception { function, code: Exception::DeviceFailure };
+    let object = |id, text: &str| Object { id, value: text.as_bytes().to_vec() };
+    let told = Identification {
+        category: 1,
+        conformity: 1,
+        next: None,
+        objects: vec![object(0, "maker"), object(1, "LXM05"), object(2, "1.2")],
+    };
+    let read = |count| Request::ReadRegisters { start: 0x2174, count };
+    let written = Request::WriteRegister { address: 0x4178, value: 15 };
+    let many = Request::WriteRegisters { start: 6918, values: vec![0, 15] };
+    let exchange = Request::ExchangeRegisters { start: 6918, count: 2, write_start: 6918, values: vec![0, 15] };
+    let describe = Request::ReadIdentification { category: 1, object: 0 };
+    let counter = Request::Diagnostics { sub: 0x0B, data: 0 };
+    let long = Request::WriteLong { address: 0x01E1, value: 1000 };
+    let rows = [
+        (read(1), Reply::Registers(vec![1390])),
+        (read(4), Reply::Registers(vec![1, 2, 3, 0xFFFF])),
+        (read(1), refused(3)),
+        (written.clone(), Reply::RegisterWritten { address: 0x4178, value: 15 }),
+        (written, refused(6)),
+        (counter, Reply::Diagnostics { sub: 0x0B, data: 515 }),
+        (many, Reply::RegistersWritten { start: 6918, count: 2 }),
+        (exchange, Reply::RegistersExchanged(vec![0, 15])),
+        (describe, Reply::Identification(told)),
+        (Request::ReadLong { address: 0x01E1 }, Reply::Long(0x0012_D687)),
+        (long.clone(), Reply::LongWritten { address: 0x01E1, value: 1000 }),
+        (long, refused(101)),
+    ];
+    let Protocol::Modbus(framing) = protocol else { return Vec::new() };
+    rows.into_iter().map(|(request, reply)| (request.into(), framing.encode(1, &reply.encode()))).collect()
+}
+
+/// What a master that knows that its line does not echo makes of these bytes, all there is.
+fn believed(protocol: Protocol, question: &Question, bytes: &[u8]) -> Option<Said> {
+    let line = protocol.line(19_200, Parity::Even);
+    let mut master = Master::new(protocol, line, Limits { retries: 0, ..Limits::default() });
+    let mut now = Tick::ZERO;
+    let mut ask = |question: &Question, came: &[u8]| {
+        master.ask(1, question.clone(), now);
+        let mut came = Some(came.to_vec());
+        loop {
+            match master.step(now) {
+                Step::Send(_) => {}
+                Step::Wait(until) => match came.take_if(|_| until > now + Span::from_millis(100)) {
+                    Some(bytes) => {
+                        now += Span::from_millis(20);
+                        master.feed(now, &bytes);
+                    }
+                    None => now = until,
+                },
+                Step::Done(Ok(Answer::Reply { said, .. })) => return Some(said),
+                Step::Done(_) => return None,
+            }
+        }
+    };
+    let (plain, reply) = exchanges(protocol).remove(0);
+    ask(&plain, &reply);
+    ask(question, bytes)
+}
+
+/// Every reply with every bit flipped, cut at every place, and merged at every place with every other reply: what is
+/// believed is what the whole reply says, or the check value happens to be right, which is counted.
+#[test]
+fn flipped_cut_and_merged_replies_are_not_believed() {
+    for protocol in [Protocol::Modbus(Framing::Rtu), Protocol::Modbus(Framing::Ascii), Protocol::Vabus] {
+        let exchanges = exchanges(protocol);
+        let (mut tried, mut chance) = (0, 0);
+        for (question, whole) in &exchanges {
+            let right = believed(protocol, question, whole).unwrap_or_else(|| panic!("{question:?} {whole:02X?}"));
+            let mut spoilt: Vec<Vec<u8>> = (0..whole.len() * 8)
+                .map(|bit| {
+                    let mut flipped = whole.clone();
+                    flipped[bit / 8] ^= 1 << (bit % 8);
+                    flipped
+                })
+                .collect();
+            spoilt.extend((0..whole.len()).map(|length| whole[..length].to_vec()));
+            let merge = |cut: usize, other: &[u8], skip: usize| [&whole[..cut], &other[skip..]].concat();
+            for (_, other) in &exchanges {
+                let places = (1..whole.len()).flat_map(|cut| (0..other.len()).map(move |skip| (cut, skip)));
+                spoilt.extend(places.map(|(cut, skip)| merge(cut, other, skip)));
+            }
+            for bytes in spoilt {
+                tried += 1;
+                match believed(protocol, question, &bytes) {
+                    Some(said) if said != right && !holds_whole(&bytes, &exchanges) => {
+                        assert!(check_is_right(protocol, &bytes, &said), "{protocol}: {bytes:02X?} as {said:?}");
+                        chance += 1;
+                    }
+                    _ => {}
+                }
+            }
+        }
+        println!("{protocol}: {tried} spoilt replies, {chance} believed because the check value was right");
+        assert!(tried > 1_000);
+    }
+}
+
+/// Whether an undamaged reply stands in these bytes: then believing it is right.
+fn holds_whole(bytes: &[u8], exchanges: &[(Question, Vec<u8>)]) -> bool {
+    exchanges.iter().any(|(_, whole)| bytes.windows(whole.len()).any(|window| window == whole))
+}
+
+/// Whether the telegram that was believed stands in the bytes with a right check value; ACK and NAK have none.
+fn check_is_right(protocol: Protocol, bytes: &[u8], said: &Said) -> bool {
+    let telegram = match (protocol, said) {
+        (Protocol::Modbus(framing), Said::Modbus(reply)) => framing.encode(1, &reply.encode()),
+        (_, Said::Vabus(reply)) => reply.encode(),
+        _ => return false,
+    };
+    bytes.windows(telegram.len()).any(|window| window == telegram)
+}
