@@ -187,18 +187,19 @@ fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bo
 /// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
 /// is built where something is to be explained.
 fn parse(arguments: &[OsString]) -> Result<Cli, clap::Error> {
+    let read = |tree: clap::Command| Cli::from_arg_matches(&tree.try_get_matches_from(arguments)?);
+    read(mentioned(arguments)).or_else(|_| read(Cli::command()))
+}
+
+/// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
+fn mentioned(arguments: &[OsString]) -> clap::Command {
     let root = || clap::Command::new("antrieb").disable_help_subcommand(true);
-    let is_mentioned = |verb: &&clap::Command| {
+    let stands = |verb: &&clap::Command| {
         let mut names = verb.get_name_and_visible_aliases().into_iter();
         names.any(|name| arguments.iter().any(|word| word == name))
     };
     let verbs = Verb::augment_subcommands(root());
-    let few = Globals::augment_args(root()).subcommands(verbs.get_subcommands().filter(is_mentioned).cloned());
-    if let Ok(cli) = few.try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches)) {
-        return Ok(cli);
-    }
-    let matches = Cli::command().try_get_matches_from(arguments)?;
-    Cli::from_arg_matches(&matches)
+    Globals::augment_args(root()).subcommands(verbs.get_subcommands().filter(stands).cloned())
 }
 
 /// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
@@ -407,4 +408,25 @@ fn man(verb: Option<&str>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     // No date: the page must be the same whenever it is built.
     page.date("").source("antrieb").manual("Commissioning of drives").render(out)?;
     out.flush().map(|()| None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_verbs_that_are_mentioned_suffice_to_read_the_arguments() {
+        for line in [
+            "antrieb -p sim -a 1 --drive act read 372@2 --json",
+            "antrieb read monitor --drive scan",
+            "antrieb state --port sim show",
+            "antrieb --lang de setpoint 25Hz --hold",
+            "antrieb schema read",
+        ] {
+            let words: Vec<OsString> = line.split(' ').map(Into::into).collect();
+            let [few, all] = [mentioned(&words), Cli::command()].map(|tree| tree.try_get_matches_from(&words));
+            let [few, all] = [few, all].map(|matches| Cli::from_arg_matches(&matches.unwrap()).unwrap());
+            assert_eq!(format!("{few:?}"), format!("{all:?}"), "{line}");
+        }
+    }
 }

@@ -25,7 +25,7 @@ const LAW: &[(&str, &[&str])] = &[
 
 /// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.
 const DRIVE_TELEGRAMS: &[&str] =
-    &["decode.rs", "diag.rs", "family.rs", "mod.rs", "relocate.rs", "route.rs", "session.rs", "transfer.rs", "trouble.rs", "vabus.rs"];
+    &["decode.rs", "diag.rs", "family.rs", "mod.rs", "modbus.rs", "order.rs", "registers.rs", "relocate.rs", "route.rs", "services.rs", "session.rs", "transfer.rs", "trouble.rs", "vabus.rs"];
 const DRIVE_SIMULATOR: &[&str] = &["bench.rs", "session.rs"];
 
 #[test]

@@ -36,6 +36,8 @@ mod scanning;
 mod settings;
 #[path = "verbs/tape.rs"]
 mod tape;
+#[path = "verbs/vabus.rs"]
+mod vabus;
 #[path = "verbs/worked.rs"]
 mod worked;
 #[path = "verbs/writing.rs"]

@@ -21,7 +21,8 @@ pub struct Globals {
 
     /// Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody
     ///
-    /// Verbs that only read take address 1 if none is given.
+    /// Over VABus, 3.17 is node 17 of the system bus behind drive 3. Verbs that only read take address 1 if none is
+    /// given.
     #[arg(short, long, global = true, value_name = "LIST", help_heading = "Line")]
     pub address: Option<String>,
 

@@ -42,6 +42,8 @@ pub struct Settings {
     pub ports: Vec<Port>,
     /// Which drives.
     pub addresses: Addresses,
+    /// System-bus node behind the drive; 0 is the drive itself. Not 0 only with VABus.
+    pub node: u8,
     /// Speed and format.
     pub line: LineSetting,
     /// Who switches the direction of an RS-485 line.
@@ -141,7 +143,7 @@ impl Settings {
             _ => File::default(),
         };
         let project = project.unwrap_or_default();
-        let (addresses, named) = addresses(globals, &project, &user)?;
+        let (addresses, node, named) = addresses(globals, &project, &user)?;
         let named = named.as_ref();
         let layers = [&project, &user];
 
@@ -178,6 +180,10 @@ impl Settings {
             parity: globals.parity == Some(Auto::Auto),
             protocol: protocol_text == Some(AUTO),
         };
+        if node != 0 && protocol != Protocol::Vabus {
+            let why = "a node of the system bus is reached only over VABus";
+            return Err(bad_setting("address", why).hint("add --protocol vabus, or name the drive alone"));
+        }
         let mut line = protocol.line(baud, parity);
         line.data_bits =
             choose("data_bits", 7..=8, globals.data_bits.or(first(layers, |file| file.data_bits)), line.data_bits)?;
@@ -213,6 +219,7 @@ impl Settings {
             port: ports.first().cloned(),
             ports,
             addresses,
+            node,
             line,
             rs485: rs485(globals, environment, layers)?,
             protocol,
@@ -356,22 +363,39 @@ fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
 }
 
 /// Which drives are meant, and what the project file knows of the one that has a name.
-fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresses, Option<NamedDrive>), Failure> {
+fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresses, u8, Option<NamedDrive>), Failure> {
     let text = globals.address.as_ref().or(first([project, user], |file| file.address.as_ref()));
     let Some(text) = text else {
         let mut drives = project.drives.values();
         return Ok(match (drives.next(), drives.next()) {
-            (Some(only), None) => (Addresses::Named(vec![only.address]), Some(only.clone())),
-            _ => (Addresses::Unnamed, None),
+            (Some(only), None) => (Addresses::Named(vec![only.address]), 0, Some(only.clone())),
+            _ => (Addresses::Unnamed, 0, None),
         });
     };
     if let Some(drive) = first([project, user], |file| file.drives.get(text)) {
         check_address(drive.address.into(), text)?;
-        return Ok((Addresses::Named(vec![drive.address]), Some(drive.clone())));
+        return Ok((Addresses::Named(vec![drive.address]), 0, Some(drive.clone())));
     }
     let names: Vec<&str> = project.drives.keys().chain(user.drives.keys()).map(String::as_str).collect();
-    parse_addresses(text, &names).map(|list| (Addresses::Named(list), None))
+    let (drive, node) = match text.split_once('.') {
+        Some((drive, node)) => (drive, parse_node(drive, node)?),
+        None => (text.as_str(), 0),
+    };
+    parse_addresses(drive, &names).map(|list| (Addresses::Named(list), node, None))
 }
+
+/// Reads the node of `3.17`: drive 3, and node 17 of the system bus behind it (EM-RES-03 manual 5.10.2.2).
+fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
+    let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));
+    let one = drive.trim().parse::<u8>().is_ok();
+    number.filter(|_| one).ok_or_else(|| {
+        let expected = format!("expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17");
+        bad_setting("address", &format!("{expected}; got '{drive}.{node}'"))
+    })
+}
+
+/// Highest node of the system bus (EM-RES-03 manual 5.10.2.2).
+const LAST_NODE: u8 = 63;
 
 /// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
 pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {

@@ -97,6 +97,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
+    super::check_sets(&work.target.family, DataSets::All(Store::Eeprom), settings.lang)?;
     let session = &mut session;
     match &args.action {
         Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,
@@ -135,11 +136,8 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
                 .hint("`dataset diff FROM TO` shows what a copy would change"));
         }
     };
-    let questions: Vec<_> = work
-        .params(params)?
-        .iter()
-        .flat_map(|param| sets.iter().map(move |&set| read_question(param, set)))
-        .collect();
+    let questions: Vec<_> =
+        work.params(params)?.iter().flat_map(|param| sets.iter().map(move |&set| read_question(param, set))).collect();
     plan(context, &work.target.family, &questions)
 }
 

@@ -1,7 +1,6 @@
 //! `decode`: what do these bytes, this word, this code say? Without a drive.
 
-use super::{Context, offline_family};
-use crate::drive::decode::Reader;
+use super::{Context, offline_family, telegram_reader};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Decode, Outcome};
@@ -63,7 +62,7 @@ enum What {
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let family = offline_family(context.settings, context.registry)?;
     let lang = context.settings.lang;
-    let reader = Reader { protocol: context.settings.protocol, family: Some(&family), lang };
+    let reader = telegram_reader(context.settings, &family);
     let blank = |kind, input: &str| Decode {
         kind,
         input: input.to_owned(),

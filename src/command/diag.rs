@@ -5,8 +5,8 @@ use crate::args::Settings;
 use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Outcome, Value};
-use crate::profile::{Cause, DataSets, Family, Registry};
+use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Event, Outcome, Value};
+use crate::profile::{Cause, DataSets, Family, Lang, Registry};
 use clap::Args as ClapArgs;
 
 /// Diagnoses a drive and the line to it.
@@ -15,7 +15,12 @@ use clap::Args as ClapArgs;
 /// drive refused something last (P.11, which reading clears, or the last synchronous error), its watchdog, and its
 /// diagnostic counters with what each means.
 #[derive(Clone, Debug, ClapArgs)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct Args {
+    /// What to look at in place of the drives
+    #[command(subcommand)]
+    pub what: Option<What>,
+
     /// Set the diagnostic counters to zero after showing them
     #[arg(long)]
     pub clear: bool,
@@ -29,8 +34,18 @@ pub struct Args {
     pub check: bool,
 }
 
+/// Something else to diagnose than drives.
+#[derive(Clone, Debug, clap::Subcommand)]
+pub enum What {
+    /// The line itself
+    Line(super::diag_line::Args),
+}
+
 /// Diagnoses every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if let Some(What::Line(args)) = &args.what {
+        return super::diag_line::run(args, context).await;
+    }
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
         return plan(context, &family, &questions(args, &family));
@@ -96,6 +111,14 @@ fn blank(address: u8) -> Diagnosis {
     }
 }
 
+/// Recognising a drive asks it something that it refuses, and that is its last synchronous error then.
+fn overwritten(lang: Lang) -> &'static str {
+    lang.pick(
+        "asking which drive it is has overwritten its last synchronous error; --drive shows it",
+        "die Frage, welcher Antrieb es ist, hat seinen letzten synchronen Fehler überschrieben; --drive zeigt ihn",
+    )
+}
+
 /// The parameters that show the entry of the fault memory, where the family has some.
 async fn memory(reader: &mut Reader<'_, '_, '_>, family: &Family) -> Result<Vec<Value>, Failure> {
     let Some(ids) = family.group("faults") else { return Ok(Vec::new()) };
@@ -122,7 +145,13 @@ async fn diagnose(
     let family = target.family.clone();
     let failed = |error: AccessError| error.failure(address, Some(&family), lang);
     // First of all: any refused question would overwrite it.
-    let refusal = last_refusal(session, &mut target).await.map_err(failed)?;
+    let refusal = match (family.link.cause, &settings.drive) {
+        (Cause::Diagnostics(_), None) => {
+            session.tell(Event::Note(overwritten(lang).to_owned()));
+            None
+        }
+        _ => last_refusal(session, &mut target).await.map_err(failed)?,
+    };
     let mut reader = Reader::new(session, &mut target, settings);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
@@ -146,9 +175,7 @@ async fn diagnose(
         warnings,
         memory,
         watchdog,
-        error_register: register
-            .or(refusal.map(i64::from))
-            .map(|code| describe::register(&family, code as u32, lang)),
+        error_register: register.or(refusal.map(i64::from)).map(|code| describe::register(&family, code as u32, lang)),
         ..blank(address)
     };
     match counters(session, &mut target, lang).await {

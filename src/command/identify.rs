@@ -70,8 +70,7 @@ async fn identify(
             (Some(Target::new(address, super::named_family(registry, name)?)), vec![told])
         }
         None => {
-            let finding =
-                recognise(session, registry, address, lang, false).await;
+            let finding = recognise(session, registry, address, lang, false).await;
             let finding = finding.map_err(|error| error.failure(address, None, lang))?;
             (finding.target(address, registry), finding.evidence)
         }

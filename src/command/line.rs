@@ -1,7 +1,7 @@
 //! `line`: speed, parity and address of a drive. What `protocol` shares with it is here too.
 
 use super::write::denied;
-use super::{Context, addresses_to_write, connect, read, target};
+use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
 use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
@@ -43,9 +43,11 @@ enum What {
     },
 }
 
-/// Takes the place of an option of every verb, so that its flag is free for the new setting.
+/// Takes the place of an option of every verb, so that its flag is free for the new setting. It takes no value itself:
+/// how the drive is reached now is said before `line`.
 fn present(option: &'static str, flag: &'static str) -> Arg {
-    Arg::new(option).long(flag).hide(true)
+    let refuse = |_: &str| Err::<String, _>("the present setting is given before `line`");
+    Arg::new(option).long(flag).hide(true).value_parser(refuse)
 }
 
 /// Shows or changes it.
@@ -82,17 +84,20 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         let message = "address 0 is everybody: drives are moved one by one";
         return Err(Failure::new(Class::Usage, "usage.one_address", message).hint("name one drive, such as -a 1"));
     }
+    wish.check(context.settings.lang)?;
+    if context.settings.dry_run {
+        let family = offline_family(context.settings, context.registry)?;
+        let orders = relocate::orders(&wish, context.settings.protocol, &family);
+        return plan(context, &family, &orders);
+    }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
-    wish.check(lang)?;
-    if !settings.dry_run {
-        gate::somebody(*ask).map_err(denied)?;
-    }
+    gate::somebody(*ask).map_err(denied)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let course = relocate::course(&mut session, &mut target, &wish, lang).await?;
-    if course.is_done() || settings.dry_run {
-        return Ok(Outcome::of(Data::Relocation(course.planned(&target, lang))));
+    if course.is_done() {
+        return Ok(Outcome::of(Data::Relocation(course.told(&target, lang))));
     }
     course.check_free(&mut session, &mut target, lang).await?;
     let permit = gate::ask(*ask, &question(&course, lang)).map_err(denied)?;

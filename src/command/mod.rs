@@ -3,6 +3,7 @@
 pub mod dataset;
 pub mod decode;
 pub mod diag;
+pub mod diag_line;
 pub mod identify;
 pub mod line;
 pub mod monitor;
@@ -78,7 +79,9 @@ async fn open<'a>(
         verbose: settings.verbose,
         lang: settings.lang,
     };
-    Session::open(opening, registry, interrupt.clone(), observe).await
+    let mut session = Session::open(opening, registry, interrupt.clone(), observe).await?;
+    session.reach_node(settings.node);
+    Ok(session)
 }
 
 /// Addresses to read from: those that were named, or the factory address, which is said.
@@ -125,9 +128,10 @@ async fn target(
     if let Some(name) = &settings.drive {
         return Ok(Target::new(address, named_family(registry, name)?).in_word_order(settings.high_first));
     }
+    let presumed = registry.family("acu");
     let finding = recognise(session, registry, address, settings.lang, shows_register)
         .await
-        .map_err(|error| error.failure(address, None, settings.lang))?;
+        .map_err(|error| error.failure(address, presumed.as_deref(), settings.lang))?;
     let target = finding.target(address, registry);
     target.map(|target| target.in_word_order(settings.high_first)).ok_or_else(|| {
         let told: Vec<_> =
@@ -153,20 +157,31 @@ fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>
 }
 
 /// Work without a line, in the words of the family that was named; of the drives that it could be otherwise, the first
-/// that understands, or what the usual one says to it.
+/// that understands. If none does, whoever knows what is meant tells best what is wrong with it.
 fn offline<T>(
     settings: &Settings,
     registry: &Registry,
     work: impl Fn(&Family) -> Result<T, Failure>,
 ) -> Result<(Rc<Family>, T), Failure> {
     let usual = offline_family(settings, registry)?;
-    let failure = match work(&usual) {
+    let mut refused = match work(&usual) {
         Ok(done) => return Ok((usual, done)),
         Err(failure) => failure,
     };
     let others = if settings.drive.is_some() { Vec::new() } else { registry.families() };
-    let understood = others.into_iter().find_map(|family| Some((family.clone(), work(&family).ok()?)));
-    understood.ok_or(failure)
+    for family in others {
+        match work(&family) {
+            Ok(done) => return Ok((family, done)),
+            Err(failure) if is_unknown(&refused) && !is_unknown(&failure) => refused = failure,
+            Err(_) => {}
+        }
+    }
+    Err(refused)
+}
+
+/// Whether a failure is about a name that the family does not know.
+fn is_unknown(failure: &Failure) -> bool {
+    ["data.unknown_parameter", "usage.mode"].contains(&failure.code.as_str())
 }
 
 /// What a verb that reads would ask every drive that was named, without opening anything.
@@ -188,7 +203,13 @@ fn read_question(param: &Param, set: u8) -> Inquiry {
 }
 
 fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> crate::drive::decode::Reader<'f> {
-    crate::drive::decode::Reader { protocol: settings.protocol, family: Some(family), lang: settings.lang }
+    crate::drive::decode::Reader {
+        protocol: settings.protocol,
+        node: settings.node,
+        family: Some(family),
+        high_first: settings.high_first.unwrap_or(true),
+        lang: settings.lang,
+    }
 }
 
 /// Refuses numbers that no telegram of the family can carry.
@@ -198,6 +219,16 @@ fn check_number(family: &Family, param: &Param, lang: Lang) -> Result<(), Failur
     }
     let message = format!("there is no parameter {}: expected a number from 0 to {}", param.id, family.link.last);
     Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint(family.link.numbers.get(lang)))
+}
+
+/// Refuses data sets where the family has none.
+fn check_sets(family: &Family, sets: DataSets, lang: Lang) -> Result<(), Failure> {
+    if sets == DataSets::Unnamed || family.link.route.has_data_sets() {
+        return Ok(());
+    }
+    let text = lang.pick("this drive has no data sets", "dieser Antrieb hat keine Datensätze");
+    let hint = lang.pick("name the parameter without @", "den Parameter ohne @ angeben");
+    Err(Failure::new(Class::Data, "data.no_data_sets", text).hint(hint))
 }
 
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
@@ -277,7 +308,7 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
         }
         let mut rows = Vec::new();
         for (set, result) in self.target.read(self.session, param, sets).await {
-            rows.push(self.row(param, set, result)?);
+            rows.push(Value { node: self.session.node(), ..self.row(param, set, result)? });
         }
         Ok(rows)
     }

@@ -4,7 +4,9 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
-use super::{Context, Reader, addresses_to_read, check_number, connect, is_over, offline, offline_family, plan, read_question};
+use super::{
+    Context, Reader, addresses_to_read, check_number, connect, is_over, offline, offline_family, plan, read_question,
+};
 use crate::args::{Settings, parse_span};
 use crate::drive::{AccessError, Session, Target, describe};
 use crate::failure::{Class, Failure};

@@ -1,8 +1,8 @@
 //! `read`: values of parameters.
 
 use super::{
-    Context, Reader, addresses_to_read, check_number, connect, finish, is_over, offline, plan, read_question,
-    target,
+    Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, offline, plan,
+    read_question, target,
 };
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -37,16 +37,19 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let selectors = selectors(&args.params)?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
-    // Names are checked before the port is opened: some drive must know all of them.
-    let (family, selections) =
-        offline(settings, registry, |family| select(&selectors, family, args, settings.lang))?;
+    let named = || offline(settings, registry, |family| select(&selectors, family, args, settings.lang));
     if settings.dry_run {
+        let (family, selections) = named()?;
         let sets = selections.iter().flat_map(|one| one.sets.wire().into_iter().map(move |set| (&one.param, set)));
         let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
         return plan(context, &family, &questions);
     }
+    // The catalogue is read while the open line keeps the silence before its first telegram. A wrong name is told before
+    // trouble with the port; some drive must know all of them.
+    let session = connect(settings, registry, interrupt, *observe).await;
+    let (family, _) = named()?;
     let shows_register = shows_register(&selectors, &family, args, settings.lang)?;
-    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let mut session = session?;
     let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
     for address in addresses {
         let mut target = match target(&mut session, settings, registry, address, shows_register).await {
@@ -139,6 +142,7 @@ fn select(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> R
     }
     for selection in &mut selections {
         check_number(family, &selection.param, lang)?;
+        check_sets(family, selection.sets, lang)?;
         if let Some(decimals) = args.decimals {
             selection.param.decimals = Some(decimals);
         }

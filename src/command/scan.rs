@@ -125,7 +125,7 @@ async fn search_all(
     let observe = RefCell::new(observe);
     let searches = ports.iter().map(|port| {
         let name = port.to_string();
-        let mut tell = |event| (observe.borrow_mut())(event);
+        let tell = |event| (observe.borrow_mut())(event);
         async move {
             let mut tell = |event| tell(if several { of_port(&name, event) } else { event });
             let mut session = super::open(port, settings, registry, interrupt, &mut tell).await?;

@@ -2,8 +2,7 @@
 
 use super::running::{self, Plan};
 use super::{
-    Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target,
-    telegram_reader,
+    Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target, telegram_reader,
 };
 use crate::args::{MotionArgs, Settings, parse_span};
 use crate::drive::motion::{Motor, Situation, no_control, role_raw, working};
@@ -200,7 +199,8 @@ fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Resu
         None => bad(why),
     };
     let first = spoken.points.first().ok_or_else(|| bad("expected a setpoint such as 25Hz".to_owned()))?;
-    let mode = mode(args, &first.text, family, lang).map_err(|why| failed(first, why))?;
+    let mode = named_mode(args, family, lang)?;
+    let mode = mode.map_or_else(|| unit_mode(&first.text, family, lang).map_err(|why| failed(first, why)), Ok)?;
     let mut said = Vec::new();
     for point in &spoken.points {
         let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
@@ -235,23 +235,29 @@ fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Resu
     Ok(wanted)
 }
 
-/// The mode that was named, or the one that the unit tells.
-fn mode<'f>(args: &Args, text: &str, family: &'f Family, lang: Lang) -> Result<&'f Mode, String> {
-    let known = || family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ");
-    match &args.mode {
-        Some(slug) => family.mode(slug).ok_or_else(|| match lang {
-            Lang::En => format!("'{slug}' is no mode of this drive (expected: {})", known()),
-            Lang::De => format!("'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {})", known()),
-        }),
-        None => setpoint::mode_of(family, text).ok_or_else(|| match lang {
-            Lang::En => {
-                format!("expected a setpoint with its unit, such as 25Hz, or --mode ({}), got '{text}'", known())
-            }
-            Lang::De => {
-                format!("erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({}); erhalten: '{text}'", known())
-            }
-        }),
-    }
+/// The mode that was named.
+fn named_mode<'f>(args: &Args, family: &'f Family, lang: Lang) -> Result<Option<&'f Mode>, Failure> {
+    let Some(slug) = &args.mode else { return Ok(None) };
+    family.mode(slug).map(Some).ok_or_else(|| {
+        let text = match lang {
+            Lang::En => format!("'{slug}' is no mode of this drive (expected: {})", modes(family)),
+            Lang::De => format!("'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {})", modes(family)),
+        };
+        Failure::new(Class::Usage, "usage.mode", text)
+    })
+}
+
+/// The mode that the unit tells.
+fn unit_mode<'f>(text: &str, family: &'f Family, lang: Lang) -> Result<&'f Mode, String> {
+    let modes = modes(family);
+    setpoint::mode_of(family, text).ok_or_else(|| match lang {
+        Lang::En => format!("expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'"),
+        Lang::De => format!("erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"),
+    })
+}
+
+fn modes(family: &Family) -> String {
+    family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ")
 }
 
 fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failure> {

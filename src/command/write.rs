@@ -101,6 +101,7 @@ fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure>
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             let mut param = selection.param;
             super::check_number(family, &param, lang)?;
+            super::check_sets(family, selection.sets, lang)?;
             param.decimals = args.decimals.or(param.decimals);
             let kind = args.kind.or(param.kind);
             let raw = check(&param, family, what, kind, args.force)?;
@@ -161,7 +162,8 @@ pub(super) fn plan_only(
                     format!("parameter {}: no source tells its width, and a dry run asks nobody", step.param.id);
                 Failure::new(Class::Data, "data.width", message).hint("name it with --type uint, int, word or long")
             })?;
-            let mut row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
+            let row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
+            let mut row = Written { node: settings.node, ..row };
             tell(&mut row, telegram(settings, family, address, step, kind));
             values.push(row);
         }
@@ -194,7 +196,8 @@ pub(super) async fn prepare(
     let mut rows = Vec::new();
     for step in steps {
         let (address, lang) = (target.address, settings.lang);
-        let mut row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
+        let row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
+        let mut row = Written { node: session.node(), ..row };
         if let Some(kind) = step.kind {
             target.set_width(step.param.id, kind);
         }
@@ -230,16 +233,16 @@ fn wire_sets(set: u8) -> DataSets {
 
 /// Asks for permission for everything that is left to do; `None` if that is nothing.
 pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job], lang: Lang) -> Result<Option<Permit>, Failure> {
-    let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows));
-    let todo: Vec<_> = todo.filter(|(_, row)| row.result == WriteResult::Planned).collect();
+    let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows).map(move |pair| (job, pair)));
+    let todo: Vec<_> = todo.filter(|(_, (_, row))| row.result == WriteResult::Planned).collect();
     if todo.is_empty() {
         return Ok(None);
     }
     let mut hazards = vec![Hazard::Write];
     let mut details = Vec::new();
-    for (step, row) in &todo {
-        hazards.extend(hazards_of(step));
-        details.push(describe_step(row, lang));
+    for (job, (step, row)) in &todo {
+        hazards.extend(hazards_of(step, &job.target.family));
+        details.push(describe_step(step, row, &job.target.family, lang));
     }
     hazards.sort_unstable();
     hazards.dedup();
@@ -266,10 +269,10 @@ pub(super) fn denied(denied: Denied) -> Failure {
     }
 }
 
-fn hazards_of(step: &Step) -> Vec<Hazard> {
+fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
     let (_, store) = describe::place(step.set);
     let mut hazards = Vec::new();
-    if store == Store::Eeprom && !step.param.is_volatile() {
+    if store == Store::Eeprom && !step.param.is_volatile() && family.link.route.has_data_sets() {
         hazards.push(Hazard::Wear);
     }
     hazards.extend(step.param.hazard.map(|hazard| match hazard {
@@ -303,7 +306,7 @@ fn consequence(hazard: Hazard, lang: Lang) -> Option<&'static str> {
     Some(lang.pick(en, de))
 }
 
-fn describe_step(row: &Written, lang: Lang) -> String {
+fn describe_step(step: &Step, row: &Written, family: &Family, lang: Lang) -> String {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
     let new = format_decimal(row.raw, row.value.decimals);
@@ -312,7 +315,11 @@ fn describe_step(row: &Written, lang: Lang) -> String {
         0 => lang.pick("every drive", "alle Antriebe").to_owned(),
         address => format!("{} {address} ({})", lang.pick("drive", "Antrieb"), row.drive),
     };
-    format!("{who}: P.{}@{} {}: {old} -> {new}{unit}{text}, {}", row.param, row.data_set, row.name, row.store)
+    let (label, store) = match family.link.route.has_data_sets() {
+        true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),
+        false => (step.param.label(), String::new()),
+    };
+    format!("{who}: {label} {}: {old} -> {new}{unit}{text}{store}", row.name)
 }
 
 /// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.
@@ -431,8 +438,8 @@ fn way_back(step: &Step, row: &Written, settings: &Settings) -> Option<Warning> 
     Some(Warning {
         code: "line.changed".to_owned(),
         message: format!(
-            "P.{} is {new}: {when} the drive is no longer reached with address {} at {} {}; the way back is to write {old} with the new setting",
-            row.param,
+            "{} is {new}: {when} the drive is no longer reached with address {} at {} {}; the way back is to write {old} with the new setting",
+            step.param.label(),
             row.address,
             settings.line,
             settings.protocol.name()

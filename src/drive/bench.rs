@@ -2,7 +2,7 @@
 
 use super::Interrupt;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, Simulate};
+use crate::outcome::{Event, GapStatistics, Simulate};
 use crate::profile::Registry;
 use crate::simulator::Bench;
 use crate::tick::Span;
@@ -77,6 +77,12 @@ pub async fn serve(
         eeprom_writes: totals.eeprom_writes,
         turning: totals.turning,
         energised: totals.energised,
+        gaps: GapStatistics {
+            count: totals.gaps.count,
+            early: totals.gaps.early,
+            least_us: totals.gaps.least.map(Span::as_micros),
+            median_us: totals.gaps.median.map(Span::as_micros),
+        },
         remarks: bench.remarks().iter().map(ToString::to_string).collect(),
     })
 }

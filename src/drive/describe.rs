@@ -26,6 +26,10 @@ pub fn store_name(store: Store, volatile: bool) -> &'static str {
 /// A value that was read.
 pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang: Lang, lookup: Lookup<'_>) -> Value {
     let decimals = param.decimals_or_zero();
+    if reading.text.is_some() {
+        let kind = Some(reading.kind.name());
+        return Value { text: reading.text, kind, ..blank(address, family, param, reading.set, lang) };
+    }
     let text = family.text_of(param, reading.raw).map(|text| text.get(lang).to_owned());
     let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lang, lookup));
     let text = text.or_else(|| coded(family, param, reading.raw, lang));
@@ -59,6 +63,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
     let (data_set, store) = place(wire_set);
     Value {
         address,
+        node: 0,
         drive: family.drive.clone(),
         param: param.id,
         slug: param.slug.clone(),
@@ -85,6 +90,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
     let after_reset = family.link.after_reset.get(lang);
     Written {
         address,
+        node: 0,
         drive: family.drive.clone(),
         param: param.id,
         slug: param.slug.clone(),

@@ -5,7 +5,7 @@ use super::session::{AccessError, Session};
 use super::transfer::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::Permit;
-use crate::outcome::{Counter, Event, LinkTest};
+use crate::outcome::{Bucket, Counter, Event, LinkTest};
 use crate::profile::{Cause, Lang, Type};
 use crate::protocol::Protocol;
 
@@ -110,6 +110,20 @@ pub async fn link_test(
         median_us: rank(50),
         p95_us: rank(95),
         slowest_us: times.last().copied(),
+        histogram: histogram(&times),
     };
     Ok((test, cut))
+}
+
+/// Ends of the buckets in milliseconds: fine where drives and adapters differ, coarse beyond.
+const BUCKETS_MS: [u64; 14] = [1, 2, 5, 8, 10, 12, 15, 20, 30, 50, 100, 200, 500, 1_000];
+
+fn histogram(times_us: &[u64]) -> Vec<Bucket> {
+    let ends = BUCKETS_MS.into_iter().map(|ms| Some(ms * 1_000)).chain([None]);
+    let starts = [0].into_iter().chain(BUCKETS_MS.into_iter().map(|ms| ms * 1_000));
+    let buckets = starts.zip(ends).map(|(from_us, to_us)| {
+        let within = |us: &&u64| **us >= from_us && to_us.is_none_or(|to| **us < to);
+        Bucket { from_us, to_us, count: times_us.iter().filter(within).count() as u64 }
+    });
+    buckets.filter(|bucket| bucket.count > 0).collect()
 }

@@ -73,7 +73,12 @@ pub async fn recognise(
     lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
-    let question = probe(session.protocol(), address).ok_or(AccessError::Unspeakable)?;
+    let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
+    let question = route.question(Inquiry::Read(STATUS_WORD, Type::Uint)).ok_or(AccessError::Unspeakable)?;
+    if let Some(family) = registry.family("acu").filter(|_| route.node != 0) {
+        // A NAK may come from the drive in between; its cause says so.
+        session.demand(route, &family, question.clone()).await?;
+    }
     let answer = session.ask(address, question).await?;
     judge(session, registry, address, &answer, lang, keep_register).await
 }
@@ -87,7 +92,7 @@ pub(super) async fn judge(
     lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
-    let route = presumed(session.protocol(), address);
+    let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
     let mut inquest = Inquest { session, registry, route, lang, finding: Finding::default() };
     let status = inquest.status(answer);
     let speaks = match (route.protocol, status) {

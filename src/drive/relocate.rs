@@ -6,19 +6,20 @@
 
 mod said;
 
+use super::route::{Cell, Inquiry};
 use super::session::{AccessError, Session};
 use super::transfer::{Order, Target, WriteFate};
 use crate::exchange::ExchangeError;
 use crate::failure::Failure;
 use crate::gate::Permit;
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
-use crate::profile::{Lang, Param, Type};
+use crate::profile::{Family, Lang, Param, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::protocol::vabus::Address;
 use crate::tick::Span;
-use said::{cannot_follow, left, lost, occupied, out_of_range, unknown_settings, unmoved};
+use said::{behind_another, cannot_follow, left, lost, occupied, out_of_range, unknown_settings, unmoved};
 use std::fmt;
 
 /// P.395 (CM-485 manual 6). 1 is the P-Bus, which nobody but its maker speaks.
@@ -141,6 +142,27 @@ impl Wish {
     }
 }
 
+/// The writes that bring a drive of this family, on a line that speaks `protocol`, to what is wished for, as far as they
+/// can be told without asking it.
+pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> {
+    let address = if protocol == Protocol::Vabus { "node-id" } else { "address" };
+    let baud = coded(&BAUD_RATES, wish.baud).map(|row| row.1);
+    let parity = coded(&PARITIES, wish.parity).map(|row| row.1);
+    let restart = baud.or(parity).map(|_| RESTART);
+    let writes = [
+        ("protocol", coded(&PROTOCOLS, wish.protocol).map(|row| row.1)),
+        (address, wish.address.map(i64::from)),
+        ("baud-rate", baud),
+        ("parity", parity),
+        ("reset", restart),
+    ];
+    let order = |(role, raw): (&str, Option<i64>)| {
+        let cell = Cell { number: family.role(role)?.id, set: 0 };
+        Some(Inquiry::Write(cell, Type::Uint, u32::try_from(raw?).ok()?))
+    };
+    writes.into_iter().filter_map(order).collect()
+}
+
 /// Finds the way to what is wished for, by reading the settings of the drive; says why if there is none.
 pub async fn course(
     session: &mut Session<'_>,
@@ -150,6 +172,9 @@ pub async fn course(
 ) -> Result<Course, Failure> {
     let family = target.family.clone();
     wish.check(lang)?;
+    if session.node() != 0 {
+        return Err(behind_another(lang));
+    }
     let row = |role| family.role(role).cloned().ok_or_else(|| unknown_settings(lang));
     let (protocol, baud, parity) = (row("protocol")?, row("baud-rate")?, row("parity")?);
     let (station, node, restart) = (row("address")?, row("node-id")?, row("reset")?);
@@ -188,14 +213,14 @@ pub async fn course(
     let mut restarts = false;
     if let Some((wished, raw)) = coded(&BAUD_RATES, wish.baud) {
         let old = stored(&baud).await?;
-        legs.extend((old != raw).then(|| Leg { param: baud, old: Some(old), raw, then: Then::Stored }));
+        legs.extend((old != raw).then_some(Leg { param: baud, old: Some(old), raw, then: Then::Stored }));
         restarts |= old != raw || line.baud != wished;
         here.line.baud = wished;
     }
     if let Some((wished, raw)) = coded(&PARITIES, wish.parity) {
         let old = stored(&parity).await?;
         let differs = here.protocol != Protocol::Vabus && here.line.parity != wished;
-        legs.extend((old != raw).then(|| Leg { param: parity, old: Some(old), raw, then: Then::Stored }));
+        legs.extend((old != raw).then_some(Leg { param: parity, old: Some(old), raw, then: Then::Stored }));
         restarts |= old != raw || differs;
         if differs {
             here.line = here.protocol.line(here.line.baud, wished);
@@ -235,8 +260,8 @@ impl Course {
         self.legs.iter().map(step).chain([format!("{} -> {}", self.from, self.to)]).collect()
     }
 
-    /// What is known before anything is done.
-    pub fn planned(&self, target: &Target, lang: Lang) -> Relocation {
+    /// What can be told before anything is done, and if nothing has to be.
+    pub fn told(&self, target: &Target, lang: Lang) -> Relocation {
         let steps = self.legs.iter().map(|leg| RelocationStep {
             param: leg.param.id,
             name: leg.param.name(lang).to_owned(),
@@ -257,7 +282,7 @@ impl Course {
             from: self.from.doc(),
             to: self.to.doc(),
             steps: steps.collect(),
-            result: if self.is_done() { RelocationResult::Unchanged } else { RelocationResult::Planned },
+            result: RelocationResult::Unchanged,
             now: Some(self.from.doc()),
             perhaps: Vec::new(),
             after_restart: None,
@@ -291,7 +316,7 @@ impl Course {
     ) -> (Relocation, Option<Failure>) {
         // Half a move is worse than one that takes some seconds longer.
         session.ignore_interrupts();
-        let mut told = self.planned(target, lang);
+        let mut told = self.told(target, lang);
         let mut journey = Journey { session, target, permit, lang, here: self.from, undo: Vec::new() };
         for (leg, step) in self.legs.iter().zip(&mut told.steps) {
             let setback = match journey.leg(leg).await {
@@ -306,7 +331,9 @@ impl Course {
             let failure = self.end(&mut journey, setback, &mut told).await;
             return (told, Some(failure));
         }
-        told.result = if self.is_done() { RelocationResult::Unchanged } else { RelocationResult::Moved };
+        if !self.is_done() {
+            told.result = RelocationResult::Moved;
+        }
         told.now = Some(journey.here.doc());
         told.way_back = self.way_back(journey.here, journey.session.port());
         (told, None)

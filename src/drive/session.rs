@@ -3,17 +3,22 @@
 use super::pump::{self, Interrupt, PumpError};
 use super::route::{No, Route, no};
 use super::{decode, trouble};
-use crate::exchange::{Answer, ExchangeError, Limits, Master, News, Question, Record, Said, Survey, Tally, Verdict};
+use crate::exchange::{Answer, Pauses, ExchangeError, Limits, Master, News, Question, Record, Said, Survey, Tally, Verdict};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::{Family, Lang, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::Hex;
+use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, LinkError, Port, Rs485, Trace, list_ports};
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::rc::Rc;
+
+/// A gateway waits for its stations itself and then says so; many wait for a second or more.
+const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 
 /// How to open a line.
 #[derive(Debug)]
@@ -43,12 +48,23 @@ pub struct Session<'a> {
     port: String,
     link: Link,
     master: Master,
+    /// System-bus node behind every drive that is asked; 0 is the drive itself.
+    node: u8,
     observe: &'a mut dyn FnMut(Event),
     interrupt: Interrupt,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
     overheard: Option<Vec<Record>>,
+    /// What is known of the drives by address, to name what goes over the line.
+    known: BTreeMap<u8, Known>,
     verbose: bool,
     lang: Lang,
+}
+
+/// A drive whose telegrams can be told in the words of its family.
+struct Known {
+    family: Rc<Family>,
+    /// The upper half of a value in two registers comes first.
+    high_first: bool,
 }
 
 impl std::fmt::Debug for Session<'_> {
@@ -96,8 +112,9 @@ impl<'a> Session<'a> {
     ) -> Result<Self, Failure> {
         let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose, lang } = opening;
         let usual = Limits::default();
+        let patience = if protocol == Framing::Tcp.into() { GATEWAY_PATIENCE } else { usual.reply_timeout };
         let limits = Limits {
-            reply_timeout: timeout.unwrap_or(usual.reply_timeout),
+            reply_timeout: timeout.unwrap_or(patience),
             retries: retries.unwrap_or(usual.retries),
             ..usual
         };
@@ -115,7 +132,18 @@ impl<'a> Session<'a> {
             observe(Event::Note(format!("{port}: {deviation}")));
         }
         let (port, master) = (port.to_string(), Master::new(protocol, line, limits));
-        Ok(Session { port, link, master, observe, interrupt, overheard: None, verbose, lang })
+        Ok(Session { port, link, master, node: 0, observe, interrupt, overheard: None, known: BTreeMap::new(), verbose, lang })
+    }
+
+    /// From now on everything is asked of this node of the system bus, through the drive that is its master; 0 asks the
+    /// drive itself (EM-RES-03 manual 5.10.2.2).
+    pub fn reach_node(&mut self, node: u8) {
+        self.node = node;
+    }
+
+    /// System-bus node behind every drive that is asked; 0 is the drive itself.
+    pub fn node(&self) -> u8 {
+        self.node
     }
 
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
@@ -132,7 +160,7 @@ impl<'a> Session<'a> {
         self.master.ask(station, question, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
         let records = self.master.take_records();
-        self.show(&records);
+        self.show(&records, Some(station));
         if let Some(overheard) = &mut self.overheard {
             let strange = |record: &Record| matches!(record.verdict, Verdict::Stray { .. } | Verdict::Garbage);
             overheard.extend(records.into_iter().filter(strange));
@@ -143,7 +171,7 @@ impl<'a> Session<'a> {
     /// Carries a survey on until it has something to tell.
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
         let outcome = pump::run(survey, &mut self.link, &self.interrupt).await;
-        self.show(&survey.take_records());
+        self.show(&survey.take_records(), None);
         Ok(outcome?)
     }
 
@@ -157,10 +185,25 @@ impl<'a> Session<'a> {
         self.master.expect(station, question, self.link.now());
     }
 
-    fn show(&mut self, records: &[Record]) {
+    /// Remembers what a drive is, for what is told of its telegrams from now on.
+    pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, high_first: bool) {
         if self.verbose {
-            let protocol = self.protocol();
-            records.iter().for_each(|record| (self.observe)(telegram_event(protocol, self.lang, record)));
+            self.known.insert(address, Known { family: family.clone(), high_first });
+        }
+    }
+
+    /// Tells what went over the line while `asked` was asked.
+    fn show(&mut self, records: &[Record], asked: Option<u8>) {
+        if !self.verbose {
+            return;
+        }
+        for record in records {
+            let station = match record.verdict {
+                Verdict::Stray { station } => Some(station),
+                _ => asked,
+            };
+            let known = station.and_then(|station| self.known.get(&station));
+            (self.observe)(telegram_event(self.master.protocol(), self.lang, known, record));
         }
     }
 
@@ -279,6 +322,16 @@ impl<'a> Session<'a> {
         self.master.protocol()
     }
 
+    /// What is between us and the wire.
+    pub fn adapter(&self) -> crate::transport::AdapterInfo {
+        self.link.adapter()
+    }
+
+    /// Pauses that were kept between replies and the next questions.
+    pub fn pauses(&self) -> Pauses {
+        self.master.pauses()
+    }
+
     /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
     pub fn echoes(&self) -> Option<bool> {
         self.master.echoes()
@@ -332,14 +385,16 @@ fn open_trace(path: &Path, about: &str) -> Result<Trace, Failure> {
     file.map_err(|error| Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display())))
 }
 
-fn telegram_event(protocol: Protocol, lang: Lang, record: &Record) -> Event {
+fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record: &Record) -> Event {
     let (direction, is_request) = match record.verdict {
         Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
         Verdict::Reply => ('<', Some(false)),
         Verdict::Echo => ('~', Some(true)),
         Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
     };
-    let reader = decode::Reader { protocol, family: None, lang };
+    let family = known.map(|known| &*known.family);
+    let high_first = known.is_none_or(|known| known.high_first);
+    let reader = decode::Reader { protocol, node: 0, family, high_first, lang };
     let told = reader.telegram(&record.bytes, is_request);
     let meaning = match record.verdict {
         Verdict::Fence => format!("fence: {}", told.meaning),

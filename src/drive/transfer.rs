@@ -22,8 +22,6 @@ const WRONG_TYPE: u16 = 10;
 pub struct Target {
     /// Address of the drive; 0 is everybody.
     pub address: u8,
-    /// System-bus node behind it; 0 is the drive itself.
-    pub node: u8,
     /// What it is.
     pub family: Rc<Family>,
     /// Which half of a value in two registers comes first, once it is known or given.
@@ -82,15 +80,7 @@ pub enum WriteFate {
 impl Target {
     /// A drive of a known family.
     pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target {
-            address,
-            node: 0,
-            family,
-            high_first: None,
-            widths: BTreeMap::new(),
-            kept_register: None,
-            known_watchdog: None,
-        }
+        Target { address, family, high_first: None, widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
     }
 
     /// The same with the word order that somebody gave, if any.
@@ -206,10 +196,11 @@ impl Target {
     /// asked once.
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
         let route = Route {
-            node: self.node,
+            node: session.node(),
             high_first: self.high_first.unwrap_or(true),
             ..Route::new(session.protocol(), &self.family.link, self.address)
         };
+        session.knows(self.address, &self.family, route.high_first);
         let asks = self.high_first.is_none() && self.address != BROADCAST;
         let Some(order) = self.family.role("word-order").filter(|_| asks) else {
             return Ok(route);
@@ -221,6 +212,7 @@ impl Target {
         let content = answer.and_then(|(said, _)| route.content(&said));
         let high_first = !matches!(content, Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX));
         self.high_first = Some(high_first);
+        session.knows(self.address, &self.family, high_first);
         Ok(Route { high_first, ..route })
     }
 
@@ -330,7 +322,11 @@ impl Target {
 /// A value from what came, with the type that its width proves: `kind` where the width is the same.
 pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> Reading {
     let blank = Reading { set, raw: 0, text: None, kind, corrected: false };
+    let text = |text| Reading { text: Some(text), kind: Type::String, ..blank.clone() };
     match content {
+        // Digits only, but it is a string all the same.
+        Content::Bits(bits, Width::Word) if kind == Type::String => text(format!("{bits:04X}")),
+        Content::Bits(bits, Width::Long) if kind == Type::String => text(format!("{bits:08X}")),
         Content::Bits(bits, width) => {
             let kind = match width {
                 Width::Long => Type::Long,
@@ -339,7 +335,7 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
             };
             Reading { raw: value::from_wire(bits, kind, param.min), kind, ..blank }
         }
-        Content::Text(text) => Reading { text: Some(text), kind: Type::String, ..blank },
+        Content::Text(characters) => text(characters),
         Content::Done => blank,
     }
 }

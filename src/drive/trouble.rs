@@ -55,13 +55,17 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>, lang: Lang) 
     if let Some(cause) = refusal.cause {
         failure = failure.with(where_key, cause);
     }
-    failure.hint(row.map_or(
-        lang.pick(
+    let unknown = match refusal.cause {
+        None => lang.pick(
             "the drive gave no cause; check the function code, the parameter and the value",
             "der Antrieb nennt keine Ursache; Funktionscode, Parameter und Wert prüfen",
         ),
-        |row| row.hint.get(lang),
-    ))
+        Some(_) => lang.pick(
+            "the drive's own manual explains the number; check the parameter and the value",
+            "die Nummer erklärt das Handbuch des Antriebs; Parameter und Wert prüfen",
+        ),
+    };
+    failure.hint(row.map_or(unknown, |row| row.hint.get(lang)))
 }
 
 fn unspeakable(lang: Lang) -> Failure {
@@ -90,6 +94,14 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
                 "Adresse, Baudrate, Parität und Protokoll prüfen (P.395; ab Werk spricht der Antrieb VABus, nicht \
                  Modbus), ferner vertauschte Adern A und B, Abschluss und ob ein zweiter Master am Bus ist; \
                  `antrieb scan` fragt alle Adressen",
+            ))
+        }
+        ExchangeError::Unreached => {
+            let said =
+                lang.pick("the gateway got no answer from the station", "das Gateway bekam keine Antwort der Station");
+            Failure::new(Class::Silence, "silence.gateway", format!("{at}: {said}")).hint(lang.pick(
+                "check the address, and the serial setting of the gateway",
+                "Adresse und serielle Einstellung des Gateways prüfen",
             ))
         }
         ExchangeError::Garbled { asked, bytes } => {
@@ -232,6 +244,14 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
             lang.pick(
                 "play it back with the command, the options and the version that recorded it",
                 "mit dem Befehl, den Optionen und der Version abspielen, mit denen aufgezeichnet wurde",
+            )
+            .to_owned(),
+        ),
+        LinkError::Lost(port) if port.contains("://") => (
+            "port.lost",
+            lang.pick(
+                "is the server still there? Many device servers accept one connection at a time, and drop an idle one",
+                "ist der Server noch da? Viele Geräteserver nehmen nur eine Verbindung zugleich an und trennen eine stille",
             )
             .to_owned(),
         ),

@@ -2,7 +2,7 @@
 
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{COUNTERS, Reply, Request};
+use crate::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};
 use crate::protocol::modbus::{Adu, Framing, ascii, mbap, rtu};
 use crate::protocol::vabus::{self, Arrival};
 use crate::tick::Span;
@@ -84,6 +84,13 @@ impl Question {
 }
 
 impl Said {
+    /// Whether a gateway says that it got no answer from the station (exceptions 10 and 11; MODBUS Application Protocol
+    /// V1.1b3, 7).
+    pub fn is_unreached(&self) -> bool {
+        let unreached = [Exception::GatewayPath, Exception::GatewayTarget];
+        matches!(self, Said::Modbus(Reply::Exception { code, .. }) if unreached.contains(code))
+    }
+
     /// Whether the station said no.
     pub fn is_refusal(&self) -> bool {
         matches!(self, Said::Modbus(Reply::Exception { .. }) | Said::Vabus(vabus::Reply::Nak { .. }))

@@ -11,7 +11,7 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{Dialect, Question, Said};
 use super::echo::Echo;
-use super::{Answer, Conversation, ExchangeError, Limits, Record, Step, Tally, Verdict};
+use super::{Answer, Pauses, Conversation, ExchangeError, Limits, Record, Step, Tally, Verdict};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
@@ -39,6 +39,9 @@ pub struct Master {
     last_reply: Option<Record>,
     /// Bytes that nobody waits for, until they make a telegram or pause.
     loose: Loose,
+    /// When the last reply ended, until something is sent.
+    replied_at: Option<Tick>,
+    pauses: Pauses,
     tally: Tally,
     records: Vec<Record>,
 }
@@ -62,6 +65,8 @@ struct Job {
     station: u8,
     question: Question,
     parting: Parting,
+    /// When somebody wanted to know.
+    wanted: Tick,
     asked: u8,
     phase: Phase,
 }
@@ -135,6 +140,8 @@ impl Master {
             known: BTreeMap::new(),
             last_reply: None,
             loose: Loose::default(),
+            replied_at: None,
+            pauses: Pauses { required: dialect.gap(line, limits.pause), ..Pauses::default() },
             tally: Tally::default(),
             records: Vec::new(),
         }
@@ -143,9 +150,9 @@ impl Master {
     /// The same line from now on with another protocol or setting. What was owed under the old one is no valid telegram
     /// under the new.
     pub fn retune(&mut self, protocol: Protocol, line: LineSetting, now: Tick) {
-        let (tally, records) = (self.tally, std::mem::take(&mut self.records));
+        let (tally, records, pause) = (self.tally, std::mem::take(&mut self.records), self.ready_at);
         *self = Master { tally, records, ..Master::new(protocol, line, self.limits) };
-        self.ready_at = now + self.dialect.silence(line);
+        self.ready_at = pause.max(now + self.dialect.silence(line));
     }
 
     /// What is spoken.
@@ -171,6 +178,11 @@ impl Master {
     /// What happened on the line so far.
     pub fn tally(&self) -> Tally {
         self.tally
+    }
+
+    /// Pauses that were kept between replies and the next questions.
+    pub fn pauses(&self) -> Pauses {
+        self.pauses
     }
 
     /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
@@ -201,7 +213,7 @@ impl Master {
             Phase::Gap
         };
         let parting = self.parting(station, &question, now);
-        self.job = Some(Job { station, question, parting, asked: 0, phase });
+        self.job = Some(Job { station, question, parting, wanted: now, asked: 0, phase });
     }
 
     /// A station was asked this by somebody else on our side, and its reply may still come.
@@ -275,7 +287,11 @@ impl Master {
     fn send(&mut self, now: Tick) -> Step<Outcome> {
         self.orphan = None;
         self.flush_loose();
+        let replied_at = self.replied_at.take();
         let Some(job) = &mut self.job else { return Step::Wait(now) };
+        if let Some(replied_at) = replied_at.filter(|_| job.wanted < self.ready_at) {
+            self.pauses.note(now.since(replied_at));
+        }
         let fence = matches!(job.parting, Parting::Fence(..));
         let verdict = if fence { Verdict::Fence } else { Verdict::Request };
         let bytes = self.dialect.encode(job.station, &job.asks().clone());
@@ -354,6 +370,7 @@ impl Master {
         self.note_before(at, &before, &sent);
         let record = Record { at, verdict: Verdict::Reply, bytes: reply };
         self.last_reply = Some(record.clone());
+        self.replied_at = Some(at);
         self.records.push(record);
         Some((sent_end, found.said))
     }
@@ -388,6 +405,11 @@ impl Master {
             }
             job.asked = 0;
             job.phase = Phase::Gap;
+            return;
+        }
+        if said.is_unreached() {
+            self.tally.silences += 1;
+            job.phase = Phase::Done(Err(ExchangeError::Unreached));
             return;
         }
         if !said.is_refusal() && job.question.is_harmless() {

@@ -105,6 +105,27 @@ pub struct Tally {
     pub fences: u64,
 }
 
+/// Pauses between a reply and the question that waited for it to go out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pauses {
+    /// What must be kept at least.
+    pub required: Span,
+    /// How many were measured.
+    pub count: u64,
+    /// The shortest.
+    pub shortest: Span,
+    /// The longest.
+    pub longest: Span,
+}
+
+impl Pauses {
+    fn note(&mut self, pause: Span) {
+        self.shortest = if self.count == 0 { pause } else { self.shortest.min(pause) };
+        self.longest = self.longest.max(pause);
+        self.count += 1;
+    }
+}
+
 /// Time limits of a conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -168,6 +189,9 @@ pub enum ExchangeError {
         /// The station that answered.
         station: u8,
     },
+    /// A gateway says that the station did not answer it.
+    #[error("the gateway got no answer from the station")]
+    Unreached,
     /// A broadcast that asks for a reply.
     #[error("a broadcast can only write")]
     BroadcastRead,

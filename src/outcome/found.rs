@@ -192,4 +192,17 @@ pub struct LinkTest {
     pub p95_us: Option<u64>,
     /// Longest time.
     pub slowest_us: Option<u64>,
+    /// How many replies took how long; empty buckets are left out.
+    pub histogram: Vec<Bucket>,
+}
+
+/// Replies that took from `from_us` on, but less than `to_us`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Bucket {
+    /// From this time on.
+    pub from_us: u64,
+    /// Up to this time; null for everything that took longer.
+    pub to_us: Option<u64>,
+    /// Replies.
+    pub count: u64,
 }

@@ -4,6 +4,7 @@
 //! language that the user chose; numbers, slugs and codes are the same in every language.
 
 mod found;
+mod line;
 mod motion;
 mod offline;
 mod relocation;
@@ -11,9 +12,10 @@ mod stream;
 mod transfer;
 mod value;
 
-pub use found::{Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search};
+pub use found::{Counter, Diag, Diagnosis, Bucket, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search};
+pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
-pub use offline::{ChoiceDoc, Decode, Field, ParamDoc, Params, Simulate, TelegramDoc};
+pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{Column, Monitor, PortChange, Record, Sample, SampleValue, StreamEnd, StreamStart, WatchedDrive};
 pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
@@ -88,6 +90,8 @@ pub enum Data {
     Dataset(Dataset),
     /// `diag`
     Diag(Diag),
+    /// `diag line`
+    LineCheck(LineCheck),
     /// `statemachine`
     Statemachine(Statemachine),
     /// `sollwert`
@@ -148,6 +152,11 @@ pub enum Event {
     Note(String),
     /// A line of a stream: data, as it comes.
     Record(Box<Record>),
+}
+
+/// Node 0 is the drive itself, and not told.
+fn is_zero(node: &u8) -> bool {
+    *node == 0
 }
 
 /// A failure in JSON.

@@ -140,6 +140,21 @@ pub struct Simulate {
     pub turning: u64,
     /// Motors that are still powered at the end.
     pub energised: u64,
+    /// Pauses that masters kept between a reply and their next telegram, up to 100 ms.
+    pub gaps: GapStatistics,
     /// What the judge noted about the master.
     pub remarks: Vec<String>,
+}
+
+/// Pauses between a reply and the next telegram of a master.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct GapStatistics {
+    /// How many were measured.
+    pub count: u64,
+    /// Of these, shorter than the station wants.
+    pub early: u64,
+    /// The shortest.
+    pub least_us: Option<u64>,
+    /// The median of the last 4096.
+    pub median_us: Option<u64>,
 }

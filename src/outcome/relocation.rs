@@ -105,8 +105,6 @@ pub enum RelocationResult {
     Moved,
     /// It was there already; nothing was sent.
     Unchanged,
-    /// A dry run: nothing was sent.
-    Planned,
     /// It did not work, and the drive was left as it was before.
     Restored,
     /// It did not work; the drive answers, but not all of it is as it was before.

@@ -25,6 +25,9 @@ pub struct Write {
 pub struct Written {
     /// Address of the drive; 0 is a broadcast.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Family.
     pub drive: String,
     /// Parameter number.

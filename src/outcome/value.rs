@@ -38,6 +38,9 @@ impl JsonSchema for Decimal {
 pub struct Value {
     /// Address of the drive.
     pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
     /// Family: `act`, `acu` …
     pub drive: String,
     /// Parameter number.

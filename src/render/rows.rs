@@ -29,6 +29,7 @@ pub(super) fn rows(data: &Data) -> Vec<Row> {
             rows
         }
         Data::Diag(diag) => list("drive", &diag.drives),
+        Data::LineCheck(check) => list("drive", &check.drives),
         Data::Statemachine(report) => list("drive", &report.drives),
         Data::Sollwert(report) => {
             let values = report

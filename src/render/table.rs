@@ -3,8 +3,9 @@
 use super::clean;
 use super::words::word;
 use crate::outcome::{
-    Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LinkTest, Motion, ParamDoc, Relocation,
-    RelocationResult, RelocationStep, Scan, SetpointReport, State, StateReport, StepResult, TelegramDoc, Value, Word, WriteResult, Written,
+    Adapter, AdapterErrors, Bucket, Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LineCheck,
+    LinkTest, Motion, ParamDoc, Relocation, RelocationResult, RelocationStep, Scan, SetpointReport, State, StateReport,
+    StepResult, TelegramDoc, Value, Word, WriteResult, Written,
 };
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -20,6 +21,7 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
         Data::Write(write) => page.written(&write.values),
         Data::Dataset(dataset) => page.dataset(dataset),
         Data::Diag(diag) => page.each(&diag.drives, Page::diagnosis),
+        Data::LineCheck(check) => page.line_check(check),
         Data::Statemachine(report) => page.each(&report.drives, Page::state),
         Data::Sollwert(report) => page.each(&report.drives, Page::setpoints),
         Data::Params(params) => match params.params.as_slice() {
@@ -117,11 +119,11 @@ impl Page {
             let new = step.raw.to_string();
             vec![step.param.to_string(), step.name.clone(), old, new, text, self.word(result).to_owned()]
         };
-        let steps = self.table(&[">param", "name", ">old", ">new", "", "result"], relocation.steps.iter().map(row).collect());
+        let steps =
+            self.table(&[">param", "name", ">old", ">new", "", "result"], relocation.steps.iter().map(row).collect());
         let result = match relocation.result {
             RelocationResult::Moved => "moved",
             RelocationResult::Unchanged => "unchanged",
-            RelocationResult::Planned => "planned",
             RelocationResult::Restored => "left as it was",
             RelocationResult::Halfway => "halfway",
             RelocationResult::Lost => "lost",
@@ -218,6 +220,18 @@ impl Page {
     }
 
     /// What a value stands for: the error, the text, the state and set bits.
+    /// A value in a few words: number, unit, meaning.
+    fn short(self, value: &Value) -> String {
+        let unit = value.unit.as_deref().unwrap_or("");
+        let meaning = match (self.meaning(value), &value.error) {
+            (meaning, _) if meaning.is_empty() => meaning,
+            (meaning, Some(_)) => return meaning,
+            (meaning, None) => format!("({meaning})"),
+        };
+        let words = [number(value), unit.to_owned(), meaning];
+        words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+    }
+
     fn meaning(self, value: &Value) -> String {
         if let Some(error) = &value.error {
             return error.message.clone();
@@ -341,6 +355,10 @@ impl Page {
             let hint = hint.map_or_else(String::new, |hint| format!(": {hint}"));
             rows.push(("error register", format!("{} {}{hint}", register.code, register.name)));
         }
+        rows.extend(report.memory.iter().enumerate().map(|(index, value)| {
+            (if index == 0 { "fault memory" } else { "" }, format!("{}: {}", value.name, self.short(value)))
+        }));
+        rows.extend(report.watchdog.iter().map(|value| ("watchdog", self.short(value))));
         if report.counters_cleared {
             rows.push(("counters cleared", self.word("yes").to_owned()));
         }
@@ -353,6 +371,64 @@ impl Page {
             vec![count, counter.name.clone(), counter.help.clone()]
         });
         text + "\n" + &self.table(&[">count", "name", "meaning"], rows.collect())
+    }
+
+    fn line_check(self, check: &LineCheck) -> String {
+        let Adapter { name, driver, about, latency_timer_ms, low_latency, rs485, errors } = &check.adapter;
+        let known = [Some(name), driver.as_ref(), about.as_ref()].into_iter().flatten();
+        let unknown = || self.word("unknown").to_owned();
+        let micros =
+            |us: Option<u64>| us.map_or_else(|| "-".to_owned(), |us| format!("{} ms", format_decimal(us as i64, 3)));
+        let pauses = &check.pauses;
+        let mut rows = vec![
+            ("adapter", clean(&known.cloned().collect::<Vec<_>>().join(", "))),
+            ("latency timer", latency_timer_ms.map_or_else(unknown, |ms| format!("{ms} ms"))),
+            ("low latency", self.word(low_latency).to_owned()),
+            ("RS-485 direction", (*rs485).to_owned()),
+            ("echo", check.echo.map_or_else(unknown, |echo| self.word(if echo { "yes" } else { "no" }).to_owned())),
+            (
+                "pauses",
+                format!(
+                    "{} … {}, {} {}",
+                    micros(pauses.shortest_us),
+                    micros(pauses.longest_us),
+                    self.word("required"),
+                    micros(Some(pauses.required_us))
+                ),
+            ),
+        ];
+        if let Some(errors) = errors {
+            let AdapterErrors { frame, overrun, parity, brk } = errors;
+            rows.push(("adapter errors", format!("frame {frame}, parity {parity}, overrun {overrun}, break {brk}")));
+        }
+        let mut text = format!("{} {} {}\n", check.port, check.line, check.protocol) + &self.pairs(rows);
+        for drive in &check.drives {
+            text += &format!("\n{} {}\n", self.word("drive"), drive.address);
+            if let Some(test) = &drive.test {
+                text += &self.pairs(self.link(test));
+                text += &self.histogram(&test.histogram);
+            }
+            if let Some(error) = &drive.error {
+                text += &format!("{}\n", clean(&error.message));
+            }
+        }
+        let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text));
+        let nothing = format!("{}\n", self.word("nothing to complain of"));
+        let advice = if check.advice.is_empty() { nothing } else { advice.collect() };
+        text + "\n" + &advice
+    }
+
+    /// A bar of up to 40 marks for each bucket.
+    fn histogram(self, buckets: &[Bucket]) -> String {
+        let most = buckets.iter().map(|bucket| bucket.count).max().unwrap_or(1).max(1);
+        let row = |bucket: &Bucket| {
+            let from = bucket.from_us / 1_000;
+            let range =
+                bucket.to_us.map_or_else(|| format!(">= {from} ms"), |to| format!("{from} - {} ms", to / 1_000));
+            let marks = (bucket.count * 40).div_ceil(most) as usize;
+            vec![range, bucket.count.to_string(), "#".repeat(marks)]
+        };
+        self.table(&[">reply times", ">count", ""], buckets.iter().map(row).collect())
     }
 
     fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {
@@ -597,7 +673,7 @@ impl Page {
                 format!("{} ms", step.took_ms),
             ]
         });
-        let steps = self.table(&[">no", "command", "control word", "state", ">took"], steps.collect());
+        let steps = self.table(&[">step", "command", "control word", "state", ">took"], steps.collect());
         if steps.is_empty() { text } else { text + "\n" + &steps }
     }
 

@@ -4,6 +4,7 @@
 
 use super::setup::Spoken;
 use super::vabus::PAUSE;
+use super::gaps::GapLog;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::{Adu, FrameError, ascii, rtu};
 use crate::protocol::vabus::{self, Address, EOT, ParamNumber, Reply, Request, SystemNode, TelegramError};
@@ -126,11 +127,14 @@ impl Telegram {
     pub(super) fn spelt(&self) -> Spelt {
         match self.spoken() {
             Spoken::Modbus(framing) => Spelt::Modbus(framing.decode(&self.bytes)),
-            Spoken::Vabus | Spoken::PBus => match self.bytes.iter().all(|&byte| byte == EOT) {
-                true => Spelt::Vabus(Ok(None)),
-                false => Spelt::Vabus(Request::decode(self.vabus_bytes()).map(Some)),
-            },
+            Spoken::Vabus | Spoken::PBus if self.is_end() => Spelt::Vabus(Ok(None)),
+            Spoken::Vabus | Spoken::PBus => Spelt::Vabus(Request::decode(self.vabus_bytes()).map(Some)),
         }
+    }
+
+    /// Whether it is an EOT alone, until now.
+    fn is_end(&self) -> bool {
+        self.bytes.iter().all(|&byte| byte == EOT)
     }
 
     /// A request without what ended the exchange before it.
@@ -171,6 +175,7 @@ pub(super) struct Judge {
     locked: BTreeSet<Address>,
     /// VABus: the last request, and how often it was sent without a good reply.
     repeated: Option<(Request, u32)>,
+    pub(super) gaps: GapLog,
     /// What the 500 ms rules allow for, where telegrams may be read late.
     pub(super) slack: Span,
 }
@@ -192,10 +197,13 @@ impl Judge {
         }
     }
 
-    /// The telegram that is over because the master starts to send at `at`.
-    pub(super) fn before(&mut self, at: Tick) -> Option<Telegram> {
+    /// The telegram that is over because the master starts to send `bytes` at `at`; with another setting, or behind an EOT
+    /// that they do not continue, they are another telegram.
+    pub(super) fn before(&mut self, at: Tick, line: LineSetting, bytes: &[u8]) -> Option<Telegram> {
         let open = self.open.as_ref()?;
-        let over = open.complete() || at.since(open.end) >= open.limits().1;
+        let continues = bytes.first().is_some_and(|&byte| byte == EOT || Address::from_character(byte).is_ok());
+        let parted = open.line != line || (open.is_end() && !continues);
+        let over = open.complete() || parted || at.since(open.end) >= open.limits().1;
         over.then(|| self.close()).flatten()
     }
 
@@ -244,6 +252,10 @@ impl Judge {
 
     /// Holds the start of a telegram against everything that was on the wire before.
     fn weigh_start(&mut self, at: Tick) {
+        let behind_reply = |end: Tick| at >= end && self.last.is_none_or(|(last, _)| last < end);
+        if let Some((end, rest)) = self.reply.filter(|&(end, _)| behind_reply(end)) {
+            self.gaps.note(at.since(end), rest);
+        }
         if let Some((end, rest)) = self.last.filter(|&(end, rest)| at < end + rest) {
             if at < end {
                 return self.remark(at, Sin::WhileBusy, "the master sends while it is still sending".to_owned());
@@ -373,11 +385,11 @@ mod tests {
         let mut judge = Judge::default();
         judge.sends(Tick::ZERO, LINE, &READ[..3]);
         let later = Tick::ZERO + LINE.chars(3) + LINE.t15() + Span::from_micros(1);
-        assert!(judge.before(later).is_none());
+        assert!(judge.before(later, LINE, &READ).is_none());
         judge.sends(later, LINE, &READ[3..]);
         let end = later + LINE.chars(5);
         let early = end + (LINE.t35() - Span::from_micros(1));
-        assert!(judge.before(early).is_some_and(|telegram| telegram.torn));
+        assert!(judge.before(early, LINE, &READ).is_some_and(|telegram| telegram.torn));
         judge.sends(early, LINE, &READ);
         assert_eq!(sins(&judge), [Sin::GapInside, Sin::GapBefore]);
     }
@@ -387,7 +399,7 @@ mod tests {
         let mut judge = Judge::default();
         let mut at = Tick::ZERO;
         for byte in READ {
-            assert!(judge.before(at).is_none());
+            assert!(judge.before(at, LINE, &[byte]).is_none());
             judge.sends(at, LINE, &[byte]);
             at = at + LINE.chars(1) + LINE.t15();
         }

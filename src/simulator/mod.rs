@@ -12,6 +12,7 @@ mod disturb;
 mod drive;
 pub mod file;
 mod foreign;
+mod gaps;
 mod judge;
 mod lexium;
 mod machine;
@@ -29,6 +30,7 @@ mod wire;
 
 pub use drive::Drive;
 pub use file::BenchError;
+pub use gaps::Gaps;
 pub use judge::{Remark, Sin};
 pub use lexium::Servo;
 
@@ -89,6 +91,8 @@ pub struct Totals {
     pub eeprom_writes: u64,
     /// Remarks of the judge.
     pub remarks: u64,
+    /// Pauses that the master kept behind replies.
+    pub gaps: Gaps,
     /// Shafts that turn now, with power or without, those of a system bus too.
     pub turning: u64,
     /// Drives whose output stage feeds the motor now, turning or not.
@@ -159,7 +163,7 @@ impl Bench {
         if bytes.is_empty() || line.baud == 0 {
             return;
         }
-        if let Some(telegram) = self.judge.before(at) {
+        if let Some(telegram) = self.judge.before(at, line, bytes) {
             self.classify(&telegram);
         }
         self.judge.sends(at, line, bytes);
@@ -216,6 +220,7 @@ impl Bench {
             exceptions: self.drives.iter().map(|drive| drive.exceptions).sum(),
             eeprom_writes: self.drives.iter().map(Drive::eeprom_writes).sum(),
             remarks: self.judge.count(),
+            gaps: self.judge.gaps.gaps(),
             turning: self.drives.iter().map(|drive| drive.turning(self.now)).sum(),
             energised: self.drives.iter().map(Drive::energised).sum(),
             ..self.totals

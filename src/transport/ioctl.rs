@@ -168,3 +168,23 @@ mod elsewhere {
         unsupported()
     }
 }
+
+#[cfg(target_os = "linux")]
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn switching_on_raises_rts_while_sending_unless_it_was_on_otherwise() {
+        let set = KernelRs485 { flags: RTS_AFTER_SEND, ..KernelRs485::default() }.enabled(1, 2);
+        assert_eq!((set.flags, set.delay_before_send, set.delay_after_send), (ENABLED | RTS_ON_SEND, 1, 2));
+        let inverted = KernelRs485 { flags: ENABLED | RTS_AFTER_SEND, ..KernelRs485::default() };
+        assert_eq!(inverted.enabled(0, 0), inverted);
+    }
+
+    #[test]
+    fn a_pseudo_terminal_has_none_of_this() {
+        let tty = rustix::pty::openpt(rustix::pty::OpenptFlags::RDWR | rustix::pty::OpenptFlags::NOCTTY).unwrap();
+        assert!(serial(&tty).is_err() && rs485(&tty).is_err() && counters(&tty).is_err());
+    }
+}

@@ -45,12 +45,12 @@ SERVERS = {"tcp": ("tcp", RAW), "rfc2217": ("rfc2217", RFC2217)}
 SER2NET = "/usr/sbin/ser2net"
 
 # What a technician does first. The counters of `diag` tell how many telegrams went over the line before: as many on
-# every line, but for a scan, which asks as time goes by.
+# every line. A scan that does not wait by the book finds the drives in the order in which they happen to answer.
 COMMANDS = (
     ["-a", "1,2", "read", "372@all", "481", "411", "260", "270"],
     ["-a", "1,2", "identify"],
     ["-a", "1,2", "diag"],
-    ["-a", "1-3", "scan"],
+    ["-a", "1-3", "scan", "--thorough"],
 )
 GATEWAY = Path(__file__).with_name("gateway.py")
 # A line that is gone: a user must not be left waiting.

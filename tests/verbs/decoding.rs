@@ -237,7 +237,7 @@ const VABUS: &[(&str, u8, &str)] = &[
 fn telegrams_of_vabus_are_known_without_being_told() {
     for (bytes, address, meaning) in VABUS {
         let document = antrieb(&format!("decode telegram {bytes}")).json().exits(0);
-        let telegram = &document["data"]["telegrams"][0];
+        let telegram = document.data("/telegrams/0");
         assert_eq!(telegram["protocol"], "vabus", "{bytes}");
         assert_eq!((&telegram["address"], &telegram["meaning"]), (&json!(address), &json!(meaning)), "{bytes}");
         let hex: Vec<&str> =
@@ -250,7 +250,7 @@ fn telegrams_of_vabus_are_known_without_being_told() {
 fn a_damaged_telegram_of_vabus_says_what_is_wrong() {
     let bytes = "41 02 30 32 33 37 32 30 34 30 35 36 45 03 44";
     let document = antrieb(&format!("--protocol vabus --lang de decode telegram {bytes}")).json().exits(5);
-    let message = document["error"]["message"].as_str().unwrap();
+    let message = document.error()["message"].as_str().unwrap();
     assert_eq!(message, "kein gültiges Telegramm: Prüfzeichen 44h, erwartet 45h");
 }
 
@@ -259,13 +259,13 @@ fn a_recording_of_vabus_is_cut_into_telegrams() {
     let trace = "# antrieb trace 1, 19200 7E1, vabus\n0 > 04 41 30 32 33 37 32 05\n\
                  14000 < FF 41 02 30 32 33 37 32 30\n20000 < 34 30 35 36 45 03 45\n30000 > 04\n";
     let document = antrieb("decode trace {dir}/line.txt").file("line.txt", trace).json().exits(0);
-    let telegrams = document["data"]["telegrams"].as_array().unwrap();
+    let telegrams = document.data("/telegrams").as_array().unwrap();
     let meanings: Vec<_> = telegrams.iter().map(|telegram| telegram["meaning"].as_str().unwrap()).collect();
     assert_eq!(
         meanings,
         [
             "address 1: read P.372@2 Rated Speed",
-            "no valid telegram: FFh is no address (41h to 5Eh, 60h for all)",
+            "no valid telegram: FFh is no address (41h to 5Eh, 60h for all drives)",
             "address 1: P.372@2 Rated Speed = 1390 1/min",
             "end of the exchange",
         ]

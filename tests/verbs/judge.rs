@@ -195,13 +195,13 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
         let plan = ScanPlan::new(vec![1, 2], Lang::En);
         scan(session, &plan, registry).await;
         for address in [1, 2] {
-            let finding = recognise(session, address, Lang::En, false).await.unwrap();
+            let finding = recognise(session, registry, address, Lang::En, false).await.unwrap();
             let mut target = finding.target(address, registry).unwrap();
             let family = target.family.clone();
             for id in family.group("all").unwrap() {
                 target.read(session, family.param(id).unwrap(), DataSets::Unnamed).await;
             }
-            counters(session, &target, Lang::En).await.unwrap();
+            counters(session, &mut target, Lang::En).await.unwrap();
         }
         assert_eq!(format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session))), before);
     });

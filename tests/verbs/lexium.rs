@@ -115,3 +115,159 @@ fn jogging_runs_as_5_5_4() {
     let last = [Write(6930, 1), Write(6930, 5)];
     assert_sequence(&output, &first, 0xFFFF_FFFF, &last);
 }
+
+#[test]
+fn nothing_is_sent_without_a_terminal() {
+    for verb in ["sollwert 1000rpm --enable", "statemachine enable", "write MBadr=2"] {
+        let run = antrieb(&format!("-v -a 1 --drive lxm05 {verb}")).on(BENCH).json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.no_terminal", "{verb}");
+        assert!(!run.err.contains(" > ") || verb.starts_with("write"), "not one byte: {}", run.err);
+    }
+}
+
+#[test]
+fn the_question_warns_of_what_the_sources_disagree_about() {
+    let asked = antrieb("-a 1 sollwert 48usr --enable").on(BENCH).answered("n").exits(8);
+    for part in ["Point-to-point", "48 usr", "to an absolute position", "watch the first movement", "MOTION"] {
+        assert!(asked.err.contains(part), "{part}: {}", asked.err);
+    }
+}
+
+#[test]
+fn every_mode_stops_as_its_catalogue_says_and_is_proven() {
+    for (words, on_exit, state) in [
+        ("1000rpm --until reached", "ramp", "switched-on"),
+        ("1000rpm --until reached", "quick-stop", "switch-on-disabled"),
+        ("1000rpm --until reached", "coast", "switch-on-disabled"),
+        ("1000rpm --mode speed", "ramp", "switched-on"),
+        ("1A", "ramp", "switched-on"),
+        ("5 --mode jog", "ramp", "switched-on"),
+        // No setpoint 0 stops these: the ramp is a quick stop.
+        ("48usr", "ramp", "switch-on-disabled"),
+        ("2/3", "ramp", "switch-on-disabled"),
+    ] {
+        let line = format!("-a 1 --yes sollwert {words} --enable --hold --duration 300ms --on-exit {on_exit}");
+        let run = antrieb(&line).on(BENCH).json().exits(0);
+        assert_eq!((run.data("/stop/acknowledged"), run.data("/running")), (&json!(true), &json!(false)), "{line}");
+        assert_eq!(run.data("/to/slug"), state, "{line}");
+    }
+}
+
+#[test]
+fn settings_of_a_held_run_are_given_back() {
+    let run =
+        antrieb("-a 1 -v --yes sollwert 1000rpm --set RAMPacc=2000 --watchdog 300ms --enable --hold --duration 300ms");
+    let run = run.on(BENCH).json().exits(0);
+    for (index, (param, old, new)) in [(5644, 0, 300), (1556, 500, 2000)].into_iter().enumerate() {
+        let change = run.data(&format!("/changed/{index}"));
+        let told = (&change["param"], &change["old"], &change["new"], &change["restored"]);
+        assert_eq!(told, (&json!(param), &json!(old), &json!(new), &json!(true)));
+    }
+    assert_eq!(run.data("/watchdog_s"), &json!(0.0));
+}
+
+#[test]
+fn setpoints_are_checked_before_anybody_is_asked() {
+    for (words, exit, says) in [
+        ("20000rpm", 7, "RAMPn_max (1554) = 3000 1/min"),
+        ("25Hz", 2, "--mode (velocity, position, homing, current, speed, gear, jog)"),
+        ("48usr", 8, "not enabled"),
+        ("10A --until reached --enable", 2, "nothing tells"),
+        ("10A --set RAMPacc=5 --enable", 2, "--set RAMPacc does not fit"),
+        ("1000rpm --start relative", 2, "--start relative does not fit"),
+        ("--ramp 0usr:48usr:1s --enable", 2, "one target"),
+        ("1000rpm --mode flying", 2, "no mode"),
+    ] {
+        let run = antrieb(&format!("-a 1 --drive lxm05 --yes sollwert {words}")).on(BENCH).json().exits(exit);
+        let message = run.error()["message"].as_str().unwrap();
+        assert!(message.contains(says), "{words}: {message}");
+    }
+}
+
+#[test]
+fn a_fault_is_shown_with_its_entry_and_reset_without_a_lock() {
+    let tripped = bench("[[drive.event]]\nat = \"1ms\"\nfault = \"E2300\"\nqualifier = 7");
+    let diag = antrieb("-a 1 --drive lxm05 diag").on(&tripped).json().exits(0);
+    assert_eq!((diag.data("/drives/0/fault/key"), diag.data("/drives/0/healthy")), (&json!("E2300"), &json!(false)));
+    let memory: Vec<_> =
+        diag.data("/drives/0/memory").as_array().unwrap().iter().map(|value| value["raw"].clone()).collect();
+    assert_eq!((&memory[0], &memory[3]), (&json!(0x2300), &json!(7)));
+    let refused = antrieb("-a 1 --drive lxm05 --yes statemachine enable").on(&tripped).json().exits(8);
+    assert_eq!(refused.error()["code"], "forbidden.fault");
+    let reset = antrieb("-a 1 --drive lxm05 --yes statemachine reset").on(&tripped).json().exits(0);
+    assert_eq!((reset.data("/from/slug"), reset.data("/to/slug")), (&json!("fault"), &json!("switch-on-disabled")));
+    assert!(reset.data("/steps/0/took_ms").as_u64().unwrap() < 1_000);
+}
+
+#[test]
+fn an_old_entry_of_the_fault_memory_is_no_fault() {
+    let healthy = bench("set = { FLT_err_num = 0x2300 }");
+    let state = antrieb("-a 1 statemachine").on(&healthy).json().exits(0);
+    assert_eq!((state.data("/drives/0/fault_code"), state.data("/drives/0/fault")), (&json!(0), &json!(null)));
+    assert_eq!(antrieb("-a 1 diag").on(&healthy).json().exits(0).data("/drives/0/healthy"), &json!(true));
+}
+
+#[test]
+fn neighbours_come_in_one_telegram() {
+    let output = antrieb("-a 1 -v --drive lxm05 read @faults").on(BENCH).exits(0);
+    let asked: Vec<_> = output.sent().into_iter().filter(|telegram| telegram.starts_with("01 03 3C")).collect();
+    assert_eq!(asked.len(), 1, "{asked:?}");
+    assert!(asked[0].starts_with("01 03 3C 02 00 08"), "manual 5.3, example 1: {asked:?}");
+}
+
+#[test]
+fn what_is_refused_with_its_neighbours_is_read_one_by_one() {
+    // 1548 is nobody's address.
+    let run = antrieb("-a 1 --drive lxm05 read 1544 1546 1548").on(BENCH).json().exits(9);
+    let raws: Vec<_> = run.data("/values").as_array().unwrap().iter().map(|value| value["raw"].is_null()).collect();
+    assert_eq!(raws, [false, false, true]);
+}
+
+#[test]
+fn a_write_is_proven_in_the_exchange_that_writes() {
+    let output = antrieb("-a 1 -v --drive lxm05 --yes write RAMPacc=2000").on(BENCH).exits(0);
+    let last = output.sent().pop().unwrap();
+    assert!(last.starts_with("01 17 06 14 00 02 06 14 00 02 04 00 00 07 D0"), "{last}");
+    assert!(output.out.contains("verified"), "{}", output.out);
+}
+
+#[test]
+fn the_word_order_is_asked_once_or_given() {
+    let low = bench("set = { MBdword_order = 1, RAMPacc = 500 }");
+    let asked = antrieb("-a 1 -v --drive lxm05 read RAMPacc RAMPdecel _p_act").on(&low).exits(0);
+    assert_eq!(asked.sent().iter().filter(|telegram| telegram.starts_with("01 03 16 0E")).count(), 1);
+    assert!(asked.out.contains("500"), "{}", asked.out);
+    let given = antrieb("-a 1 -v --drive lxm05 --word-order low --yes write RAMPacc=2000").on(&low).exits(0);
+    assert!(given.sent().iter().all(|telegram| !telegram.starts_with("01 03 16 0E")), "{:?}", given.sent());
+    assert!(given.sent().pop().unwrap().contains("04 07 D0 00 00"), "low word first");
+}
+
+#[test]
+fn what_the_family_does_not_have_is_refused_in_words() {
+    for (verb, exit, says) in [
+        ("read RAMPacc@2", 7, "no data sets"),
+        ("--yes write RAMPacc@ram=5", 7, "no data sets"),
+        ("dataset show", 7, "no data sets"),
+        ("--yes sollwert 5A --mode velocity", 2, "the unit 'A' does not fit"),
+        ("--yes statemachine contacts S1IND", 8, "no virtual contacts"),
+    ] {
+        let run = antrieb(&format!("-a 1 {verb}")).on(BENCH).json().exits(exit);
+        let message = run.error()["message"].as_str().unwrap();
+        assert!(message.contains(says), "{verb}: {message}");
+    }
+}
+
+#[test]
+fn one_bus_carries_both_families() {
+    let mixed = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+    let read = antrieb("-a 1,2,3 read @actual").on(mixed).json().exits(0);
+    let drives: std::collections::BTreeSet<_> =
+        read.data("/values").as_array().unwrap().iter().map(|value| value["drive"].as_str().unwrap()).collect();
+    assert_eq!(drives.into_iter().collect::<Vec<_>>(), ["act", "acu", "lxm05"]);
+    for verb in ["diag", "statemachine", "sollwert", "identify"] {
+        let run = antrieb(&format!("-a 1,2,3 {verb}")).on(mixed).json().exits(0);
+        let drives: Vec<_> =
+            run.data("/drives").as_array().unwrap().iter().map(|row| row["drive"].as_str().unwrap()).collect();
+        assert_eq!(drives, ["act", "acu", "lxm05"], "{verb}");
+    }
+}

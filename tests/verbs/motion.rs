@@ -177,7 +177,7 @@ fn with_motor(
         port: &port,
         line: LineSetting::rtu(19_200, Parity::Even),
         rs485: Rs485::default(),
-        framing: Framing::Rtu,
+        protocol: Framing::Rtu.into(),
         timeout: None,
         retries: None,
         trace: None,
@@ -210,7 +210,8 @@ fn motion_wears_no_eeprom_and_the_judge_has_no_remark() {
                     .await;
                 ended.result.unwrap();
                 assert!(ended.stop.unwrap().acknowledged);
-                assert_eq!(look(session, target, Lang::En).await.unwrap().watchdog_s, Some(0));
+                let watchdog = look(session, target, Lang::En).await.unwrap().watchdog_s.unwrap();
+                assert_eq!(watchdog.raw, 0);
             }
         },
         |bench| {
@@ -264,7 +265,7 @@ fn a_dead_line_is_reported_and_the_watchdog_named() {
                 .await;
             let stop = ended.stop.unwrap();
             assert!(!stop.acknowledged);
-            assert!(stop.note.unwrap().contains("trips it 1 s after"), "the watchdog is named");
+            assert!(stop.note.unwrap().contains("is 1 s: it trips"), "the watchdog is named");
         },
         |bench| assert_eq!(bench.totals().energised, 0, "the drive's own watchdog stopped it"),
     );

@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 use tempfile::TempDir;
 
 /// Verbs that have a JSON document, and so a schema.
-pub(crate) const VERBS: [&str; 11] = [
+pub(crate) const VERBS: [&str; 13] = [
     "scan",
     "identify",
     "read",
@@ -23,6 +23,8 @@ pub(crate) const VERBS: [&str; 11] = [
     "diag",
     "statemachine",
     "sollwert",
+    "protocol",
+    "line",
     "params",
     "decode",
     "simulate",
@@ -104,6 +106,11 @@ impl Run {
     pub(crate) fn and(mut self, more: &str) -> Self {
         self.line = format!("{} {more}", self.line);
         self
+    }
+
+    /// The working directory.
+    pub(crate) fn directory(&self) -> &Path {
+        self.directory.path()
     }
 
     /// Runs, whatever comes of it.

@@ -106,7 +106,7 @@ fn values_in_configurations_are_held_to_the_same_rules() {
         ("parity = \"mark\"\n", "usage.parity"),
         ("timeout = \"soon\"\n", "usage.timeout"),
         ("lang = \"fr\"\n", "usage.lang"),
-        ("protocol = \"vabus\"\n", "usage.protocol"),
+        ("protocol = \"profibus\"\n", "usage.protocol"),
         ("port = \"tcp://x\"\n", "usage.port"),
         ("stop_bits = 3\n", "usage.stop_bits"),
     ] {

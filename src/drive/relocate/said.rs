@@ -15,6 +15,14 @@ pub(super) fn unknown_settings(lang: Lang) -> Failure {
         .hint(lang.pick("`write` sets single parameters", "`write` setzt einzelne Parameter"))
 }
 
+pub(super) fn behind_another(lang: Lang) -> Failure {
+    let text = lang.pick(
+        "a node is reached through another drive: it has no line here that could be set",
+        "ein Knoten wird über einen anderen Antrieb erreicht: er hat hier keine eigene Leitung",
+    );
+    Failure::new(Class::Usage, "usage.node", text)
+}
+
 pub(super) fn out_of_range(what: &str, expected: &str, got: &dyn Display, lang: Lang) -> Failure {
     let message = match lang {
         Lang::En => format!("{what}: expected {expected}, got {got}"),

@@ -1,13 +1,14 @@
 //! A look at somebody who was heard, and what is odd about what was heard.
 
 use super::Tuning;
+use crate::drive::route::Route;
 use crate::drive::session::{AccessError, Session};
+use crate::drive::transfer::Target;
 use crate::drive::{describe, family};
 use crate::exchange::Answer;
 use crate::exchange::survey::{Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Lang, Registry};
-use crate::protocol::line::LineSetting;
 
 /// Characters of the reply to the first question, about.
 pub(super) const REPLY: u64 = 8;
@@ -73,19 +74,34 @@ async fn describe_drive(
     let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
     let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
     found.title = titles.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
-    for role in ["status-word", "fault"] {
-        let Some(param) = target.family.role(role).cloned() else { continue };
-        match target.read_set(session, &param, 0).await {
-            Ok(reading) if role == "fault" => {
-                let fault = describe::fault(&target.family, reading.raw as u32, lang);
-                found.fault = fault.map(|fault| format!("{} {}", fault.key, fault.name));
-            }
-            Ok(reading) => found.state = Some(describe::state(&target.family, reading.raw as u32, lang)),
-            Err(error) if error.is_fatal() => return Err(error),
-            Err(_) => {}
-        }
-    }
+    let status = match status_word(&target, session, &first) {
+        Some(word) => Some(word),
+        None => read(&mut target, session, "status-word").await?,
+    };
+    found.state = status.map(|word| describe::state(&target.family, word, lang));
+    // Who is in no fault has none; a drive that takes long to answer is spared the question.
+    let may_have_one = found.state.as_ref().is_none_or(|state| state.slug.contains("fault") || state.slug == "unknown");
+    let fault = if may_have_one { read(&mut target, session, "fault").await? } else { None };
+    let fault = fault.and_then(|code| describe::fault(&target.family, code, lang));
+    found.fault = fault.map(|fault| format!("{} {}", fault.key, fault.name));
     Ok(Some(found))
+}
+
+/// The status word, if the first answer is that of this family.
+fn status_word(target: &Target, session: &Session<'_>, first: &Answer) -> Option<u32> {
+    target.family.role("status-word").filter(|param| param.id == super::PROBE)?;
+    let Answer::Reply { said, .. } = first else { return None };
+    Route::new(session.protocol(), &target.family.link, target.address).number(said).map(u32::from)
+}
+
+/// The parameter that plays a role; `None` if there is none or the drive does not tell.
+async fn read(target: &mut Target, session: &mut Session<'_>, role: &str) -> Result<Option<u32>, AccessError> {
+    let Some(param) = target.family.role(role).cloned() else { return Ok(None) };
+    match target.read_set(session, &param, 0).await {
+        Ok(reading) => Ok(Some(reading.raw as u32)),
+        Err(error) if error.is_fatal() => Err(error),
+        Err(_) => Ok(None),
+    }
 }
 
 /// Asks once more; `None` if there is no answer.
@@ -132,7 +148,8 @@ pub(super) fn garbled(address: u8, is_clear: bool, lang: Lang) -> Warning {
 }
 
 /// The warning about a port whose line cannot be set from here.
-pub(super) fn fixed_line(port: &str, line: LineSetting, lang: Lang) -> Warning {
+pub(super) fn fixed_line(port: &str, known: Tuning, lang: Lang) -> Warning {
+    let line = known.line;
     let message = match lang {
         Lang::En => format!(
             "{port}: speed and parity are set at the other end, so only {line} was searched; rfc2217:// can set them"

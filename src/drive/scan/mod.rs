@@ -175,6 +175,9 @@ struct Depth {
 
 const TO_THE_END: Depth = DEPTHS[2];
 
+/// The first addresses are where drives are: at the right setting they are asked twice if they are silent.
+const TWICE: usize = 20;
+
 struct Search<'p, 's, 'o> {
     session: &'s mut Session<'o>,
     plan: &'p ScanPlan,
@@ -193,7 +196,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         };
         let mut warnings = Vec::new();
         if unknown != plan.unknown {
-            warnings.push(look::fixed_line(session.port(), known.line, plan.lang));
+            warnings.push(look::fixed_line(session.port(), known, plan.lang));
         }
         let searched = order::tunings(known, unknown).into_iter().map(|tuning| {
             let before = plan.before.iter().filter(|row| row.is_at(tuning)).flat_map(|row| &row.addresses);
@@ -267,11 +270,13 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
     fn patience(&self, tuning: Tuning, depth: Depth, question: &crate::exchange::Question) -> Patience {
         let full = self.session.limits().reply_timeout;
         let brief = Patience::brief(tuning.protocol, tuning.line, question, full);
+        let is_sure = self.searched.len() == 1 || self.searched.iter().any(|row| row.found && row.tuning == tuning);
         match self.plan.manner {
             // A gateway waits for its drives itself.
             _ if tuning.protocol == Framing::Tcp.into() => Patience::by_the_book(full),
             _ if depth.glance => Patience::glance(tuning.protocol, tuning.line, full),
             Manner::Fast => Patience { thorough: false, ..brief },
+            Manner::Usual if is_sure => Patience { twice: TWICE, ..brief },
             Manner::Usual => brief,
             Manner::Thorough => Patience::by_the_book(full),
         }

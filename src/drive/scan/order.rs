@@ -50,7 +50,7 @@ const PROTOCOLS: [(Protocol, &str); 3] = [
 
 /// The settings to try, for what is unknown of `known`. One that differs from the usual in one thing is likelier than one
 /// that differs in two.
-pub fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
+pub(super) fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
     if !unknown.any() {
         return vec![known];
     }

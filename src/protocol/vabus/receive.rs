@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn nothing_inside_a_spoilt_telegram_is_taken_for_another() {
-        let data = Data::word(0x0_A5_0);
+        let data = Data::word(0x0A50);
         let mut bytes = Reply::Value { address: one(), header: header(2, 372), data }.encode();
         let five = bytes.iter().rposition(|&byte| byte == b'5').unwrap();
         bytes[five] ^= 0x20;

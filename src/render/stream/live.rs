@@ -552,6 +552,7 @@ mod tests {
             raw.is_none().then(|| ErrorDoc::from(&Failure::new(Class::Silence, "silence.no_reply", "no reply")));
         let value = |column: Column| Value {
             address,
+            node: 0,
             drive: "act".to_owned(),
             param: column.param,
             slug: column.slug,

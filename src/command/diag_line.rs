@@ -1,0 +1,47 @@
+//! `diag line`: how good is the line, and what to do about it?
+
+use super::{Context, addresses_to_read, connect, is_over, target};
+use crate::drive::{Inquiry, check_line};
+use crate::failure::Failure;
+use crate::outcome::{CheckedDrive, Data, ErrorDoc, Outcome};
+use clap::Args as ClapArgs;
+
+/// Measures the line: adapter, pauses, reply times with a histogram, errors, and what to do about them.
+///
+/// Asks every drive that was named the same harmless question many times, without repeats. Nothing in a drive changes.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// How many questions to ask each drive
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub count: u32,
+}
+
+/// Measures the line to every drive that was named.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        let family = super::offline_family(context.settings, context.registry)?;
+        return super::plan(context, &family, &[Inquiry::Counter(family.link.echo)]);
+    }
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let addresses = addresses_to_read(settings, *observe)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let (mut targets, mut failed) = (Vec::new(), Vec::new());
+    for address in addresses {
+        match target(&mut session, settings, registry, address, false).await {
+            Ok(target) => targets.push(target),
+            Err(failure) if is_over(&failure) => return Err(failure),
+            Err(failure) => failed.push((address, failure)),
+        }
+    }
+    let (mut check, cut) = check_line(&mut session, targets, args.count.into(), settings.lang).await;
+    let silent = failed.iter().map(|(address, failure)| CheckedDrive {
+        address: *address,
+        test: None,
+        error: Some(ErrorDoc::from(failure)),
+    });
+    check.drives.extend(silent);
+    let measured = check.drives.iter().filter(|drive| drive.test.is_some()).count();
+    let cut = cut.map(|error| error.failure(0, None, settings.lang));
+    let failures = cut.into_iter().chain(failed.into_iter().map(|(_, failure)| failure)).collect();
+    Ok(super::finish(Data::LineCheck(check), failures, measured, Vec::new(), settings.lang))
+}

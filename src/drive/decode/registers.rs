@@ -1,0 +1,190 @@
+//! Codes 3, 16 and 23 in words (LXM05 manual 5.2, 5.3, with the lengths of facts G4): as parameters where those of the
+//! family are pairs of registers, else as plain registers.
+
+use super::{Reader, Said, field, field8, field16};
+use crate::outcome::Field;
+use crate::profile::{Family, Param, Route, format_value};
+use crate::protocol::modbus::pdu::WordOrder;
+
+/// Most parameters or registers that one line names.
+const FEW: usize = 4;
+
+impl Reader<'_> {
+    /// The family, if its parameters are pairs of registers.
+    pub(super) fn paired(&self) -> Option<&Family> {
+        self.family.filter(|family| family.link.route == Route::Registers32)
+    }
+
+    /// Code 3.
+    pub(super) fn reads(&self, start: u16, count: u16) -> Said {
+        (format!("{} {}", self.pick("read", "lesen"), self.span(start, count)), self.span_fields(start, count))
+    }
+
+    /// Code 16.
+    pub(super) fn writes(&self, start: u16, words: &[u16]) -> Said {
+        let meaning = format!("{} {}", self.pick("write", "schreiben"), self.assigned(start, words));
+        (meaning, self.written_fields(start, words))
+    }
+
+    /// The reply to code 16.
+    pub(super) fn taken(&self, start: u16, count: u16) -> Said {
+        let meaning = format!("{} {}", self.span(start, count), self.pick("written", "geschrieben"));
+        (meaning, self.span_fields(start, count))
+    }
+
+    /// Code 23, which writes first (V1.1b3, 6.17).
+    pub(super) fn exchanges(&self, start: u16, count: u16, write_start: u16, words: &[u16]) -> Said {
+        let (write, read) = (self.pick("write", "schreiben"), self.pick("then read", "dann lesen"));
+        let meaning = format!("{write} {}, {read} {}", self.assigned(write_start, words), self.span(start, count));
+        let mut fields = self.span_fields(start, count);
+        fields.extend(self.written_fields(write_start, words));
+        (meaning, fields)
+    }
+
+    /// The reply to codes 3 and 23, which does not say what was read.
+    pub(super) fn told(&self, words: &[u16]) -> Said {
+        let value = self.pick("value", "Wert");
+        let parts = self.parts(words);
+        let shown: Vec<_> = parts.iter().map(Part::plain).collect();
+        let mut fields = vec![self.bytes_field(words)];
+        fields.extend(parts.iter().zip(&shown).map(|(part, shown)| field(&part.bytes, value, shown)));
+        (format!("{value} {}", shown.join(", ")), fields)
+    }
+
+    /// Code 6 of a family that does not have it: one register.
+    pub(super) fn single(&self, address: u16, word: u16) -> Vec<Field> {
+        vec![
+            field16(address, self.pick("register", "Register"), self.span(address, 1)),
+            field16(word, self.pick("value", "Wert"), Part::word(word).plain()),
+        ]
+    }
+
+    /// What lies in `count` registers from `start` on.
+    fn span(&self, start: u16, count: u16) -> String {
+        let (width, unit) = self.grain(count.into());
+        let addresses: Vec<u16> = (start..).step_by(width).take(usize::from(count) / width).collect();
+        match addresses.as_slice() {
+            &[only] => self.named(only, width),
+            few @ [_, ..] if few.len() <= FEW && width == 2 => {
+                few.iter().map(|&address| self.label(address, width)).collect::<Vec<_>>().join(", ")
+            }
+            many => format!("{} {unit} {}", many.len(), self.from(start, width)),
+        }
+    }
+
+    /// The values that go into the registers from `start` on.
+    pub(super) fn assigned(&self, start: u16, words: &[u16]) -> String {
+        let (width, unit) = self.grain(words.len());
+        let parts = self.parts(words);
+        match (parts.as_slice(), (start..).step_by(width)) {
+            ([only], _) => format!("{} = {}", self.named(start, width), self.read_out(start, only)),
+            (few @ [_, ..], addresses) if few.len() <= FEW => {
+                let each = addresses.zip(few);
+                each.map(|(address, part)| format!("{} = {}", self.label(address, width), self.read_out(address, part)))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            }
+            (many, _) => format!("{} {unit} {}", many.len(), self.from(start, width)),
+        }
+    }
+
+    /// Registers that belong together, and what several of them are called.
+    fn grain(&self, registers: usize) -> (usize, &'static str) {
+        match self.paired() {
+            Some(_) if registers > 0 && registers.is_multiple_of(2) => (2, self.pick("parameters", "Parameter")),
+            _ => (1, self.pick("registers", "Register")),
+        }
+    }
+
+    fn parts(&self, words: &[u16]) -> Vec<Part> {
+        let order = if self.high_first { WordOrder::HighFirst } else { WordOrder::LowFirst };
+        match self.grain(words.len()).0 {
+            2 => words.as_chunks().0.iter().map(|pair| Part::pair(*pair, order)).collect(),
+            _ => words.iter().map(|&word| Part::word(word)).collect(),
+        }
+    }
+
+    fn known(&self, address: u16) -> Option<&Param> {
+        self.paired()?.param(address.into())
+    }
+
+    fn label(&self, address: u16, width: usize) -> String {
+        match self.paired().filter(|_| width == 2) {
+            Some(family) => family.param_or_unknown(address.into()).label(),
+            None => format!("{} {address}", self.pick("register", "Register")),
+        }
+    }
+
+    fn named(&self, address: u16, width: usize) -> String {
+        let label = self.label(address, width);
+        let name = self.known(address).filter(|_| width == 2);
+        name.map_or_else(|| label.clone(), |param| format!("{label} {}", param.name(self.lang)))
+    }
+
+    fn from(&self, start: u16, width: usize) -> String {
+        let start = if width == 2 { self.label(start, width) } else { start.to_string() };
+        format!("{} {start}", self.pick("from", "ab"))
+    }
+
+    /// A value as people read it.
+    fn read_out(&self, address: u16, part: &Part) -> String {
+        let known = self.paired().zip(self.known(address)).filter(|_| part.bytes.len() == 4);
+        let Some((family, param)) = known else { return part.plain() };
+        if param.hex {
+            return format!("0x{:04X}", part.bits);
+        }
+        let value = format_value(param, part.bits, true);
+        let text = family.text_of(param, (part.bits as i32).into());
+        text.map_or_else(|| value.clone(), |text| format!("{value} ({})", text.get(self.lang)))
+    }
+
+    fn span_fields(&self, start: u16, count: u16) -> Vec<Field> {
+        let width = self.grain(count.into()).0;
+        vec![
+            field16(start, self.pick("first register", "erstes Register"), self.named(start, width)),
+            self.count_field(count),
+        ]
+    }
+
+    fn written_fields(&self, start: u16, words: &[u16]) -> Vec<Field> {
+        let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
+        let mut fields = self.span_fields(start, count);
+        fields.push(self.bytes_field(words));
+        let width = self.grain(words.len()).0;
+        let addressed = (start..).step_by(width).zip(self.parts(words));
+        fields.extend(
+            addressed
+                .map(|(address, part)| field(&part.bytes, &self.label(address, width), self.read_out(address, &part))),
+        );
+        fields
+    }
+
+    fn bytes_field(&self, words: &[u16]) -> Field {
+        field8(u8::try_from(words.len() * 2).unwrap_or(u8::MAX), self.pick("byte count", "Byteanzahl"))
+    }
+}
+
+/// Registers that belong together.
+struct Part {
+    /// As they stand in the telegram.
+    bytes: Vec<u8>,
+    bits: u32,
+}
+
+impl Part {
+    fn word(word: u16) -> Self {
+        Part { bytes: word.to_be_bytes().to_vec(), bits: word.into() }
+    }
+
+    fn pair(words: [u16; 2], order: WordOrder) -> Self {
+        Part { bytes: words.iter().flat_map(|word| word.to_be_bytes()).collect(), bits: order.join(words) }
+    }
+
+    /// The value where nobody knows what it means.
+    fn plain(&self) -> String {
+        match self.bytes.len() {
+            4 => format!("{} (0x{:08X})", self.bits as i32, self.bits),
+            _ => format!("{} (0x{:04X})", self.bits, self.bits),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! How good is the line? The adapter, the pauses that we keep, the reply times, and what to do about them.
+
+use super::diag::link_test;
+use super::session::{AccessError, Session};
+use super::transfer::Target;
+use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, Pauses};
+use crate::profile::Lang;
+use crate::transport::{AdapterInfo, ErrorCounts, LowLatency};
+
+/// More than this an adapter should not hold bytes back: FTDI's default of 16 ms nearly halves the speed of the line
+/// (facts/engineering.md).
+const LATENCY_MS: u32 = 2;
+
+/// Asks every drive the same harmless question `count` times and looks at what that tells of the line. Ends early if
+/// the port is lost or somebody interrupts.
+pub async fn check_line(
+    session: &mut Session<'_>,
+    targets: Vec<Target>,
+    count: u64,
+    lang: Lang,
+) -> (LineCheck, Option<AccessError>) {
+    let before = session.adapter();
+    let mut drives = Vec::new();
+    let mut cut = None;
+    for mut target in targets {
+        let (test, error) = match link_test(session, &mut target, count).await {
+            Ok((test, error)) => (Some(test), error),
+            Err(error) => (None, Some(error)),
+        };
+        let failure = error.as_ref().map(|error| error.failure(target.address, Some(&target.family), lang));
+        drives.push(CheckedDrive { address: target.address, test, error: failure.as_ref().map(ErrorDoc::from) });
+        if let Some(error) = error.filter(AccessError::is_fatal) {
+            cut = Some(error);
+            break;
+        }
+    }
+    let after = session.adapter();
+    let pauses = session.pauses();
+    let mut check = LineCheck {
+        port: session.port().to_owned(),
+        line: session.line().to_string(),
+        protocol: session.protocol().name(),
+        adapter: adapter(before, &after),
+        echo: session.echoes(),
+        pauses: Pauses {
+            required_us: pauses.required.as_micros(),
+            measured: pauses.count,
+            shortest_us: (pauses.count > 0).then_some(pauses.shortest.as_micros()),
+            longest_us: (pauses.count > 0).then_some(pauses.longest.as_micros()),
+        },
+        drives,
+        advice: Vec::new(),
+    };
+    check.advice = advice(&check, lang);
+    (check, cut)
+}
+
+fn adapter(before: AdapterInfo, after: &AdapterInfo) -> Adapter {
+    let grown = |old: ErrorCounts, new: ErrorCounts| AdapterErrors {
+        frame: new.frame.wrapping_sub(old.frame),
+        overrun: new.overrun.wrapping_sub(old.overrun),
+        parity: new.parity.wrapping_sub(old.parity),
+        brk: new.brk.wrapping_sub(old.brk),
+    };
+    Adapter {
+        name: before.name,
+        driver: before.driver,
+        about: before.about,
+        latency_timer_ms: after.latency_timer_ms,
+        low_latency: match after.low_latency {
+            LowLatency::Granted => "granted",
+            LowLatency::Refused => "refused",
+            LowLatency::Unsupported => "unsupported",
+        },
+        rs485: after.rs485.mode.name(),
+        errors: before.error_counts.zip(after.error_counts).map(|(old, new)| grown(old, new)),
+    }
+}
+
+/// What is seen, and what to do about it: one row a sign.
+fn advice(check: &LineCheck, lang: Lang) -> Vec<Advice> {
+    let tests = || check.drives.iter().filter_map(|drive| drive.test.as_ref());
+    let errors = check.adapter.errors;
+    let any = |of: fn(&AdapterErrors) -> u32| errors.as_ref().is_some_and(|errors| of(errors) > 0);
+    let timer = check.adapter.latency_timer_ms.filter(|&ms| ms > LATENCY_MS);
+    let rows = [
+        (timer.is_some(), "latency_timer", lang.pick(
+            "the adapter holds bytes back: set its latency timer to 1 ms (Linux, FTDI: echo 1 | sudo tee \
+             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: port settings, advanced)",
+            "der Adapter hält Bytes zurück: seine Latenzzeit auf 1 ms stellen (Linux, FTDI: echo 1 | sudo tee \
+             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert)",
+        )),
+        (check.echo == Some(true), "echo", lang.pick(
+            "the adapter hears itself; the echo is taken away, but switch it off at the adapter if it can do that",
+            "der Adapter hört sich selbst; das Echo wird entfernt, besser ist, es am Adapter abzuschalten",
+        )),
+        (any(|errors| errors.frame) , "frame_errors", lang.pick(
+            "characters without a stop bit: another baud rate or format on the line, or no bias resistors",
+            "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende Ruhepegelwiderstände",
+        )),
+        (any(|errors| errors.parity), "parity_errors", lang.pick(
+            "characters with wrong parity: check the parity setting, shielding and termination",
+            "Zeichen mit falscher Parität: Paritätseinstellung, Schirmung und Abschluss prüfen",
+        )),
+        (any(|errors| errors.overrun), "overruns", lang.pick(
+            "the computer fetched characters too late: another adapter or less load",
+            "der Rechner holte Zeichen zu spät ab: anderer Adapter oder weniger Last",
+        )),
+        (tests().any(|test| test.garbled > 0), "garbled", lang.pick(
+            "disturbed replies: 120 ohm at both ends, bias at one place, shield on one side, A and B twisted; two drives \
+             with one address look like this too",
+            "gestörte Antworten: 120 Ohm an beiden Enden, Ruhepegel an einer Stelle, Schirm einseitig, A und B verdrillt; \
+             zwei Antriebe mit einer Adresse sehen auch so aus",
+        )),
+        (tests().any(|test| test.silent > 0 && test.replies > 0), "lost_replies", lang.pick(
+            "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
+            "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über 500 ms)",
+        )),
+        (tests().any(|test| test.strays > 0), "strays", lang.pick(
+            "telegrams that nobody asked for: a second master on the bus, or replies later than the time-out",
+            "Telegramme, nach denen niemand fragte: ein zweiter Master am Bus, oder Antworten nach der Wartezeit",
+        )),
+    ];
+    let seen = rows.into_iter().filter(|row| row.0);
+    seen.map(|(_, code, text)| Advice { code, text: text.to_owned() }).collect()
+}
