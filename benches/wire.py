@@ -73,13 +73,13 @@ class Setting:
         line = ["--baud", self.baud, "--parity", "none", "--data-bits", 8, "--stop-bits", 2]
         return [str(word) for word in ["--protocol", self.protocol, *line]]
 
-    def drive(self, address, delay_ms=None):
-        """A drive of a bench file."""
+    def drive(self, address, delay_ms=None, jitter_ms=0):
+        """A drive of a bench file; it may take up to `jitter_ms` longer."""
         values = ", ".join(f'"{RATED_SPEED}@{number}" = {speed}' for number, speed in SPEEDS.items())
         delay = self.delay_ms if delay_ms is None else delay_ms
         return (
             f'[[drive]]\nmodel = "act"\naddress = {address}\nprotocol = "{self.protocol}"\nbaud = {self.baud}\n'
-            f'parity = "none"\ndata_bits = 8\nreply_delay = "{delay}ms"\nset = {{ {values} }}\n\n'
+            f'parity = "none"\ndata_bits = 8\nreply_delay = "{delay}ms"\njitter = "{jitter_ms}ms"\nset = {{ {values} }}\n\n'
         )
 
 

@@ -9,7 +9,7 @@ use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
 use antrieb::outcome::{Event, Relocation, RelocationResult, StepResult};
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::Protocol;
-use antrieb::protocol::line::{LineSetting, Parity};
+use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
 

@@ -15,15 +15,16 @@ pub struct MotionArgs {
     #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Safety")]
     pub duration: Option<Span>,
 
-    /// How to stop at the end, on Ctrl-C, on an error: ramp (P.392 decides), quick-stop, coast, keep
+    /// How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in
+    /// modes that it does not stop), quick-stop, coast, keep
     #[arg(long, value_name = "STOP", default_value = "ramp", help_heading = "Safety")]
     pub on_exit: StopArg,
 
-    /// Set the drive's own watchdog (P.413) to this time for the run, in RAM, and restore it afterwards
+    /// Set the drive's own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards
     #[arg(long, value_name = "TIME", value_parser = parse_span, help_heading = "Safety")]
     pub watchdog: Option<Span>,
 
-    /// Take control with P.412 = 1 for the run, in RAM, and give it back afterwards
+    /// ACTIVE: take control with P.412 = 1 for the run, in RAM, and give it back afterwards
     #[arg(long, help_heading = "Safety")]
     pub take_control: bool,
 

@@ -156,32 +156,31 @@ fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>
     named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
 }
 
-/// Work without a line, in the words of the family that was named; of the drives that it could be otherwise, the first
-/// that understands. If none does, whoever knows what is meant tells best what is wrong with it.
+/// Work without a line, in the words of the family that was named; otherwise of the usual one, or of the first of the
+/// drives that it could be which knows what is meant. If none knows, the usual one says what is wrong.
 fn offline<T>(
     settings: &Settings,
     registry: &Registry,
     work: impl Fn(&Family) -> Result<T, Failure>,
 ) -> Result<(Rc<Family>, T), Failure> {
     let usual = offline_family(settings, registry)?;
-    let mut refused = match work(&usual) {
-        Ok(done) => return Ok((usual, done)),
-        Err(failure) => failure,
+    let unknown = match work(&usual) {
+        Err(failure) if settings.drive.is_none() && is_unknown(&failure) => failure,
+        done => return Ok((usual, done?)),
     };
-    let others = if settings.drive.is_some() { Vec::new() } else { registry.families() };
-    for family in others {
+    for family in registry.families() {
         match work(&family) {
-            Ok(done) => return Ok((family, done)),
-            Err(failure) if is_unknown(&refused) && !is_unknown(&failure) => refused = failure,
-            Err(_) => {}
+            Err(failure) if is_unknown(&failure) => {}
+            done => return Ok((family, done?)),
         }
     }
-    Err(refused)
+    Err(unknown)
 }
 
-/// Whether a failure is about a name that the family does not know.
+/// Whether a failure is about something that the family does not know, but another may.
 fn is_unknown(failure: &Failure) -> bool {
-    ["data.unknown_parameter", "usage.mode"].contains(&failure.code.as_str())
+    ["data.unknown_parameter", "data.unknown_group", "usage.mode", "usage.unit", "usage.option"]
+        .contains(&failure.code.as_str())
 }
 
 /// What a verb that reads would ask every drive that was named, without opening anything.

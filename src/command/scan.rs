@@ -98,10 +98,11 @@ fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> 
 fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
     let settings = context.settings;
     let usage = |code: &str, message: String| Err(Failure::new(Class::Usage, code, message));
-    if let Some(twice) =
-        settings.ports.iter().enumerate().find(|(at, port)| settings.ports.iter().take(*at).any(|p| p == *port))
-    {
-        return usage("usage.port", format!("port: {} is named twice; expected every port once", twice.1));
+    let mut named = settings.ports.iter();
+    while let Some(port) = named.next() {
+        if named.as_slice().contains(port) {
+            return usage("usage.port", format!("port: {port} is named twice; expected every port once"));
+        }
     }
     if settings.ports.len() > 1 && settings.trace.is_some() {
         return usage("usage.trace", "trace: one file holds one line; expected one port".to_owned());
@@ -214,6 +215,8 @@ fn report(
     }
     let failure = verdict(settings, failures, ports.len(), &drives, (asked, addresses));
     let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
+    // In the order of the addresses, not of the finds, so that two scans of one line give the same document.
+    drives.sort_by_key(|drive| (names.iter().position(|name| *name == drive.port), drive.address));
     let unknown = settings.unknown;
     let auto = |is_unknown: bool, known: String| if is_unknown { "auto".to_owned() } else { known };
     let data = Scan {
@@ -336,8 +339,13 @@ fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
 fn asked_before(scan: &Scan, port: &str) -> Result<Vec<Asked>, Failure> {
     let of_port = scan.searches.iter().filter(|search| search.port == port);
     let asked = of_port.map(|search| {
-        let addresses = asked_at(search)?;
-        Ok(Asked { line: search.line.clone(), protocol: search.protocol.clone(), addresses })
+        let place = (&search.port, &search.line, &search.protocol);
+        Ok(Asked {
+            line: search.line.clone(),
+            protocol: search.protocol.clone(),
+            addresses: asked_at(search)?,
+            found: scan.drives.iter().any(|drive| (&drive.port, &drive.line, &drive.protocol) == place),
+        })
     });
     asked.collect()
 }

@@ -200,7 +200,11 @@ fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Resu
     };
     let first = spoken.points.first().ok_or_else(|| bad("expected a setpoint such as 25Hz".to_owned()))?;
     let mode = named_mode(args, family, lang)?;
-    let mode = mode.map_or_else(|| unit_mode(&first.text, family, lang).map_err(|why| failed(first, why)), Ok)?;
+    let mode = match mode {
+        Some(mode) => mode,
+        None => unit_mode(&first.text, family, lang)
+            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
+    };
     let mut said = Vec::new();
     for point in &spoken.points {
         let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
@@ -294,7 +298,8 @@ fn source(args: &Args, mode: &Mode, family: &Family) -> Result<Option<(Param, i6
 
 fn unknown_word(flag: &str, word: &str, known: &[&str], mode: &Mode) -> Failure {
     let expected = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-    bad(format!("{flag} {word} does not fit '{}' (expected: {expected})", mode.slug))
+    let message = format!("{flag} {word} does not fit '{}' (expected: {expected})", mode.slug);
+    Failure::new(Class::Usage, "usage.option", message)
 }
 
 /// Parameters of the mode that are set first, checked like every value.

@@ -12,9 +12,9 @@ use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows the state of the drive, and walks it through its state machine.
 ///
-/// `show` (the default) reads only: the state, status and control word bit by bit, the control mode (P.412), what is
-/// missing to run, and where each state leads. Everything else can turn the shaft and asks first. The control word is
-/// obeyed only with P.412 = 1 (--take-control) and with external enable and start contact given.
+/// `show` (the default) reads only: the state, status and control word bit by bit, who controls the drive, what is
+/// missing to run, and where each state leads. Everything else can turn the shaft and asks first. An ACTIVE obeys the
+/// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]

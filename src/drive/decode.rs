@@ -88,7 +88,7 @@ impl Reader<'_> {
 
     /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.
     pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, String> {
-        let protocol = recorded_protocol(text).unwrap_or(self.protocol);
+        let mut protocol = recorded_protocol(text).unwrap_or(self.protocol);
         let mut docs: Vec<(TraceLine, Vec<u8>)> = Vec::new();
         for line in read_trace(text)? {
             match docs.last_mut() {
@@ -106,11 +106,9 @@ impl Reader<'_> {
         Ok(docs
             .into_iter()
             .flat_map(|(line, bytes)| {
-                let (protocol, telegrams) = match protocol {
-                    Protocol::Vabus => (protocol, vabus::cut(&bytes)),
-                    _ if bytes.first() == Some(&ascii::START) => (Framing::Ascii.into(), vec![bytes]),
-                    _ => (protocol, vec![bytes]),
-                };
+                protocol = spoken(&bytes, protocol);
+                let telegrams = if protocol == Protocol::Vabus { vabus::cut(&bytes) } else { vec![bytes] };
+                let protocol = protocol;
                 telegrams.into_iter().map(move |bytes| {
                     let mut doc = Reader { protocol, ..*self }.telegram(&bytes, Some(line.sent));
                     doc.at_us = Some(line.at_us);
@@ -147,6 +145,17 @@ impl Reader<'_> {
             station => format!("{} {station}", self.pick("address", "Adresse")),
         }
     }
+}
+
+/// What these bytes are spoken in: as before, unless they make sense only in another protocol. A drive may have been
+/// moved while the line was recorded.
+fn spoken(bytes: &[u8], before: Protocol) -> Protocol {
+    let all = [before, Framing::Rtu.into(), Framing::Ascii.into(), Protocol::Vabus];
+    let makes_sense = |protocol: &Protocol| match protocol {
+        Protocol::Modbus(framing) => framing.decode(bytes).is_ok(),
+        Protocol::Vabus => vabus::cut(bytes).iter().all(|bytes| vabus::is_telegram(bytes)),
+    };
+    all.into_iter().find(makes_sense).unwrap_or(before)
 }
 
 /// What the first line of a recording says of its protocol, behind the setting of the line.

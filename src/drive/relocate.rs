@@ -464,7 +464,8 @@ impl Journey<'_, '_> {
                 }
                 Err(error) => last = Some(error),
             }
-            match self.arrives(&both).await {
+            // Twice at the likeliest: a line that is disturbed for a moment is no reason to give up.
+            match self.arrives(&[&[place, self.here][..], &both].concat()).await {
                 Ok(Some(found)) if found != self.here => {
                     self.undo.extend(leg.back(Then::At(self.here)));
                     self.here = found;

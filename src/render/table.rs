@@ -355,10 +355,9 @@ impl Page {
             let hint = hint.map_or_else(String::new, |hint| format!(": {hint}"));
             rows.push(("error register", format!("{} {}{hint}", register.code, register.name)));
         }
-        rows.extend(report.memory.iter().enumerate().map(|(index, value)| {
-            (if index == 0 { "fault memory" } else { "" }, format!("{}: {}", value.name, self.short(value)))
-        }));
-        rows.extend(report.watchdog.iter().map(|value| ("watchdog", self.short(value))));
+        rows.extend(self.memory(&report.memory));
+        let known = report.watchdog.iter().filter(|value| value.error.is_none());
+        rows.extend(known.map(|value| ("watchdog", self.short(value))));
         if report.counters_cleared {
             rows.push(("counters cleared", self.word("yes").to_owned()));
         }
@@ -429,6 +428,16 @@ impl Page {
             vec![range, bucket.count.to_string(), "#".repeat(marks)]
         };
         self.table(&[">reply times", ">count", ""], buckets.iter().map(row).collect())
+    }
+
+    /// The entry of the fault memory; number 0 is none.
+    fn memory(self, memory: &[Value]) -> Vec<(&'static str, String)> {
+        if memory.first().is_some_and(|number| number.raw == Some(0)) {
+            return vec![("fault memory", self.word("none").to_owned())];
+        }
+        let label = |index| if index == 0 { "fault memory" } else { "" };
+        let rows = memory.iter().enumerate();
+        rows.map(|(index, value)| (label(index), format!("{}: {}", value.name, self.short(value)))).collect()
     }
 
     fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {

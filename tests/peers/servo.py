@@ -2,8 +2,8 @@
 
     servo.py PORT|- rtu|socket high|low [without-23]
 
-Answers on a tty, or on a TCP port of its own choice (`-`) in frames of RTU or of Modbus/TCP. Two registers per parameter,
-the upper or the lower half first. `without-23` refuses code 23 with exception 1, as a device that does not have it.
+Answers on a tty, or on a TCP port of its own choice (`-`) in frames of RTU or of Modbus/TCP. Two registers per
+parameter, the upper or the lower half first. `without-23` refuses code 23 with exception 1, as a device that does not have it.
 Says "ready" on stdout, with ` on PORT` for TCP, and then "asked CODE DATA" for every request; ends on SIGTERM.
 
 Addresses are those of the LXM05 manual. Its revision is object 2, as in the norm (facts G4).

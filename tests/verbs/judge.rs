@@ -1,8 +1,8 @@
 //! The simulator as judge of our master: whatever is done with drives on a normal bench, it has no remark.
 
 use antrieb::drive::{
-    Interrupt, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test, recognise,
-    scan,
+    Interrupt, Manner, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test,
+    recognise, scan,
 };
 use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
 use antrieb::outcome::Event;
@@ -90,9 +90,14 @@ impl Stage {
 
 const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
 
+/// A scan that gives everybody his time before it asks the next.
+fn by_the_book(addresses: impl IntoIterator<Item = u8>) -> ScanPlan {
+    ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(addresses, Lang::En) }
+}
+
 /// Scan, identify, read and write everything, diagnose.
 async fn everything(session: &mut Session<'_>, registry: &Registry) {
-    let plan = ScanPlan::new(1..=12, Lang::En);
+    let plan = by_the_book(1..=12);
     let found = scan(session, &plan, registry).await;
     assert_eq!(found.drives.len(), 2, "{found:?}");
     for address in [1, 2] {
@@ -153,7 +158,7 @@ fn no_remark_with_strict_drives_and_uneven_replies() {
 fn no_remark_on_a_scan_of_the_whole_line() {
     let stage = Stage::standard();
     let remarks = stage.play(async |session, registry| {
-        let plan = ScanPlan::new(1..=247, Lang::En);
+        let plan = by_the_book(1..=247);
         let found = scan(session, &plan, registry).await;
         assert_eq!((found.drives.len(), found.searched[0].asked.len()), (2, 247));
     });
@@ -164,7 +169,7 @@ fn no_remark_on_a_scan_of_the_whole_line() {
 fn no_remark_on_devices_that_are_no_drives() {
     let bench = "[[drive]]\nmodel = \"foreign\"\naddress = 9\nregisters = { \"0\" = 17 }\n";
     let remarks = Stage::on(bench, "").play(async |session, registry| {
-        let plan = ScanPlan::new(1..=20, Lang::En);
+        let plan = by_the_book(1..=20);
         assert_eq!(scan(session, &plan, registry).await.drives.len(), 1);
     });
     assert_eq!(remarks, [""; 0]);
@@ -192,7 +197,7 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
     let stage = Stage::standard();
     let remarks = stage.play(async |session, registry| {
         let before = format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session)));
-        let plan = ScanPlan::new(vec![1, 2], Lang::En);
+        let plan = by_the_book(vec![1, 2]);
         scan(session, &plan, registry).await;
         for address in [1, 2] {
             let finding = recognise(session, registry, address, Lang::En, false).await.unwrap();

@@ -72,7 +72,7 @@ fn a_dry_run_decodes_what_it_would_send() {
 
 #[test]
 fn what_no_telegram_can_name_is_refused_by_us_and_not_in_the_name_of_the_drive() {
-    for line in ["read 5000", "read 4096@2", "--yes write 5000=1 --type uint", "dataset show 5000"] {
+    for line in ["read 70000", "read 4096@2", "--yes write 70000=1 --type uint", "dataset show 5000"] {
         let document = antrieb(&format!("-p /dev/antrieb-has-no-such-port -a 1 {line}")).json();
         assert_eq!((document.exit, &document.error()["class"]), (7, &"data".into()), "{line}: {}", document.error());
     }

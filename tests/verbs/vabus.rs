@@ -118,3 +118,22 @@ fn a_dry_run_of_a_move_opens_nothing() {
     let starts: Vec<&str> = moved.iter().map(|telegram| &telegram[..17]).collect();
     assert_eq!(starts, ["01 06 05 60 00 05", "01 06 00 0A 00 06", "01 06 00 22 00 7B"]);
 }
+
+#[test]
+fn every_verb_speaks_vabus() {
+    for line in [
+        "-a 3 identify",
+        "-a 3 read @modbus",
+        "-a 3 --yes write 376@4=1.5kW 480@2ram=-12",
+        "-a 3 dataset show 480",
+        "-a 3 --yes dataset copy 1 2 480",
+        "-a 3 diag",
+        "-a 3 statemachine",
+        "-a 3 --yes statemachine enable",
+        "-a 3 --yes sollwert 10Hz",
+        "-a 1-4 scan",
+        "-a 3 protocol show",
+    ] {
+        on_cube(line).json().exits(0);
+    }
+}

@@ -20,9 +20,9 @@ pub(super) fn cut(bytes: &[u8]) -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// Whether these bytes are exactly one telegram that asks or answers something.
+/// Whether these bytes are exactly one telegram.
 pub(super) fn is_telegram(bytes: &[u8]) -> bool {
-    Request::decode(bytes).is_ok() || Reply::decode(bytes).is_ok()
+    bytes == [EOT] || Request::decode(bytes).is_ok() || Reply::decode(bytes).is_ok()
 }
 
 impl Reader<'_> {

@@ -44,7 +44,8 @@ impl Situation {
         let setting = row.setting.as_ref().is_some_and(|setting| {
             self.settings.get(&setting.role).is_some_and(|value| value % setting.modulo == setting.not)
         });
-        (bit || setting) && !(row.controlled && !self.obeys(family))
+        let tells = !row.controlled || self.obeys(family);
+        tells && (bit || setting)
     }
 
     /// What is missing behind an interlock, and where one sees it.

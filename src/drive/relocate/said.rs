@@ -88,7 +88,7 @@ pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&out
     };
     let class = if cause.class == Class::Port { Class::Port } else { Class::Silence };
     Failure { message, class, code: "silence.lost".to_owned(), ..cause }.hint(lang.pick(
-        "check the cable; `antrieb scan` finds the drive with every protocol, speed and parity",
-        "Kabel prüfen; `antrieb scan` findet den Antrieb mit jedem Protokoll, jeder Baudrate und Parität",
+        "check the cable; `antrieb scan --protocol auto --baud auto --parity auto` finds the drive wherever it is",
+        "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist",
     ))
 }

@@ -97,6 +97,8 @@ pub struct Asked {
     pub protocol: String,
     /// Addresses.
     pub addresses: BTreeSet<u8>,
+    /// A drive was found there.
+    pub found: bool,
 }
 
 impl Asked {
@@ -199,11 +201,13 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             warnings.push(look::fixed_line(session.port(), known, plan.lang));
         }
         let searched = order::tunings(known, unknown).into_iter().map(|tuning| {
-            let before = plan.before.iter().filter(|row| row.is_at(tuning)).flat_map(|row| &row.addresses);
+            let before = || plan.before.iter().filter(|row| row.is_at(tuning));
             let askable = |address: &&u8| family::probe(tuning.protocol, **address).is_some();
-            let asked = before.copied().filter(|address| plan.addresses.contains(address)).collect();
+            let asked = before().flat_map(|row| &row.addresses).copied();
+            let asked = asked.filter(|address| plan.addresses.contains(address)).collect();
             let total = plan.addresses.iter().filter(askable).count();
-            Searched { tuning, total, asked, garbled: BTreeSet::new(), hint: false, found: false, occupied: false }
+            let found = before().any(|row| row.found);
+            Searched { tuning, total, asked, garbled: BTreeSet::new(), hint: false, found, occupied: false }
         });
         let searched = searched.collect();
         Search { session, plan, registry, searched, drives: Vec::new(), warnings }
@@ -211,15 +215,19 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
 
     async fn run(&mut self) -> Result<(), AccessError> {
         let depths = if self.searched.len() == 1 { &[TO_THE_END][..] } else { &DEPTHS };
+        let found_before: Vec<usize> = (0..self.searched.len()).filter(|&index| self.is_found(index)).collect();
+        for index in found_before {
+            self.survey(index, TO_THE_END).await?;
+        }
         for depth in depths {
             for index in self.likely_first() {
+                if self.is_over() {
+                    return Ok(());
+                }
                 self.survey(index, *depth).await?;
                 // Who shares a line shares its setting: where one is, others are.
                 if self.is_found(index) && !self.is_over() {
                     self.survey(index, TO_THE_END).await?;
-                }
-                if self.is_over() {
-                    return Ok(());
                 }
             }
         }
