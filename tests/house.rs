@@ -24,8 +24,24 @@ const LAW: &[(&str, &[&str])] = &[
 ];
 
 /// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.
-const DRIVE_TELEGRAMS: &[&str] =
-    &["decode.rs", "diag.rs", "family.rs", "mod.rs", "modbus.rs", "order.rs", "registers.rs", "relocate.rs", "route.rs", "services.rs", "session.rs", "transfer.rs", "trouble.rs", "vabus.rs"];
+const DRIVE_TELEGRAMS: &[&str] = &[
+    "decode.rs",
+    "diag.rs",
+    "family.rs",
+    "journey.rs",
+    "mod.rs",
+    "modbus.rs",
+    "order.rs",
+    "plot.rs",
+    "registers.rs",
+    "relocate.rs",
+    "route.rs",
+    "services.rs",
+    "session.rs",
+    "transfer.rs",
+    "trouble.rs",
+    "vabus.rs",
+];
 const DRIVE_SIMULATOR: &[&str] = &["bench.rs", "session.rs"];
 
 #[test]

@@ -367,11 +367,11 @@ async fn carry_out(
     for (param, raw) in &wanted.settings {
         motor.change_param(param, *raw).await?;
     }
+    if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
+        // A setpoint that still stands from before must not start the shaft.
+        motor.give(&wanted.param, 0, unit).await?;
+    }
     if enable {
-        if wanted.mode.zero {
-            // A setpoint that still stands from before must not start the shaft.
-            motor.give(&wanted.param, 0, unit).await?;
-        }
         motor.walk("operation-enabled").await?;
     }
     motor.enter().await?;

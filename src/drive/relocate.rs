@@ -4,12 +4,15 @@
 //! the next. If it does not, but still answers where it was, everything is put back. Sources: CM-485 manual 5.2 (P.10,
 //! P.1375, P.1376, P.34), 6 (P.395), 11.2 (P.394); facts A1 (format of VABus).
 
+mod journey;
+mod plot;
 mod said;
 
+pub use plot::course;
+
 use super::route::{Cell, Inquiry};
-use super::session::{AccessError, Session};
-use super::transfer::{Order, Target, WriteFate};
-use crate::exchange::ExchangeError;
+use super::session::Session;
+use super::transfer::Target;
 use crate::failure::Failure;
 use crate::gate::Permit;
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
@@ -17,9 +20,8 @@ use crate::profile::{Family, Lang, Param, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
-use crate::protocol::vabus::Address;
-use crate::tick::Span;
-use said::{behind_another, cannot_follow, left, lost, occupied, out_of_range, unknown_settings, unmoved};
+use journey::{Journey, Setback, follow, is_taken};
+use said::{left, lost, occupied, out_of_range};
 use std::fmt;
 
 /// P.395 (CM-485 manual 6). 1 is the P-Bus, which nobody but its maker speaks.
@@ -31,13 +33,6 @@ const BAUD_RATES: [(i64, u32); 6] = [(1, 2_400), (2, 4_800), (3, 9_600), (4, 19_
 const PARITIES: [(i64, Parity); 3] = [(0, Parity::Even), (1, Parity::Odd), (2, Parity::None)];
 /// P.34: restarts the software (CM-485 manual 5.2.1).
 const RESTART: i64 = 123;
-/// How often a step is tried while the drive still answers where it was.
-const TRIES: u8 = 3;
-/// The drive is "ready after a few seconds" (CM-485 manual 5.2.1).
-const LONGEST_RESTART: Span = Span::from_secs(15);
-/// Between two looks for a drive that restarts.
-const PAUSE: Span = Span::from_millis(500);
-
 /// How a drive is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -161,78 +156,6 @@ pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> 
         Some(Inquiry::Write(cell, Type::Uint, u32::try_from(raw?).ok()?))
     };
     writes.into_iter().filter_map(order).collect()
-}
-
-/// Finds the way to what is wished for, by reading the settings of the drive; says why if there is none.
-pub async fn course(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    wish: &Wish,
-    lang: Lang,
-) -> Result<Course, Failure> {
-    let family = target.family.clone();
-    wish.check(lang)?;
-    if session.node() != 0 {
-        return Err(behind_another(lang));
-    }
-    let row = |role| family.role(role).cloned().ok_or_else(|| unknown_settings(lang));
-    let (protocol, baud, parity) = (row("protocol")?, row("baud-rate")?, row("parity")?);
-    let (station, node, restart) = (row("address")?, row("node-id")?, row("reset")?);
-    let (line, spoken) = (session.line(), session.protocol());
-    let from = Place { protocol: spoken, line, address: target.address };
-    let mut stored = async |param: &Param| {
-        let reading = target.read_set(session, param, 0).await;
-        reading.map(|reading| reading.raw).map_err(|error| error.failure(from.address, Some(&family), lang))
-    };
-
-    let mut here = from;
-    let mut legs = Vec::new();
-    if let Some((to, raw)) = coded(&PROTOCOLS, wish.protocol.filter(|to| *to != spoken)) {
-        let address = stored(if to == Protocol::Vabus { &node } else { &station }).await?;
-        let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address, lang))?;
-        // VABus does not know the parity of Modbus; the one in force is taken for the one that is stored.
-        let kept = match spoken {
-            Protocol::Modbus(_) => line.parity,
-            Protocol::Vabus => meaning(&PARITIES, stored(&parity).await?).unwrap_or(Parity::Even),
-        };
-        here = Place::usual(to, line.baud, kept, address);
-        legs.push(Leg { param: protocol, old: number(&PROTOCOLS, &spoken), raw, then: Then::At(here) });
-    }
-    if let Some(address) = wish.address.filter(|address| *address != here.address) {
-        let (param, last) = match here.protocol {
-            Protocol::Vabus => (node, Address::LAST),
-            Protocol::Modbus(_) => (station, LAST_STATION),
-        };
-        if address > last {
-            return Err(out_of_range("address", &format!("1-{last}"), &address, lang));
-        }
-        let old = Some(here.address.into());
-        here.address = address;
-        legs.push(Leg { param, old, raw: address.into(), then: Then::At(here) });
-    }
-    let mut restarts = false;
-    if let Some((wished, raw)) = coded(&BAUD_RATES, wish.baud) {
-        let old = stored(&baud).await?;
-        legs.extend((old != raw).then_some(Leg { param: baud, old: Some(old), raw, then: Then::Stored }));
-        restarts |= old != raw || line.baud != wished;
-        here.line.baud = wished;
-    }
-    if let Some((wished, raw)) = coded(&PARITIES, wish.parity) {
-        let old = stored(&parity).await?;
-        let differs = here.protocol != Protocol::Vabus && here.line.parity != wished;
-        legs.extend((old != raw).then_some(Leg { param: parity, old: Some(old), raw, then: Then::Stored }));
-        restarts |= old != raw || differs;
-        if differs {
-            here.line = here.protocol.line(here.line.baud, wished);
-        }
-    }
-    if restarts {
-        legs.push(Leg { param: restart, old: None, raw: RESTART, then: Then::Restart(here) });
-    }
-    if here.line != from.line && !session.can_retune() {
-        return Err(cannot_follow(session.port(), lang));
-    }
-    Ok(Course { from, to: here, legs })
 }
 
 impl Course {
@@ -398,204 +321,10 @@ impl Course {
     }
 }
 
-/// A drive on its way.
-struct Journey<'j, 's> {
-    session: &'j mut Session<'s>,
-    target: &'j mut Target,
-    permit: &'j Permit,
-    lang: Lang,
-    /// Where it answered last.
-    here: Place,
-    /// What puts it back, in the order in which it was done.
-    undo: Vec<Leg>,
-}
-
-/// Why a step is not done.
-struct Setback {
-    cause: Failure,
-    /// Where the drive may be, the likeliest first; empty while it still answers where it was.
-    perhaps: Vec<Place>,
-}
-
-impl Setback {
-    fn is_lost(&self) -> bool {
-        !self.perhaps.is_empty()
-    }
-}
-
-impl Journey<'_, '_> {
-    async fn leg(&mut self, leg: &Leg) -> Result<(), Setback> {
-        match leg.then {
-            Then::Stored => self.store(leg).await,
-            Then::At(place) => self.hop(leg, place).await,
-            Then::Restart(place) => self.restart(leg, place).await,
-        }
-    }
-
-    /// Writes what only a restart brings into force.
-    async fn store(&mut self, leg: &Leg) -> Result<(), Setback> {
-        self.undo.extend(leg.back(Then::Stored));
-        let error = match self.write(leg, true).await {
-            Ok(WriteFate::Verified | WriteFate::Written) => return Ok(()),
-            Ok(WriteFate::Unknown(error)) | Err(error) => error,
-            Ok(WriteFate::Differs(_) | WriteFate::Broadcast) => {
-                return Err(Setback { cause: unmoved(self.here, self.lang), perhaps: Vec::new() });
-            }
-        };
-        if error.is_refused() {
-            self.undo.pop();
-        }
-        let answers = error.is_refused() || (!error.is_fatal() && self.answers(self.here, None).await.unwrap_or(false));
-        let perhaps = if answers { Vec::new() } else { vec![self.here] };
-        Err(Setback { cause: self.failure(&error), perhaps })
-    }
-
-    /// Writes what moves the drive at once, and follows it.
-    async fn hop(&mut self, leg: &Leg, place: Place) -> Result<(), Setback> {
-        let places = self.landings(place);
-        let both: Vec<Place> = places.iter().copied().chain([self.here]).collect();
-        let mut last = None;
-        for _ in 0..TRIES {
-            match self.write(leg, false).await {
-                Ok(WriteFate::Unknown(error)) => last = Some(error),
-                Ok(_) => {}
-                Err(error) if error.is_refused() => {
-                    return Err(Setback { cause: self.failure(&error), perhaps: Vec::new() });
-                }
-                Err(error) => last = Some(error),
-            }
-            // Twice at the likeliest: a line that is disturbed for a moment is no reason to give up.
-            match self.arrives(&[&[place, self.here][..], &both].concat()).await {
-                Ok(Some(found)) if found != self.here => {
-                    self.undo.extend(leg.back(Then::At(self.here)));
-                    self.here = found;
-                    return Ok(());
-                }
-                Ok(Some(_)) => {}
-                Ok(None) => {
-                    let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
-                    return Err(Setback { cause, perhaps: both });
-                }
-                Err(error) => return Err(Setback { cause: self.failure(&error), perhaps: both }),
-            }
-        }
-        let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
-        Err(Setback { cause, perhaps: Vec::new() })
-    }
-
-    /// Restarts the drive, and waits for it where it will be.
-    async fn restart(&mut self, leg: &Leg, place: Place) -> Result<(), Setback> {
-        let both = vec![place, self.here];
-        let lost =
-            |journey: &Self, error: &AccessError| Setback { cause: journey.failure(error), perhaps: both.clone() };
-        match self.write(leg, false).await {
-            Err(error) if error.is_refused() => {
-                return Err(Setback { cause: self.failure(&error), perhaps: Vec::new() });
-            }
-            Err(error) if error.is_fatal() => return Err(lost(self, &error)),
-            _ => {}
-        }
-        let until = self.session.now() + LONGEST_RESTART;
-        while self.session.now() < until {
-            self.session.rest(PAUSE).await.map_err(|error| lost(self, &error))?;
-            if self.answers(place, Some(0)).await.map_err(|error| lost(self, &error))? {
-                self.here = place;
-                return Ok(());
-            }
-        }
-        let stays = self.answers(self.here, None).await.map_err(|error| lost(self, &error))?;
-        let perhaps = if stays { Vec::new() } else { both.clone() };
-        Err(Setback { cause: unmoved(place, self.lang), perhaps })
-    }
-
-    /// Puts everything back that was done, the last first.
-    async fn put_back(&mut self) -> Result<(), Setback> {
-        while let Some(leg) = self.undo.pop() {
-            let depth = self.undo.len();
-            let back = self.leg(&leg).await;
-            self.undo.truncate(depth);
-            back?;
-        }
-        Ok(())
-    }
-
-    async fn write(&mut self, leg: &Leg, read_back: bool) -> Result<WriteFate, AccessError> {
-        let kind = leg.param.kind.unwrap_or(Type::Uint);
-        let order = Order { set: 0, raw: leg.raw, kind, read_back };
-        self.target.write(self.session, &leg.param, order, self.permit).await
-    }
-
-    /// Where the drive can be once it is on its way to `place`. What parity Modbus has in force cannot be seen from VABus:
-    /// the stored one may wait for a restart.
-    fn landings(&self, place: Place) -> Vec<Place> {
-        let mut places = vec![place];
-        if self.here.protocol == Protocol::Vabus && place.protocol != Protocol::Vabus {
-            let others = PARITIES.iter().filter(|row| row.1 != place.line.parity);
-            places.extend(others.map(|row| Place { line: place.protocol.line(place.line.baud, row.1), ..place }));
-        }
-        places
-    }
-
-    /// At which of these places the drive answers; the line stays there.
-    async fn arrives(&mut self, places: &[Place]) -> Result<Option<Place>, AccessError> {
-        for &place in places {
-            if self.answers(place, None).await? {
-                return Ok(Some(place));
-            }
-        }
-        Ok(None)
-    }
-
-    /// Whether the drive answers there, and says that it speaks what is spoken there. With `retries` in place of the
-    /// usual number.
-    async fn answers(&mut self, place: Place, retries: Option<u8>) -> Result<bool, AccessError> {
-        follow(self.session, self.target, place).await?;
-        let usual = retries.map(|retries| self.session.set_retries(retries));
-        let Some(param) = self.target.family.role("protocol").cloned() else { return Ok(false) };
-        let reading = self.target.read_set(self.session, &param, 0).await;
-        if let Some(usual) = usual {
-            self.session.set_retries(usual);
-        }
-        match reading {
-            Ok(reading) => Ok(Some(reading.raw) == number(&PROTOCOLS, &place.protocol)),
-            Err(error) if error.is_fatal() => Err(error),
-            Err(_) => Ok(false),
-        }
-    }
-
-    fn failure(&self, error: &AccessError) -> Failure {
-        error.failure(self.here.address, Some(&self.target.family), self.lang)
-    }
-}
-
 impl Leg {
     /// The write that undoes this one.
     fn back(&self, then: Then) -> Option<Leg> {
         Some(Leg { param: self.param.clone(), old: Some(self.raw), raw: self.old?, then })
-    }
-}
-
-/// Speaks as it is spoken there, from now on.
-async fn follow(session: &mut Session<'_>, target: &mut Target, place: Place) -> Result<(), AccessError> {
-    target.address = place.address;
-    if (session.protocol(), session.line()) == (place.protocol, place.line) {
-        return Ok(());
-    }
-    session.retune(place.protocol, place.line).await
-}
-
-/// Whether anybody answers there, whatever he says.
-async fn is_taken(session: &mut Session<'_>, target: &mut Target, place: Place) -> Result<bool, AccessError> {
-    follow(session, target, place).await?;
-    let Some(question) = super::family::probe(place.protocol, place.address) else { return Ok(false) };
-    let usual = session.set_retries(0);
-    let answer = session.ask(place.address, question).await;
-    session.set_retries(usual);
-    match answer {
-        Ok(_) => Ok(true),
-        Err(AccessError::Exchange(ExchangeError::Silence { .. })) => Ok(false),
-        Err(AccessError::Exchange(_)) => Ok(true),
-        Err(error) => Err(error),
     }
 }
 

@@ -1,6 +1,9 @@
 //! The LXM05 through the program: the worked sequences of its manual, reading, writing, diagnosis, safety.
 
+use super::motion::with_motor;
 use super::run::{Output, antrieb};
+use antrieb::drive::motion::{Motor, StopChoice};
+use antrieb::profile::Lang;
 use serde_json::json;
 
 /// An LXM05 whose settings differ from everything that the manual's examples write.
@@ -164,6 +167,45 @@ fn settings_of_a_held_run_are_given_back() {
         assert_eq!(told, (&json!(param), &json!(old), &json!(new), &json!(true)));
     }
     assert_eq!(run.data("/watchdog_s"), &json!(0.0));
+}
+
+#[test]
+fn a_setpoint_of_before_starts_nothing_when_the_mode_is_changed() {
+    let stale = bench("set = { PVn_target = 2000 }");
+    let output = antrieb("-a 1 -v --yes sollwert 100rpm").on(&stale).exits(0);
+    let writes: Vec<_> = [Write(6938, 0), Write(6918, 3), Write(6938, 100)].iter().map(telegram).collect();
+    let sent: Vec<_> = output.sent().into_iter().filter(|telegram| telegram.starts_with("01 10")).collect();
+    assert!(sent.iter().zip(&writes).all(|(sent, wanted)| sent.starts_with(wanted)), "{sent:?}");
+}
+
+#[test]
+fn the_node_guard_stops_the_shaft_when_the_line_is_dead() {
+    let dies = bench("[[drive.event]]\nat = \"4s\"\nsilent = \"600s\"");
+    with_motor(
+        "lxm05",
+        &dies,
+        async |session, target, permit| {
+            let mode = target.family.mode("velocity").unwrap().clone();
+            let setpoint = target.family.param(mode.setpoint).unwrap().clone();
+            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let ended = motor
+                .run(true, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
+                    motor.change("watchdog", 0).await?;
+                    motor.prepare(&mode);
+                    motor.walk("operation-enabled").await?;
+                    motor.enter().await?;
+                    motor.give(&setpoint, 500, "1/min").await?;
+                    motor.hold(None, async |_: &mut Motor<'_, '_>, _| Ok(())).await
+                })
+                .await;
+            assert_eq!(ended.result.unwrap_err().code, "silence.no_reply");
+            let stop = ended.stop.unwrap();
+            assert!(!stop.acknowledged);
+            let note = stop.note.unwrap();
+            assert!(note.contains("MBnode_guard (5644)) is 0.500 s: it makes a quick stop"), "{note}");
+        },
+        |bench| assert_eq!(bench.totals().turning, 0, "the drive's own guard stopped it"),
+    );
 }
 
 #[test]

@@ -162,7 +162,8 @@ fn permit() -> Permit {
 }
 
 /// Runs `work` on the drive at address 1 of a bench, in virtual time, and hands out the bench afterwards.
-fn with_motor(
+pub(crate) fn with_motor(
+    drive: &str,
     drives: &str,
     work: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Permit),
     after: impl FnOnce(&mut antrieb::simulator::Bench),
@@ -187,7 +188,7 @@ fn with_motor(
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe);
     let mut session = runtime.block_on(opened).unwrap();
-    let mut target = Target::new(1, registry.family("acu").unwrap());
+    let mut target = Target::new(1, registry.family(drive).unwrap());
     runtime.block_on(work(&mut session, &mut target, &permit()));
     after(session.bench().unwrap());
 }
@@ -195,6 +196,7 @@ fn with_motor(
 #[test]
 fn motion_wears_no_eeprom_and_the_judge_has_no_remark() {
     with_motor(
+        "acu",
         READY,
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
@@ -225,6 +227,7 @@ fn motion_wears_no_eeprom_and_the_judge_has_no_remark() {
 #[test]
 fn a_panic_in_the_work_stops_the_shaft_too() {
     with_motor(
+        "acu",
         READY,
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
@@ -251,6 +254,7 @@ fn a_panic_in_the_work_stops_the_shaft_too() {
 fn a_dead_line_is_reported_and_the_watchdog_named() {
     let dies = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2, \"413\" = 1 }\n[[drive.event]]\nwhen = \"above 5Hz\"\nsilent = \"600s\"\n";
     with_motor(
+        "acu",
         dies,
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();

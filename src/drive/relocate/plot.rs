@@ -1,0 +1,129 @@
+//! Finds the way from where a drive is to what is wished for.
+
+use super::said::{behind_another, cannot_follow, out_of_range, unknown_settings};
+use super::{BAUD_RATES, Course, Leg, PARITIES, PROTOCOLS, Place, RESTART, Then, Wish, coded, meaning, number};
+use crate::drive::session::Session;
+use crate::drive::transfer::Target;
+use crate::failure::Failure;
+use crate::profile::{Lang, Param};
+use crate::protocol::Protocol;
+use crate::protocol::line::Parity;
+use crate::protocol::modbus::LAST_STATION;
+use crate::protocol::vabus::Address;
+
+/// Finds the way to what is wished for, by reading the settings of the drive; says why if there is none.
+pub async fn course(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    wish: &Wish,
+    lang: Lang,
+) -> Result<Course, Failure> {
+    wish.check(lang)?;
+    if session.node() != 0 {
+        return Err(behind_another(lang));
+    }
+    let from = Place { protocol: session.protocol(), line: session.line(), address: target.address };
+    let mut plot = Plot { session, target, lang, here: from, legs: Vec::new(), restarts: false };
+    if let Some((protocol, raw)) = coded(&PROTOCOLS, wish.protocol.filter(|to| *to != from.protocol)) {
+        plot.speak(protocol, raw).await?;
+    }
+    if let Some(address) = wish.address.filter(|address| *address != plot.here.address) {
+        plot.readdress(address)?;
+    }
+    if let Some((baud, raw)) = coded(&BAUD_RATES, wish.baud) {
+        plot.restarts |= plot.store("baud-rate", raw).await? || from.line.baud != baud;
+        plot.here.line.baud = baud;
+    }
+    if let Some((parity, raw)) = coded(&PARITIES, wish.parity) {
+        plot.restarts |= plot.store("parity", raw).await?;
+        plot.check(parity);
+    }
+    if plot.restarts {
+        let then = Then::Restart(plot.here);
+        let leg = Leg { param: plot.row("reset")?, old: None, raw: RESTART, then };
+        plot.legs.push(leg);
+    }
+    if plot.here.line != from.line && !plot.session.can_retune() {
+        return Err(cannot_follow(plot.session.port(), lang));
+    }
+    Ok(Course { from, to: plot.here, legs: plot.legs })
+}
+
+/// A way that is being drawn.
+struct Plot<'p, 's> {
+    session: &'p mut Session<'s>,
+    target: &'p mut Target,
+    lang: Lang,
+    /// Where the drive is after what is drawn so far.
+    here: Place,
+    legs: Vec<Leg>,
+    /// Something waits for a restart.
+    restarts: bool,
+}
+
+impl Plot<'_, '_> {
+    /// Another protocol; the address is the one that the drive has for it.
+    async fn speak(&mut self, protocol: Protocol, raw: i64) -> Result<(), Failure> {
+        let old = number(&PROTOCOLS, &self.here.protocol);
+        let address = self.stored(address_role(protocol)).await?;
+        let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address, self.lang))?;
+        // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
+        let parity = match self.here.protocol {
+            Protocol::Modbus(_) => self.here.line.parity,
+            Protocol::Vabus => meaning(&PARITIES, self.stored("parity").await?).unwrap_or(Parity::Even),
+        };
+        self.here = Place::usual(protocol, self.here.line.baud, parity, address);
+        let leg = Leg { param: self.row("protocol")?, old, raw, then: Then::At(self.here) };
+        self.legs.push(leg);
+        Ok(())
+    }
+
+    fn readdress(&mut self, address: u8) -> Result<(), Failure> {
+        let last = if self.here.protocol == Protocol::Vabus { Address::LAST } else { LAST_STATION };
+        if address > last {
+            return Err(out_of_range("address", &format!("1-{last}"), &address, self.lang));
+        }
+        let param = self.row(address_role(self.here.protocol))?;
+        let old = Some(self.here.address.into());
+        self.here.address = address;
+        self.legs.push(Leg { param, old, raw: address.into(), then: Then::At(self.here) });
+        Ok(())
+    }
+
+    /// Writes a setting that waits for a restart, unless it stands there already; tells whether.
+    async fn store(&mut self, role: &str, raw: i64) -> Result<bool, Failure> {
+        let old = self.stored(role).await?;
+        if old != raw {
+            let leg = Leg { param: self.row(role)?, old: Some(old), raw, then: Then::Stored };
+            self.legs.push(leg);
+        }
+        Ok(old != raw)
+    }
+
+    /// The parity after the restart: P.1375 is that of Modbus; VABus has its own.
+    fn check(&mut self, parity: Parity) {
+        if self.here.protocol != Protocol::Vabus && self.here.line.parity != parity {
+            self.restarts = true;
+            self.here.line = self.here.protocol.line(self.here.line.baud, parity);
+        }
+    }
+
+    fn row(&self, role: &str) -> Result<Param, Failure> {
+        self.target.family.role(role).cloned().ok_or_else(|| unknown_settings(self.lang))
+    }
+
+    async fn stored(&mut self, role: &str) -> Result<i64, Failure> {
+        let param = self.row(role)?;
+        let (address, family) = (self.target.address, self.target.family.clone());
+        let reading = self.target.read_set(self.session, &param, 0).await;
+        reading.map(|reading| reading.raw).map_err(|error| error.failure(address, Some(&family), self.lang))
+    }
+}
+
+/// The parameter that holds the address in a protocol.
+fn address_role(protocol: Protocol) -> &'static str {
+    match protocol {
+        Protocol::Vabus => "node-id",
+        Protocol::Modbus(_) => "address",
+    }
+}
