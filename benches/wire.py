@@ -79,7 +79,8 @@ class Setting:
         delay = self.delay_ms if delay_ms is None else delay_ms
         return (
             f'[[drive]]\nmodel = "act"\naddress = {address}\nprotocol = "{self.protocol}"\nbaud = {self.baud}\n'
-            f'parity = "none"\ndata_bits = 8\nreply_delay = "{delay}ms"\njitter = "{jitter_ms}ms"\nset = {{ {values} }}\n\n'
+            f'parity = "none"\ndata_bits = 8\nreply_delay = "{delay}ms"\njitter = "{jitter_ms}ms"\n'
+            f"set = {{ {values} }}\n\n"
         )
 
 

@@ -197,6 +197,12 @@ fn role_questions(family: &Family, roles: &[&str]) -> Vec<Inquiry> {
     roles.iter().filter_map(|role| family.role(role)).map(|param| read_question(param, 0)).collect()
 }
 
+/// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
+fn who(address: u8, node: u8, drive: &str, lang: Lang) -> String {
+    let behind = if node == 0 { String::new() } else { format!(".{node}") };
+    format!("{} {address}{behind} ({drive})", lang.pick("drive", "Antrieb"))
+}
+
 fn read_question(param: &Param, set: u8) -> Inquiry {
     Inquiry::Read(Cell { number: param.id, set }, param.kind.unwrap_or(Type::Word))
 }

@@ -54,7 +54,8 @@ pub(super) async fn run<'p, C>(
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let before = look(&mut session, &mut target, lang).await?;
     let checked = check(&mut session, &mut target, &before, &mut plan).await?;
-    let permit = gate::ask(*ask, &question(&plan, &target, &before, lang)).map_err(super::write::denied)?;
+    let permit =
+        gate::ask(*ask, &question(&plan, &target, settings.node, &before, lang)).map_err(super::write::denied)?;
     let from = describe::state(&target.family, before.status, lang);
     if plan.args.hold {
         session.pace();
@@ -147,9 +148,9 @@ pub(super) async fn run<'p, C>(
 }
 
 /// Names address, family, present state and what will happen.
-fn question(plan: &Plan<'_>, target: &Target, before: &Situation, lang: Lang) -> Question {
+fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang: Lang) -> Question {
     let state = describe::state(&target.family, before.status, lang);
-    let who = format!("{} {} ({})", lang.pick("drive", "Antrieb"), target.address, target.family.drive);
+    let who = super::who(target.address, node, &target.family.drive, lang);
     let mut details = vec![format!("{who}: {} {}", lang.pick("now in", "jetzt in"), state.name)];
     let stop = plan.args.on_exit;
     details.push(match (plan.args.hold, stop, lang) {

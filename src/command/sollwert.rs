@@ -1,20 +1,23 @@
 //! `sollwert`: setpoints and actual values side by side, and giving a setpoint.
 
+mod check;
+mod wanted;
+
 use super::running::{self, Plan};
 use super::{
     Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target, telegram_reader,
 };
 use crate::args::{MotionArgs, Settings, parse_span};
-use crate::drive::motion::{Motor, Situation, no_control, role_raw, working};
-use crate::drive::{Cell, Inquiry, Session, Target};
+use crate::drive::motion::Motor;
+use crate::drive::{Cell, Inquiry, Session};
 use crate::failure::{Class, Failure};
 use crate::outcome::{self, Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
-use crate::profile::value::{self, check_range, format_decimal};
-use crate::profile::{DataSets, Family, Lang, Mode, Param, Registry, Start, Type};
+use crate::profile::{DataSets, Family, Lang, Param, Registry, Type};
 use crate::tick::Span;
+use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use wanted::{Spoken, Wanted, spoken, understand};
 
 /// Shows setpoints and actual values side by side, or gives a setpoint.
 ///
@@ -92,239 +95,6 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return dry_run(&family, &wanted, context);
     }
     give(args, &spoken, context).await
-}
-
-/// Setpoints as they were typed, with their times in microseconds.
-#[derive(Clone, Debug)]
-struct Spoken {
-    points: Vec<Point>,
-    /// A file leads the setpoint in steps.
-    file: Option<PathBuf>,
-}
-
-#[derive(Clone, Debug)]
-struct Point {
-    us: u64,
-    text: String,
-    /// Line of the file.
-    line: usize,
-}
-
-fn spoken(args: &Args, lang: Lang) -> Result<Option<Spoken>, Failure> {
-    let point = |us: u64, text: &str| Point { us, text: text.to_owned(), line: 0 };
-    if let Some(text) = &args.value {
-        return Ok(Some(Spoken { points: vec![point(0, text)], file: None }));
-    }
-    if let Some(text) = &args.ramp {
-        let parts: Vec<&str> = text.split(':').collect();
-        let [from, to, time] = parts.as_slice() else {
-            return Err(bad(format!("expected FROM:TO:TIME such as 0Hz:50Hz:20s, got '{text}'")));
-        };
-        let time = parse_span(time).map_err(bad)?;
-        return Ok(Some(Spoken { points: vec![point(0, from), point(time.as_micros(), to)], file: None }));
-    }
-    match &args.profile {
-        Some(path) => read_profile(path).map(Some),
-        None if args.enable || args.until.is_some() || args.motion.hold || args.mode.is_some() => {
-            let text = lang.pick("expected a setpoint such as 25Hz, got none", "Sollwert fehlt, zum Beispiel 25Hz");
-            Err(bad(text.to_owned()))
-        }
-        None => Ok(None),
-    }
-}
-
-fn bad(message: String) -> Failure {
-    Failure::new(Class::Usage, "usage.setpoint", message)
-}
-
-/// Reads lines `TIME, SETPOINT`; the error names file and line.
-fn read_profile(path: &Path) -> Result<Spoken, Failure> {
-    let bad = |line: usize, why: &str| profile_failure(path, line, why);
-    let text = std::fs::read_to_string(path).map_err(|error| bad(0, &error.to_string()))?;
-    let mut points = Vec::new();
-    for (index, line) in text.lines().enumerate() {
-        let (number, line) = (index + 1, line.split('#').next().unwrap_or("").trim());
-        if line.is_empty() {
-            continue;
-        }
-        let (time, value) = line
-            .split_once([',', ';', '\t'])
-            .ok_or_else(|| bad(number, "expected TIME, SETPOINT such as '5s, 25Hz'"))?;
-        let time = parse_span(time).map_err(|why| bad(number, &why))?;
-        points.push(Point { us: time.as_micros(), text: value.to_owned(), line: number });
-    }
-    match points.is_empty() {
-        true => Err(bad(0, "no setpoint in the file")),
-        false => Ok(Spoken { points, file: Some(path.to_owned()) }),
-    }
-}
-
-fn profile_failure(path: &Path, line: usize, why: &str) -> Failure {
-    Failure::new(Class::Data, "data.profile", format!("{}:{line}: {why}", path.display()))
-}
-
-/// A setpoint as one family understands it.
-#[derive(Clone, Debug)]
-struct Wanted {
-    mode: Mode,
-    param: Param,
-    schedule: Schedule,
-    /// The schedule is in 0.01 1/min, and pole pairs make it a frequency.
-    by_speed: bool,
-    denominator: Option<(Param, i64)>,
-    start: Option<Start>,
-    /// Settings for the run, in the order in which they were given.
-    settings: Vec<(Param, i64)>,
-}
-
-impl Wanted {
-    /// A value with its unit, as people write it.
-    fn shown(&self, raw: i64, family: &Family, lang: Lang) -> String {
-        if let Some(text) = family.text_of(&self.param, raw) {
-            return text.get(lang).to_owned();
-        }
-        let (decimals, unit) = match (self.by_speed, &self.param.unit) {
-            (true, _) => (SPEED_DECIMALS, SPEED_UNIT),
-            (false, unit) => (self.param.decimals_or_zero(), unit.as_deref().unwrap_or("")),
-        };
-        let ratio = self.denominator.as_ref().map_or_else(String::new, |(_, raw)| format!("/{raw}"));
-        format!("{}{ratio} {unit}", format_decimal(raw, decimals)).trim_end().to_owned()
-    }
-}
-
-/// Reads the setpoint and what belongs to it in the words of a family.
-fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Result<Wanted, Failure> {
-    let failed = |point: &Point, why: String| match &spoken.file {
-        Some(path) => profile_failure(path, point.line, &why),
-        None => bad(why),
-    };
-    let first = spoken.points.first().ok_or_else(|| bad("expected a setpoint such as 25Hz".to_owned()))?;
-    let mode = named_mode(args, family, lang)?;
-    let mode = match mode {
-        Some(mode) => mode,
-        None => unit_mode(&first.text, family, lang)
-            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
-    };
-    let mut said = Vec::new();
-    for point in &spoken.points {
-        let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
-        if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
-            return Err(failed(point, "all setpoints must have the same unit".to_owned()));
-        }
-        said.push(one);
-    }
-    let schedule = schedule(spoken, &said)?;
-    let mut settings = options(args, mode, family)?;
-    settings.extend(source(args, mode, family)?);
-    let set = |id: u32, raw: i64| (family.param_or_unknown(id), raw);
-    let denominator = said.first().and_then(|one| one.denominator);
-    let wanted = Wanted {
-        param: family.param_or_unknown(mode.setpoint),
-        by_speed: said.first().is_some_and(|one| one.by_speed),
-        denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),
-        start: start(args, mode)?,
-        settings,
-        schedule,
-        mode: mode.clone(),
-    };
-    if args.until.is_some() && mode.endless {
-        let text = lang.pick("nothing tells that this is reached:", "nichts zeigt an, dass das erreicht ist:");
-        return Err(bad(format!("{text} {}", mode.name(lang))));
-    }
-    if !mode.starts.is_empty() && spoken.points.len() > 1 {
-        let text =
-            lang.pick("one movement has one target; it cannot be led", "eine Fahrt hat ein Ziel, keinen Verlauf:");
-        return Err(bad(format!("{text}: {}", mode.name(lang))));
-    }
-    Ok(wanted)
-}
-
-/// The mode that was named.
-fn named_mode<'f>(args: &Args, family: &'f Family, lang: Lang) -> Result<Option<&'f Mode>, Failure> {
-    let Some(slug) = &args.mode else { return Ok(None) };
-    family.mode(slug).map(Some).ok_or_else(|| {
-        let text = match lang {
-            Lang::En => format!("'{slug}' is no mode of this drive (expected: {})", modes(family)),
-            Lang::De => format!("'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {})", modes(family)),
-        };
-        Failure::new(Class::Usage, "usage.mode", text)
-    })
-}
-
-/// The mode that the unit tells.
-fn unit_mode<'f>(text: &str, family: &'f Family, lang: Lang) -> Result<&'f Mode, String> {
-    let modes = modes(family);
-    setpoint::mode_of(family, text).ok_or_else(|| match lang {
-        Lang::En => format!("expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'"),
-        Lang::De => format!("erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"),
-    })
-}
-
-fn modes(family: &Family) -> String {
-    family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ")
-}
-
-fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failure> {
-    let points: Vec<(u64, i64)> =
-        spoken.points.iter().map(|point| point.us).zip(said.iter().map(|one| one.raw)).collect();
-    match (&spoken.file, points.as_slice()) {
-        (Some(path), _) => Schedule::steps(points).map_err(|point| {
-            let line = spoken.points.get(point.saturating_sub(1)).map_or(0, |point| point.line);
-            profile_failure(path, line, "times must rise")
-        }),
-        (None, &[(_, from), (us, to)]) => Ok(Schedule::ramp(from, to, us)),
-        (None, points) => {
-            let raw = points.first().map_or(0, |point| point.1);
-            Ok(Schedule::ramp(raw, raw, 0))
-        }
-    }
-}
-
-fn start(args: &Args, mode: &Mode) -> Result<Option<Start>, Failure> {
-    let Some(slug) = &args.start else { return Ok(mode.starts.first().cloned()) };
-    let found = mode.starts.iter().find(|start| start.slug == *slug);
-    let known: Vec<_> = mode.starts.iter().map(|start| start.slug.as_str()).collect();
-    found.cloned().map(Some).ok_or_else(|| unknown_word("--start", slug, &known, mode))
-}
-
-fn source(args: &Args, mode: &Mode, family: &Family) -> Result<Option<(Param, i64)>, Failure> {
-    let Some(slug) = &args.source else { return Ok(None) };
-    let choices = mode.source.iter().flat_map(|source| source.choices.iter().map(|choice| (source.param, choice)));
-    let known: Vec<_> = choices.clone().map(|(_, choice)| choice.slug.as_str()).collect();
-    let found = choices.clone().find(|(_, choice)| choice.slug == *slug);
-    let found = found.map(|(id, choice)| (family.param_or_unknown(id), choice.value));
-    found.map(Some).ok_or_else(|| unknown_word("--source", slug, &known, mode))
-}
-
-fn unknown_word(flag: &str, word: &str, known: &[&str], mode: &Mode) -> Failure {
-    let expected = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-    let message = format!("{flag} {word} does not fit '{}' (expected: {expected})", mode.slug);
-    Failure::new(Class::Usage, "usage.option", message)
-}
-
-/// Parameters of the mode that are set first, checked like every value.
-fn options(args: &Args, mode: &Mode, family: &Family) -> Result<Vec<(Param, i64)>, Failure> {
-    let mut options = Vec::new();
-    for text in &args.options {
-        let (name, what) =
-            text.split_once('=').ok_or_else(|| bad(format!("expected PARAMETER=VALUE, got '{text}'")))?;
-        let found = match name.parse() {
-            Ok(id) => family.param(id),
-            Err(_) => family.find(name).ok(),
-        };
-        let Some(param) = found.filter(|param| mode.options.contains(&param.id)) else {
-            let known: Vec<_> = mode.options.iter().map(|&id| family.param_or_unknown(id).label()).collect();
-            let known: Vec<_> = known.iter().map(String::as_str).collect();
-            return Err(unknown_word("--set", name, &known, mode));
-        };
-        let bad = |error: value::ValueError| {
-            Failure::new(Class::Data, "data.value", format!("{}: {error}", param.label())).with("param", param.id)
-        };
-        let raw = value::parse(what, param, &family.choices(param)).map_err(bad)?;
-        check_range(raw, param).map_err(bad)?;
-        options.push((param.clone(), raw));
-    }
-    Ok(options)
 }
 
 async fn give(args: &Args, spoken: &Spoken, context: &mut Context<'_>) -> Result<Outcome, Failure> {
@@ -431,108 +201,6 @@ fn announce(wanted: &Wanted, family: &Family, enable: bool, lang: Lang) -> Strin
     let start = wanted.start.as_ref().map_or_else(String::new, |start| format!(", {}", start.name(lang)));
     let enables = if enable { lang.pick("enable operation, ", "Betrieb freigeben, ") } else { "" };
     format!("{enables}{what}{start}")
-}
-
-/// Holds a setpoint against what the drive says, before anybody is asked.
-struct Check<'c, 's> {
-    args: &'c Args,
-    session: &'c mut Session<'s>,
-    target: &'c mut Target,
-    before: &'c Situation,
-    lang: Lang,
-}
-
-impl Check<'_, '_> {
-    async fn run(&mut self, mut wanted: Wanted, enable: bool, needs_control: bool) -> Result<Wanted, Failure> {
-        if needs_control && let Some(failure) = no_control(self.before, self.target, self.lang) {
-            return Err(failure);
-        }
-        if wanted.start.is_some() && !enable && self.before.state != "operation-enabled" {
-            let text =
-                self.lang.pick("the drive is not enabled, so nothing can start", "der Antrieb ist nicht freigegeben");
-            let hint = self.lang.pick("add --enable", "--enable angeben");
-            return Err(Failure::new(Class::Forbidden, "forbidden.not_enabled", text).hint(hint));
-        }
-        if wanted.by_speed {
-            let pairs = self.pole_pairs().await?;
-            wanted.schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
-            wanted.by_speed = false;
-        }
-        for raw in wanted.schedule.values().filter(|_| !self.args.force) {
-            check_range(raw, &wanted.param).map_err(|error| {
-                Failure::new(Class::Data, "data.range", format!("{}: {error}", wanted.param.label()))
-                    .with("param", wanted.param.id)
-            })?;
-        }
-        let source = self.source(&wanted).await?;
-        self.limit(&wanted).await?;
-        self.floor(&wanted, source).await?;
-        Ok(wanted)
-    }
-
-    async fn pole_pairs(&mut self) -> Result<i64, Failure> {
-        let pairs = role_raw(self.session, self.target, "pole-pairs", self.lang).await?;
-        pairs.filter(|&pairs| pairs > 0).ok_or_else(|| {
-            let label = self.target.family.role("pole-pairs").map_or_else(|| "-".to_owned(), Param::label);
-            let text = match self.lang {
-                Lang::En => format!("the drive does not tell its pole pairs ({label})"),
-                Lang::De => format!("der Antrieb nennt seine Polpaarzahl ({label}) nicht"),
-            };
-            Failure::new(Class::Data, "data.pole_pairs", text)
-                .hint(self.lang.pick("give the setpoint in Hz", "den Sollwert in Hz angeben"))
-        })
-    }
-
-    /// What the drive works with, or will in this run; refused if the setpoint is ignored then.
-    async fn source(&mut self, wanted: &Wanted) -> Result<Option<i64>, Failure> {
-        let Some(source) = &wanted.mode.source else { return Ok(None) };
-        let present = self.will_be(source.param, wanted).await?;
-        if present != Some(source.ignored) {
-            return Ok(present);
-        }
-        let ways: Vec<_> = source.choices.iter().map(|row| format!("--source {} ({})", row.slug, row.value)).collect();
-        let (or, sets) =
-            self.lang.pick(("or", "sets it in RAM for the run"), ("oder", "stellt es für den Lauf im RAM um"));
-        let hint = format!("{} {sets}", ways.join(&format!(" {or} ")));
-        Err(Failure::new(Class::Forbidden, "forbidden.ramp_setpoint", source.why.get(self.lang)).hint(hint))
-    }
-
-    async fn limit(&mut self, wanted: &Wanted) -> Result<(), Failure> {
-        let Some(id) = wanted.mode.limit.filter(|_| !self.args.force) else { return Ok(()) };
-        let (param, peak) = (self.target.family.param_or_unknown(id), wanted.schedule.peak());
-        let Some(limit) = self.will_be(id, wanted).await?.filter(|&limit| peak > limit) else { return Ok(()) };
-        let family = &self.target.family;
-        let (peak, limit) = (wanted.shown(peak, family, self.lang), wanted.shown(limit, family, self.lang));
-        let (name, label) = (param.name(self.lang), param.label());
-        let text = match self.lang {
-            Lang::En => format!("{peak} is above the limit {label} = {limit} ({name})"),
-            Lang::De => format!("{peak} liegt über der Grenze {label} = {limit} ({name})"),
-        };
-        let hint =
-            self.lang.pick("--force sends it; the drive limits it", "--force sendet ihn; der Antrieb begrenzt ihn");
-        Err(Failure::new(Class::Data, "data.range", text).hint(hint))
-    }
-
-    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<(), Failure> {
-        let Some(floor) = wanted.mode.floor.as_ref().filter(|floor| source == Some(floor.source)) else {
-            return Ok(());
-        };
-        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(()) };
-        if wanted.schedule.values().any(|raw| raw.abs() < least) {
-            let least = wanted.shown(least, &self.target.family, self.lang);
-            self.session.tell(outcome::Event::Note(floor.why.get(self.lang).replace("{}", &least)));
-        }
-        Ok(())
-    }
-
-    /// The value that a parameter will have in this run.
-    async fn will_be(&mut self, id: u32, wanted: &Wanted) -> Result<Option<i64>, Failure> {
-        if let Some((_, raw)) = wanted.settings.iter().find(|(param, _)| param.id == id) {
-            return Ok(Some(*raw));
-        }
-        let param = self.target.family.param_or_unknown(id);
-        working(self.session, self.target, &param, self.lang).await
-    }
 }
 
 /// What would be written besides the way to operation, which depends on the drive's state.

@@ -313,7 +313,7 @@ fn describe_step(step: &Step, row: &Written, family: &Family, lang: Lang) -> Str
     let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
     let who = match row.address {
         0 => lang.pick("every drive", "alle Antriebe").to_owned(),
-        address => format!("{} {address} ({})", lang.pick("drive", "Antrieb"), row.drive),
+        address => super::who(address, row.node, &row.drive, lang),
     };
     let (label, store) = match family.link.route.has_data_sets() {
         true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),

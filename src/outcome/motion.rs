@@ -72,7 +72,9 @@ pub struct Setpoint {
 pub struct Change {
     /// Parameter number.
     pub param: u32,
-    /// Data set, 0-4; always in RAM.
+    /// Where it was changed, as messages call it: `P.413@0ram`, `MBnode_guard (5644)`.
+    pub name: String,
+    /// Data set, 0-4; always in RAM. 0 where the family has none.
     pub data_set: u8,
     /// Raw value before.
     pub old: i64,

@@ -653,14 +653,7 @@ impl Page {
         }
         for change in &motion.changed {
             let back = if change.restored { "given back" } else { "NOT given back" };
-            let what = format!(
-                "P.{}@{}ram {} -> {}, {}",
-                change.param,
-                change.data_set,
-                change.old,
-                change.new,
-                self.word(back)
-            );
+            let what = format!("{} {} -> {}, {}", change.name, change.old, change.new, self.word(back));
             rows.push(("changed", what));
         }
         if let Some(stop) = &motion.stop {

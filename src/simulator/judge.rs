@@ -2,9 +2,9 @@
 //!
 //! It sees only when the master spoke and what, when drives answered, and it never keeps anybody from answering.
 
+use super::gaps::GapLog;
 use super::setup::Spoken;
 use super::vabus::PAUSE;
-use super::gaps::GapLog;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::{Adu, FrameError, ascii, rtu};
 use crate::protocol::vabus::{self, Address, EOT, ParamNumber, Reply, Request, SystemNode, TelegramError};

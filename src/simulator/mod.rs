@@ -208,6 +208,11 @@ impl Bench {
         self.drives.iter().find(|drive| drive.address() == address)
     }
 
+    /// The setting of the drive that a telegram addresses, or of the first one: for a line that carries no setting.
+    pub fn line_of(&self, bytes: &[u8]) -> Option<LineSetting> {
+        self.drive(addressee(bytes)).or(self.drives.first()).map(Drive::line)
+    }
+
     /// The first drive with this address.
     pub fn drive_mut(&mut self, address: u8) -> Option<&mut Drive> {
         self.drives.iter_mut().find(|drive| drive.address() == address)

@@ -85,6 +85,9 @@ const THREAD_SLEEPS_FROM: Span = Span::from_millis(3);
 /// terminal, and replies arrive in one piece (facts/engineering.md).
 const SPIN_FROM: Span = Span::from_micros(80);
 
+/// Setting of a line that nobody knows anything of (CM-485 manual 5).
+const FACTORY: LineSetting = LineSetting::rtu(19_200, Parity::Even);
+
 /// How late a telegram may be read on a busy machine.
 const LATE: Span = Span::from_millis(10);
 
@@ -152,7 +155,7 @@ impl Server {
                     Change::Connected => note(Note::Connected),
                     Change::Left => note(Note::Left),
                     Change::Bytes(bytes) => {
-                        let line = self.port.line().unwrap_or_else(|| line_of(bench, &bytes));
+                        let line = self.port.line().or(bench.line_of(&bytes)).unwrap_or(FACTORY);
                         let at = self.now().max(busy);
                         bench.master_sends(at, line, &bytes);
                         if line.baud > 0 {
@@ -189,20 +192,6 @@ async fn wait_for(opened: Instant, next: Option<Tick>) {
     while left() > Span::ZERO {
         std::hint::spin_loop();
     }
-}
-
-/// The setting of the drive that a telegram addresses, or of the first one.
-fn line_of(bench: &Bench, bytes: &[u8]) -> LineSetting {
-    let station = match bytes {
-        [b':', high, low, ..] => {
-            let digit = |byte: &u8| char::from(*byte).to_digit(16).unwrap_or(0) as u8;
-            digit(high) << 4 | digit(low)
-        }
-        [station, ..] => *station,
-        [] => 0,
-    };
-    let drive = bench.drive(station).or_else(|| bench.drives().next());
-    drive.map_or(LineSetting::rtu(19_200, Parity::Even), |drive| drive.line())
 }
 
 /// What a port tells.

@@ -161,6 +161,7 @@ fn settings_of_a_held_run_are_given_back() {
     let run =
         antrieb("-a 1 -v --yes sollwert 1000rpm --set RAMPacc=2000 --watchdog 300ms --enable --hold --duration 300ms");
     let run = run.on(BENCH).json().exits(0);
+    assert_eq!(run.data("/changed/0/name"), "MBnode_guard (5644)");
     for (index, (param, old, new)) in [(5644, 0, 300), (1556, 500, 2000)].into_iter().enumerate() {
         let change = run.data(&format!("/changed/{index}"));
         let told = (&change["param"], &change["old"], &change["new"], &change["restored"]);
@@ -190,7 +191,7 @@ fn the_node_guard_stops_the_shaft_when_the_line_is_dead() {
             let mut motor = Motor::new(session, target, permit, Lang::En, None);
             let ended = motor
                 .run(true, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
-                    motor.change("watchdog", 0).await?;
+                    motor.change("watchdog", 500).await?;
                     motor.prepare(&mode);
                     motor.walk("operation-enabled").await?;
                     motor.enter().await?;

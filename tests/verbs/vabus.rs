@@ -137,3 +137,11 @@ fn every_verb_speaks_vabus() {
         on_cube(line).json().exits(0);
     }
 }
+
+#[test]
+fn questions_name_the_node() {
+    let asked = on_cube("-a 3.17 --yes write 480@1=12.5").exits(0).err;
+    assert!(asked.contains("drive 3.17 (acu): P.480@1"), "{asked}");
+    let asked = on_cube("-a 3.5 --yes --lang de statemachine enable --take-control").exits(0).err;
+    assert!(asked.contains("Antrieb 3.5 (act): jetzt in"), "{asked}");
+}

@@ -57,7 +57,11 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         let (data_set, _) = describe::place(set);
-        self.changes.push(Change { param: param.id, data_set, old, new, restored: false });
+        let name = match self.target.family.link.route.has_data_sets() {
+            true => format!("{}@{data_set}ram", param.label()),
+            false => param.label(),
+        };
+        self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
         self.write(param, set, new).await
     }
 

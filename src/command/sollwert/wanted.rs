@@ -1,0 +1,242 @@
+//! What was typed, and what it means in the words of a family.
+
+use super::Args;
+use crate::args::parse_span;
+use crate::failure::{Class, Failure};
+use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
+use crate::profile::value::{self, check_range, format_decimal};
+use crate::profile::{Family, Lang, Mode, Param, Start};
+use std::path::{Path, PathBuf};
+
+/// Setpoints as they were typed, with their times in microseconds.
+#[derive(Clone, Debug)]
+pub(super) struct Spoken {
+    points: Vec<Point>,
+    /// A file leads the setpoint in steps.
+    file: Option<PathBuf>,
+}
+
+#[derive(Clone, Debug)]
+struct Point {
+    us: u64,
+    text: String,
+    /// Line of the file.
+    line: usize,
+}
+
+pub(super) fn spoken(args: &Args, lang: Lang) -> Result<Option<Spoken>, Failure> {
+    let point = |us: u64, text: &str| Point { us, text: text.to_owned(), line: 0 };
+    if let Some(text) = &args.value {
+        return Ok(Some(Spoken { points: vec![point(0, text)], file: None }));
+    }
+    if let Some(text) = &args.ramp {
+        let parts: Vec<&str> = text.split(':').collect();
+        let [from, to, time] = parts.as_slice() else {
+            return Err(bad(format!("expected FROM:TO:TIME such as 0Hz:50Hz:20s, got '{text}'")));
+        };
+        let time = parse_span(time).map_err(bad)?;
+        return Ok(Some(Spoken { points: vec![point(0, from), point(time.as_micros(), to)], file: None }));
+    }
+    match &args.profile {
+        Some(path) => read_profile(path).map(Some),
+        None if args.enable || args.until.is_some() || args.motion.hold || args.mode.is_some() => {
+            let text = lang.pick("expected a setpoint such as 25Hz, got none", "Sollwert fehlt, zum Beispiel 25Hz");
+            Err(bad(text.to_owned()))
+        }
+        None => Ok(None),
+    }
+}
+
+fn bad(message: String) -> Failure {
+    Failure::new(Class::Usage, "usage.setpoint", message)
+}
+
+/// Reads lines `TIME, SETPOINT`; the error names file and line.
+fn read_profile(path: &Path) -> Result<Spoken, Failure> {
+    let bad = |line: usize, why: &str| profile_failure(path, line, why);
+    let text = std::fs::read_to_string(path).map_err(|error| bad(0, &error.to_string()))?;
+    let mut points = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let (number, line) = (index + 1, line.split('#').next().unwrap_or("").trim());
+        if line.is_empty() {
+            continue;
+        }
+        let (time, value) = line
+            .split_once([',', ';', '\t'])
+            .ok_or_else(|| bad(number, "expected TIME, SETPOINT such as '5s, 25Hz'"))?;
+        let time = parse_span(time).map_err(|why| bad(number, &why))?;
+        points.push(Point { us: time.as_micros(), text: value.to_owned(), line: number });
+    }
+    match points.is_empty() {
+        true => Err(bad(0, "no setpoint in the file")),
+        false => Ok(Spoken { points, file: Some(path.to_owned()) }),
+    }
+}
+
+fn profile_failure(path: &Path, line: usize, why: &str) -> Failure {
+    Failure::new(Class::Data, "data.profile", format!("{}:{line}: {why}", path.display()))
+}
+
+/// A setpoint as one family understands it.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    pub(super) mode: Mode,
+    pub(super) param: Param,
+    pub(super) schedule: Schedule,
+    /// The schedule is in 0.01 1/min, and pole pairs make it a frequency.
+    pub(super) by_speed: bool,
+    pub(super) denominator: Option<(Param, i64)>,
+    pub(super) start: Option<Start>,
+    /// Settings for the run, in the order in which they were given.
+    pub(super) settings: Vec<(Param, i64)>,
+}
+
+impl Wanted {
+    /// A value with its unit, as people write it.
+    pub(super) fn shown(&self, raw: i64, family: &Family, lang: Lang) -> String {
+        if let Some(text) = family.text_of(&self.param, raw) {
+            return text.get(lang).to_owned();
+        }
+        let (decimals, unit) = match (self.by_speed, &self.param.unit) {
+            (true, _) => (SPEED_DECIMALS, SPEED_UNIT),
+            (false, unit) => (self.param.decimals_or_zero(), unit.as_deref().unwrap_or("")),
+        };
+        let ratio = self.denominator.as_ref().map_or_else(String::new, |(_, raw)| format!("/{raw}"));
+        format!("{}{ratio} {unit}", format_decimal(raw, decimals)).trim_end().to_owned()
+    }
+}
+
+/// Reads the setpoint and what belongs to it in the words of a family.
+pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Result<Wanted, Failure> {
+    let failed = |point: &Point, why: String| match &spoken.file {
+        Some(path) => profile_failure(path, point.line, &why),
+        None => bad(why),
+    };
+    let first = spoken.points.first().ok_or_else(|| bad("expected a setpoint such as 25Hz".to_owned()))?;
+    let mode = named_mode(args, family, lang)?;
+    let mode = match mode {
+        Some(mode) => mode,
+        None => unit_mode(&first.text, family, lang)
+            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
+    };
+    let mut said = Vec::new();
+    for point in &spoken.points {
+        let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
+        if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
+            return Err(failed(point, "all setpoints must have the same unit".to_owned()));
+        }
+        said.push(one);
+    }
+    let schedule = schedule(spoken, &said)?;
+    let mut settings = options(args, mode, family)?;
+    settings.extend(source(args, mode, family)?);
+    let set = |id: u32, raw: i64| (family.param_or_unknown(id), raw);
+    let denominator = said.first().and_then(|one| one.denominator);
+    let wanted = Wanted {
+        param: family.param_or_unknown(mode.setpoint),
+        by_speed: said.first().is_some_and(|one| one.by_speed),
+        denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),
+        start: start(args, mode)?,
+        settings,
+        schedule,
+        mode: mode.clone(),
+    };
+    if args.until.is_some() && mode.endless {
+        let text = lang.pick("nothing tells that this is reached:", "nichts zeigt an, dass das erreicht ist:");
+        return Err(bad(format!("{text} {}", mode.name(lang))));
+    }
+    if !mode.starts.is_empty() && spoken.points.len() > 1 {
+        let text =
+            lang.pick("one movement has one target; it cannot be led", "eine Fahrt hat ein Ziel, keinen Verlauf:");
+        return Err(bad(format!("{text}: {}", mode.name(lang))));
+    }
+    Ok(wanted)
+}
+
+/// The mode that was named.
+fn named_mode<'f>(args: &Args, family: &'f Family, lang: Lang) -> Result<Option<&'f Mode>, Failure> {
+    let Some(slug) = &args.mode else { return Ok(None) };
+    family.mode(slug).map(Some).ok_or_else(|| {
+        let text = match lang {
+            Lang::En => format!("'{slug}' is no mode of this drive (expected: {})", modes(family)),
+            Lang::De => format!("'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {})", modes(family)),
+        };
+        Failure::new(Class::Usage, "usage.mode", text)
+    })
+}
+
+/// The mode that the unit tells.
+fn unit_mode<'f>(text: &str, family: &'f Family, lang: Lang) -> Result<&'f Mode, String> {
+    let modes = modes(family);
+    setpoint::mode_of(family, text).ok_or_else(|| match lang {
+        Lang::En => format!("expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'"),
+        Lang::De => format!("erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"),
+    })
+}
+
+fn modes(family: &Family) -> String {
+    family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failure> {
+    let points: Vec<(u64, i64)> =
+        spoken.points.iter().map(|point| point.us).zip(said.iter().map(|one| one.raw)).collect();
+    match (&spoken.file, points.as_slice()) {
+        (Some(path), _) => Schedule::steps(points).map_err(|point| {
+            let line = spoken.points.get(point.saturating_sub(1)).map_or(0, |point| point.line);
+            profile_failure(path, line, "times must rise")
+        }),
+        (None, &[(_, from), (us, to)]) => Ok(Schedule::ramp(from, to, us)),
+        (None, points) => {
+            let raw = points.first().map_or(0, |point| point.1);
+            Ok(Schedule::ramp(raw, raw, 0))
+        }
+    }
+}
+
+fn start(args: &Args, mode: &Mode) -> Result<Option<Start>, Failure> {
+    let Some(slug) = &args.start else { return Ok(mode.starts.first().cloned()) };
+    let found = mode.starts.iter().find(|start| start.slug == *slug);
+    let known: Vec<_> = mode.starts.iter().map(|start| start.slug.as_str()).collect();
+    found.cloned().map(Some).ok_or_else(|| unknown_word("--start", slug, &known, mode))
+}
+
+fn source(args: &Args, mode: &Mode, family: &Family) -> Result<Option<(Param, i64)>, Failure> {
+    let Some(slug) = &args.source else { return Ok(None) };
+    let choices = mode.source.iter().flat_map(|source| source.choices.iter().map(|choice| (source.param, choice)));
+    let known: Vec<_> = choices.clone().map(|(_, choice)| choice.slug.as_str()).collect();
+    let found = choices.clone().find(|(_, choice)| choice.slug == *slug);
+    let found = found.map(|(id, choice)| (family.param_or_unknown(id), choice.value));
+    found.map(Some).ok_or_else(|| unknown_word("--source", slug, &known, mode))
+}
+
+fn unknown_word(flag: &str, word: &str, known: &[&str], mode: &Mode) -> Failure {
+    let expected = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+    let message = format!("{flag} {word} does not fit '{}' (expected: {expected})", mode.slug);
+    Failure::new(Class::Usage, "usage.option", message)
+}
+
+/// Parameters of the mode that are set first, checked like every value.
+fn options(args: &Args, mode: &Mode, family: &Family) -> Result<Vec<(Param, i64)>, Failure> {
+    let mut options = Vec::new();
+    for text in &args.options {
+        let (name, what) =
+            text.split_once('=').ok_or_else(|| bad(format!("expected PARAMETER=VALUE, got '{text}'")))?;
+        let found = match name.parse() {
+            Ok(id) => family.param(id),
+            Err(_) => family.find(name).ok(),
+        };
+        let Some(param) = found.filter(|param| mode.options.contains(&param.id)) else {
+            let known: Vec<_> = mode.options.iter().map(|&id| family.param_or_unknown(id).label()).collect();
+            let known: Vec<_> = known.iter().map(String::as_str).collect();
+            return Err(unknown_word("--set", name, &known, mode));
+        };
+        let bad = |error: value::ValueError| {
+            Failure::new(Class::Data, "data.value", format!("{}: {error}", param.label())).with("param", param.id)
+        };
+        let raw = value::parse(what, param, &family.choices(param)).map_err(bad)?;
+        check_range(raw, param).map_err(bad)?;
+        options.push((param.clone(), raw));
+    }
+    Ok(options)
+}
