@@ -181,7 +181,7 @@ pub(super) fn plan_only(
 /// The telegram of a step, taken apart.
 fn telegram(settings: &Settings, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
     let at = Cell { number: step.param.id, set: step.set };
-    let bits = value::to_wire(step.raw, kind).ok()?;
+    let bits = value::to_wire(step.raw, family.link.route.carried(kind)).ok()?;
     super::telegram_reader(settings, family).question(address, Inquiry::Write(at, kind, bits))
 }
 

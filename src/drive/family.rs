@@ -215,8 +215,7 @@ impl Inquest<'_, '_> {
     async fn identification(&mut self) -> Result<(), AccessError> {
         let lang = self.lang;
         let asked = lang.pick("code 43, identification", "Code 43, Identifikation");
-        let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
-        let (answered, tells) = match self.ask_once(request.into()).await? {
+        let (answered, tells) = match self.described().await? {
             Ok(Said::Modbus(Reply::Identification(described))) => {
                 let product = text(&described, identification::PRODUCT_CODE);
                 let family = self.registry.families().into_iter().find(|family| {
@@ -227,8 +226,9 @@ impl Inquest<'_, '_> {
                     Some(family) => family.title.get(lang).to_owned(),
                     None => lang.pick("a product that we do not know", "ein Produkt, das wir nicht kennen").to_owned(),
                 };
-                let words = described.objects.iter().map(|object| String::from_utf8_lossy(&object.value).into_owned());
-                (words.collect::<Vec<_>>().join(", "), tells)
+                let objects = described.objects.iter().filter(|object| !object.value.is_empty());
+                let words: Vec<_> = objects.map(|object| String::from_utf8_lossy(&object.value)).collect();
+                (if words.is_empty() { "-".to_owned() } else { words.join(", ") }, tells)
             }
             Ok(said) => {
                 let answered = no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang));
@@ -241,6 +241,23 @@ impl Inquest<'_, '_> {
         };
         self.finding.note(asked, answered, &tells);
         Ok(())
+    }
+
+    /// What the device tells of itself, in as many telegrams as it takes: every one names a later object to go on with.
+    /// If one of them is missing, what came before it counts.
+    async fn described(&mut self) -> Result<Result<Said, ExchangeError>, AccessError> {
+        let ask = |object| Request::ReadIdentification { category: identification::BASIC, object };
+        let mut answer = self.ask_once(ask(identification::VENDOR_NAME).into()).await?;
+        let mut asked = identification::VENDOR_NAME;
+        while let Ok(Said::Modbus(Reply::Identification(told))) = &mut answer
+            && let Some(next) = told.next.take().filter(|next| *next > asked)
+            && let Ok(Said::Modbus(Reply::Identification(more))) = self.ask_once(ask(next).into()).await?
+        {
+            asked = next;
+            told.next = more.next;
+            told.objects.extend(more.objects);
+        }
+        Ok(answer)
     }
 
     async fn put(&mut self, inquiry: Inquiry) -> Result<Result<Said, ExchangeError>, AccessError> {

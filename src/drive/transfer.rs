@@ -271,7 +271,9 @@ impl Target {
         _permit: &Permit,
     ) -> Result<WriteFate, AccessError> {
         let Order { set, raw, kind, read_back } = order;
-        let bits = value::to_wire(raw, kind).map_err(|_| AccessError::Unspeakable)?;
+        let fits = value::check_width(raw, kind, 0);
+        let bits = fits.and_then(|()| value::to_wire(raw, self.family.link.route.carried(kind)));
+        let bits = bits.map_err(|_| AccessError::Unspeakable)?;
         let cell = Cell { number: param.id, set };
         let route = self.route(session).await?;
         let plain = route.question(Inquiry::Write(cell, kind, bits)).ok_or(AccessError::Unspeakable)?;
@@ -327,11 +329,13 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         // Digits only, but it is a string all the same.
         Content::Bits(bits, Width::Word) if kind == Type::String => text(format!("{bits:04X}")),
         Content::Bits(bits, Width::Long) if kind == Type::String => text(format!("{bits:08X}")),
+        // All of it is shown, also where its type promises less.
+        Content::Bits(bits, Width::AsAsked) => Reading { raw: value::from_wire(bits, Type::Long, None), ..blank },
         Content::Bits(bits, width) => {
             let kind = match width {
                 Width::Long => Type::Long,
-                Width::Word if kind.bits() != Some(16) => Type::Word,
-                Width::Word | Width::AsAsked => kind,
+                Width::Word if kind.bits() == Some(16) => kind,
+                _ => Type::Word,
             };
             Reading { raw: value::from_wire(bits, kind, param.min), kind, ..blank }
         }

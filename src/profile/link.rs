@@ -57,6 +57,12 @@ impl Route {
         }
     }
 
+    /// The type in which a value of type `kind` travels: two registers carry 32 bits, whatever the value needs
+    /// (LXM05 manual 5.2.1).
+    pub fn carried(self, kind: Type) -> Type {
+        self.width().unwrap_or(kind)
+    }
+
     /// The number behind `id` whose parameter may be read in the same telegram.
     pub fn neighbour(self, id: u32) -> Option<u32> {
         match self {

@@ -1,9 +1,6 @@
 //! The LXM05 through the program: the worked sequences of its manual, reading, writing, diagnosis, safety.
 
-use super::motion::with_motor;
 use super::run::{Output, antrieb};
-use antrieb::drive::motion::{Motor, StopChoice};
-use antrieb::profile::Lang;
 use serde_json::json;
 
 /// An LXM05 whose settings differ from everything that the manual's examples write.
@@ -171,45 +168,6 @@ fn settings_of_a_held_run_are_given_back() {
 }
 
 #[test]
-fn a_setpoint_of_before_starts_nothing_when_the_mode_is_changed() {
-    let stale = bench("set = { PVn_target = 2000 }");
-    let output = antrieb("-a 1 -v --yes sollwert 100rpm").on(&stale).exits(0);
-    let writes: Vec<_> = [Write(6938, 0), Write(6918, 3), Write(6938, 100)].iter().map(telegram).collect();
-    let sent: Vec<_> = output.sent().into_iter().filter(|telegram| telegram.starts_with("01 10")).collect();
-    assert!(sent.iter().zip(&writes).all(|(sent, wanted)| sent.starts_with(wanted)), "{sent:?}");
-}
-
-#[test]
-fn the_node_guard_stops_the_shaft_when_the_line_is_dead() {
-    let dies = bench("[[drive.event]]\nat = \"4s\"\nsilent = \"600s\"");
-    with_motor(
-        "lxm05",
-        &dies,
-        async |session, target, permit| {
-            let mode = target.family.mode("velocity").unwrap().clone();
-            let setpoint = target.family.param(mode.setpoint).unwrap().clone();
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
-            let ended = motor
-                .run(true, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
-                    motor.change("watchdog", 500).await?;
-                    motor.prepare(&mode);
-                    motor.walk("operation-enabled").await?;
-                    motor.enter().await?;
-                    motor.give(&setpoint, 500, "1/min").await?;
-                    motor.hold(None, async |_: &mut Motor<'_, '_>, _| Ok(())).await
-                })
-                .await;
-            assert_eq!(ended.result.unwrap_err().code, "silence.no_reply");
-            let stop = ended.stop.unwrap();
-            assert!(!stop.acknowledged);
-            let note = stop.note.unwrap();
-            assert!(note.contains("MBnode_guard (5644)) is 0.500 s: it makes a quick stop"), "{note}");
-        },
-        |bench| assert_eq!(bench.totals().turning, 0, "the drive's own guard stopped it"),
-    );
-}
-
-#[test]
 fn setpoints_are_checked_before_anybody_is_asked() {
     for (words, exit, says) in [
         ("20000rpm", 7, "RAMPn_max (1554) = 3000 1/min"),
@@ -313,4 +271,32 @@ fn one_bus_carries_both_families() {
             run.data("/drives").as_array().unwrap().iter().map(|row| row["drive"].as_str().unwrap()).collect();
         assert_eq!(drives, ["act", "acu", "lxm05"], "{verb}");
     }
+}
+
+/// Every value travels as 32 bits (5.2.1), whatever its type: no sign gets lost.
+#[test]
+fn a_type_never_cuts_a_value_of_two_registers() {
+    let bench = bench("");
+    let run = antrieb("-v -a 1 --drive lxm05 --yes write 6940=-5 --type int").on(&bench).exits(0);
+    let sent = run.sent();
+    assert!(sent.iter().any(|hex| hex.contains("1B 1C 00 02 04 FF FF FF FB")), "{sent:?}");
+    let planned = antrieb("-a 1 --drive lxm05 --dry-run write 6940=-5 --type int").on(&bench).exits(0).out;
+    assert!(planned.contains("1B 1C 00 02 04 FF FF FF FB"), "{planned}");
+}
+
+/// A wrong word order must be seen.
+#[test]
+fn a_value_is_shown_with_all_of_its_bits() {
+    let bench = bench("set = { MBdword_order = 1 }");
+    let document = antrieb("-a 1 --drive lxm05 --word-order high read MBadr").on(&bench).json().exits(0);
+    assert_eq!(document.data("/values/0/raw"), 65_536);
+}
+
+#[test]
+fn a_drive_that_tells_of_itself_in_pieces_is_known() {
+    let bench = bench("servo = { in_pieces = true, revision_object = 2 }");
+    let document = antrieb("-a 1 identify").on(&bench).json().exits(0);
+    assert_eq!(document.data("/drives/0/drive"), "lxm05");
+    let evidence = document.data("/drives/0/evidence/1/answered");
+    assert_eq!(evidence, "antrieb bench, LXM05-SIM, V02.001");
 }
