@@ -42,6 +42,7 @@ enum Verb {
     Line(command::line::Args),
     Params(command::params::Args),
     Decode(command::decode::Args),
+    Sniff(command::sniff::Args),
     Simulate(command::simulate::Args),
     /// Prints the JSON Schema of a verb's output, or of every verb's
     Schema {
@@ -140,7 +141,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
                 let stream = RefCell::new(stream);
                 let outcome = carry_out(Some(&stream));
-                stream.into_inner().finish(&outcome).map(|()| outcome)
+                stream.into_inner().finish(&outcome, verb).map(|()| outcome)
             })
         }
     };
@@ -158,7 +159,11 @@ fn view(
     environment: &Environment,
     out_is_terminal: bool,
 ) -> Option<View> {
-    let Verb::Monitor(args) = verb else { return None };
+    let args = match verb {
+        Verb::Monitor(args) => args,
+        Verb::Sniff(_) => return sniff_view(format, settings),
+        _ => return None,
+    };
     let is_dumb = environment.variables.get("TERM").is_some_and(|term| term == "dumb");
     match format {
         // A stream has no end to wait for, so its JSON is one object a line.
@@ -168,6 +173,15 @@ fn view(
         Format::Table if out_is_terminal && args.line => Some(View::Ticker),
         Format::Table if out_is_terminal && !is_dumb => Some(View::Live),
         Format::Table => Some(View::Lines),
+    }
+}
+
+/// `sniff` has an end to wait for where a document is asked for.
+fn sniff_view(format: Format, settings: Option<&Settings>) -> Option<View> {
+    match format {
+        Format::Ndjson => Some(View::Ndjson),
+        Format::Table if settings.is_some_and(|settings| !settings.dry_run) => Some(View::Telegrams),
+        Format::Table | Format::Json | Format::Csv => None,
     }
 }
 
@@ -229,7 +243,7 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
         let outcome = Outcome::from(failure);
         let _closed = if verb == "monitor" {
             let manner = Manner { lang: Lang::En, width: None, color: false, holds_stderr: false };
-            Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome))
+            Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
         } else {
             render::print(&outcome, verb, Format::Json, Lang::En, None, out, &console)
         };
@@ -313,6 +327,7 @@ async fn dispatch(verb: &Verb, context: &mut Context<'_>) -> Result<Outcome, Fai
         Verb::Line(args) => command::line::run(args, context).await,
         Verb::Params(args) => command::params::run(args, context),
         Verb::Decode(args) => command::decode::run(args, context),
+        Verb::Sniff(args) => command::sniff::run(args, context).await,
         Verb::Simulate(args) => command::simulate::run(args, context).await,
         Verb::Schema { .. } | Verb::Completions { .. } | Verb::Man { .. } => Ok(Outcome::default()),
     }
@@ -333,6 +348,7 @@ fn verb_name(verb: &Verb) -> &'static str {
         Verb::Line(_) => "line",
         Verb::Params(_) => "params",
         Verb::Decode(_) => "decode",
+        Verb::Sniff(_) => "sniff",
         Verb::Simulate(_) => "simulate",
         Verb::Schema { .. } => "schema",
         Verb::Completions { .. } => "completions",

@@ -24,6 +24,7 @@ const VERBS: &[&str] = &[
     "line",
     "params",
     "decode",
+    "sniff",
     "simulate",
     "schema",
 ];

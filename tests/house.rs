@@ -38,6 +38,7 @@ const DRIVE_TELEGRAMS: &[&str] = &[
     "route.rs",
     "services.rs",
     "session.rs",
+    "sniff.rs",
     "transfer.rs",
     "trouble.rs",
     "vabus.rs",

@@ -34,6 +34,8 @@ mod run;
 mod scanning;
 #[path = "verbs/settings.rs"]
 mod settings;
+#[path = "verbs/sniffing.rs"]
+mod sniffing;
 #[path = "verbs/tape.rs"]
 mod tape;
 #[path = "verbs/vabus.rs"]

@@ -243,6 +243,11 @@ impl Settings {
 }
 
 impl Settings {
+    /// Whether the form of the output is one document or table of data, so that nothing can be told on the way.
+    pub fn tells_at_the_end(&self) -> bool {
+        matches!(self.format, Format::Json | Format::Csv)
+    }
+
     /// Refuses what only a search can do: several ports at once, and settings that are to be found out.
     pub fn check_one_line(&self) -> Result<(), Failure> {
         if self.ports.len() > 1 {

@@ -13,6 +13,7 @@ pub mod read;
 mod running;
 pub mod scan;
 pub mod simulate;
+pub mod sniff;
 pub mod sollwert;
 pub mod statemachine;
 pub mod write;

@@ -182,7 +182,10 @@ pub(super) fn plan_only(
 fn telegram(settings: &Settings, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
     let at = Cell { number: step.param.id, set: step.set };
     let bits = value::to_wire(step.raw, family.link.route.carried(kind)).ok()?;
-    super::telegram_reader(settings, family).question(address, Inquiry::Write(at, kind, bits))
+    let reader = super::telegram_reader(settings, family);
+    let proves = address != 0 && step.param.access.reads();
+    let both = proves.then(|| reader.question(address, Inquiry::WriteAndRead(at, kind, bits))).flatten();
+    both.or_else(|| reader.question(address, Inquiry::Write(at, kind, bits)))
 }
 
 /// Reads the old values and says what there is to do.

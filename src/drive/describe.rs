@@ -184,8 +184,12 @@ pub fn register(family: &Family, code: u32, lang: Lang) -> Register {
             hint: Some(row.hint.get(lang).to_owned()),
         },
         None => {
-            let name = if lang == Lang::De { "unbekannter Code" } else { "unknown code" };
-            Register { code, slug: "unknown".to_owned(), name: name.to_owned(), hint: None }
+            // 0 means the same everywhere: nothing was refused.
+            let (slug, name) = match code {
+                0 => ("none", lang.pick("nothing was refused", "nichts wurde abgelehnt")),
+                _ => ("unknown", lang.pick("unknown code", "unbekannter Code")),
+            };
+            Register { code, slug: slug.to_owned(), name: name.to_owned(), hint: None }
         }
     }
 }

@@ -15,6 +15,7 @@ pub mod relocate;
 mod route;
 mod scan;
 mod session;
+mod sniff;
 mod transfer;
 mod trouble;
 
@@ -25,6 +26,7 @@ pub use pump::Interrupt;
 pub use route::{Cell, Inquiry, No, Route};
 pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, scan};
 pub use session::{AccessError, Opening, Refusal, Session, open_port};
+pub use sniff::{Listening, sniff};
 pub use transfer::{Order, Reading, Target, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;

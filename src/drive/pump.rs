@@ -1,7 +1,7 @@
 //! Carries out a conversation on a link: the only loop between `exchange` and `transport`.
 
 use crate::exchange::{Conversation, Master, Step};
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use crate::transport::{Link, LinkError, Wake};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -52,18 +52,23 @@ pub(super) async fn rest(
 ) -> Result<(), PumpError> {
     let until = link.now() + span;
     loop {
-        tokio::task::yield_now().await;
-        if interrupt.is_raised() {
-            return Err(PumpError::Interrupted);
-        }
-        let wake = tokio::select! {
-            wake = link.wait(until) => wake?,
-            () = interrupt.raised() => return Err(PumpError::Interrupted),
-        };
-        match wake {
+        match hear(link, interrupt, until).await? {
             Wake::Bytes(bytes) => master.feed(link.now(), &bytes),
             Wake::Silence => return Ok(()),
         }
+    }
+}
+
+/// Waits until bytes come or the time is over.
+pub(super) async fn hear(link: &mut Link, interrupt: &Interrupt, until: Tick) -> Result<Wake, PumpError> {
+    // Gives the signal handlers a turn, also on the bench, where nothing ever waits.
+    tokio::task::yield_now().await;
+    if interrupt.is_raised() {
+        return Err(PumpError::Interrupted);
+    }
+    tokio::select! {
+        wake = link.wait(until) => Ok(wake?),
+        () = interrupt.raised() => Err(PumpError::Interrupted),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
-use crate::transport::{Link, LinkError, Port, Rs485, Trace, list_ports};
+use crate::transport::{Link, LinkError, Port, Rs485, Trace, Wake, list_ports};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::rc::Rc;
@@ -257,6 +257,11 @@ impl<'a> Session<'a> {
     /// Waits without asking anything; ends early with an error if somebody interrupts or the port is lost.
     pub async fn rest(&mut self, span: Span) -> Result<(), AccessError> {
         Ok(pump::rest(&mut self.master, &mut self.link, &self.interrupt, span).await?)
+    }
+
+    /// Waits until bytes come or the time is over; they go to nobody else.
+    pub(super) async fn hear(&mut self, until: Tick) -> Result<Wake, AccessError> {
+        Ok(pump::hear(&mut self.link, &self.interrupt, until).await?)
     }
 
     /// From now on the line is used whether somebody interrupts or not: for the stop that must still go out.

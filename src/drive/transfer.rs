@@ -26,6 +26,8 @@ pub struct Target {
     pub family: Rc<Family>,
     /// Which half of a value in two registers comes first, once it is known or given.
     pub high_first: Option<bool>,
+    /// It refused the code that writes and reads back in one exchange.
+    lacks_exchange: bool,
     /// Widths that were found out by asking, for this run.
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
@@ -80,7 +82,9 @@ pub enum WriteFate {
 impl Target {
     /// A drive of a known family.
     pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target { address, family, high_first: None, widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
+        Target { address, family,             high_first: None,
+            lacks_exchange: false,
+ widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
     }
 
     /// The same with the word order that somebody gave, if any.
@@ -207,7 +211,11 @@ impl Target {
         };
         let cell = Cell { number: order.id, set: 0 };
         let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
-        let answer = session.demand(route, &self.family, question).await?;
+        let answer = match session.demand(route, &self.family, question).await {
+            // Without an answer the factory setting is presumed.
+            Err(AccessError::Refused(_)) => None,
+            answer => answer?,
+        };
         // The setting is 0 or 1, so one half is always 0, and a 1 that reads as the upper half came first.
         let content = answer.and_then(|(said, _)| route.content(&said));
         let high_first = !matches!(content, Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX));
@@ -281,7 +289,7 @@ impl Target {
             session.ask(self.address, plain).await?;
             return Ok(WriteFate::Broadcast);
         }
-        let both = route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back);
+        let both = route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
         let mut question = both.unwrap_or_else(|| plain.clone());
         let limits = session.limits();
         let mut tries = 0;
@@ -298,6 +306,7 @@ impl Target {
                 Err(AccessError::Refused(Refusal { no: No::Exception(Exception::IllegalFunction), .. }))
                     if question != plain =>
                 {
+                    self.lacks_exchange = true;
                     question = plain.clone();
                     continue;
                 }

@@ -68,6 +68,8 @@ struct Job {
     /// When somebody wanted to know.
     wanted: Tick,
     asked: u8,
+    /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
+    echoed: bool,
     phase: Phase,
 }
 
@@ -213,7 +215,7 @@ impl Master {
             Phase::Gap
         };
         let parting = self.parting(station, &question, now);
-        self.job = Some(Job { station, question, parting, wanted: now, asked: 0, phase });
+        self.job = Some(Job { station, question, parting, wanted: now, asked: 0, echoed: false, phase });
     }
 
     /// A station was asked this by somebody else on our side, and its reply may still come.
@@ -436,9 +438,12 @@ impl Master {
         if now < deadline && !matches!(verdict, Came::Garbage) {
             return Step::Wait(deadline);
         }
-        let (stray, garbage) = (waiting.stray, std::mem::take(&mut waiting.garbage));
+        let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
         // Garbage as long as a reply most likely was the reply.
         let due = if matches!(verdict, Came::Garbage) { now } else { waiting.sent_end + LATEST_REPLY };
+        if let Some(job) = &mut self.job {
+            job.echoed |= echoed;
+        }
         self.miss(now, due, stray, garbage)
     }
 
@@ -477,6 +482,12 @@ impl Master {
         }
         if asked <= self.limits.retries {
             job.phase = Phase::Gap;
+            return self.step(now);
+        }
+        if matches!(job.parting, Parting::Fence(..)) && job.echoed {
+            // A station whose counters do not count cannot be parted by them; time does it.
+            job.parting = Parting::Until(self.debts.due(station).map_or(now, |(_, end)| end));
+            (job.asked, job.phase) = (0, Phase::Gap);
             return self.step(now);
         }
         self.finish(Err(error))
@@ -740,6 +751,17 @@ mod tests {
         let echo = frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 });
         let outcome = line.ask(1, OTHER, &[&[(1, echo), (300, fence_reply())], &[(10, value(7))]]);
         assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn a_station_that_counts_nothing_is_parted_by_time() {
+        let mut line = Line::new(Framing::Rtu);
+        assert!(line.ask(1, READ, &[]).is_err());
+        let zero = [(10, frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 }))];
+        let begun = line.now;
+        let outcome = line.ask(1, OTHER, &[&zero, &zero, &zero, &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+        assert!(line.now.since(begun) > Span::from_secs(2));
     }
 
     #[test]

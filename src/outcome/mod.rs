@@ -17,7 +17,10 @@ pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
-pub use stream::{Column, Monitor, PortChange, Record, Sample, SampleValue, StreamEnd, StreamStart, WatchedDrive};
+pub use stream::{
+    Column, Monitor, PortChange, Record, Sample, SampleValue, Sniff, SniffSummary, StreamEnd, StreamStart, StreamSummary,
+    WatchedDrive,
+};
 pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
 
@@ -100,6 +103,8 @@ pub enum Data {
     Params(Params),
     /// `decode`
     Decode(Decode),
+    /// `sniff`
+    Sniff(Sniff),
     /// `simulate`
     Simulate(Simulate),
     /// `monitor`, behind its stream

@@ -1,10 +1,10 @@
-//! What `monitor` tells as it comes.
+//! What `monitor` and `sniff` tell as it comes.
 
 use super::{Decimal, ErrorDoc, State, TelegramDoc, Value, Warning};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A line of a stream: of `monitor`. Times are seconds since the port was opened, by the clock of the line.
+/// A line of a stream: of `monitor` or `sniff`. Times are seconds since the port was opened, by the clock of the line.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Record {
@@ -16,7 +16,7 @@ pub enum Record {
     Lost(PortChange),
     /// The port is back.
     Reopened(PortChange),
-    /// What would be sent, under `--dry-run`.
+    /// What `sniff` heard, or what would be sent, under `--dry-run`.
     Telegram(TelegramDoc),
     /// How it ended; the last line.
     End(StreamEnd),
@@ -145,7 +145,7 @@ pub struct StreamEnd {
     /// Whether all that was asked for was done.
     pub ok: bool,
     /// What was streamed; null if nothing was.
-    pub summary: Option<Monitor>,
+    pub summary: Option<StreamSummary>,
     /// Remarks.
     pub warnings: Vec<Warning>,
     /// Why it is not all that was asked for.
@@ -165,4 +165,43 @@ pub struct Monitor {
     pub samples: u64,
     /// Samples that are gaps.
     pub gaps: u64,
+}
+
+/// What was streamed.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum StreamSummary {
+    /// `monitor`
+    Monitor(Monitor),
+    /// `sniff`
+    Sniff(SniffSummary),
+}
+
+/// Result of `sniff`.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Sniff {
+    /// How it went.
+    #[serde(flatten)]
+    pub summary: SniffSummary,
+    /// What was heard, in order; in a stream these are records of their own.
+    pub telegrams: Vec<TelegramDoc>,
+}
+
+/// What `sniff` heard, in numbers.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SniffSummary {
+    /// Why it ended: `count`, `duration`, `quiet`, `interrupted`, `lost`.
+    pub because: &'static str,
+    /// Seconds from the start to the end.
+    pub t: Decimal,
+    /// Port.
+    pub port: String,
+    /// Line setting.
+    pub line: String,
+    /// Protocol.
+    pub protocol: &'static str,
+    /// Telegrams, disturbed ones among them.
+    pub heard: u64,
+    /// Of these, disturbed or no telegrams at all.
+    pub garbled: u64,
 }

@@ -193,6 +193,7 @@ pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
         Some("params") => of!(o::Params),
         Some("monitor") => schemars::schema_for!(o::Record),
         Some("decode") => of!(o::Decode),
+        Some("sniff") => of!(OrPlan<o::Sniff>),
         Some("simulate") => of!(o::Simulate),
         Some(_) => return None,
     };

@@ -44,6 +44,7 @@ pub(super) fn rows(data: &Data) -> Vec<Row> {
         Data::Params(params) => list("param", &params.params),
         Data::Decode(decode) if !decode.telegrams.is_empty() => list("telegram", &decode.telegrams),
         Data::Decode(decode) => list("decoded", &[decode]),
+        Data::Sniff(sniff) => list("telegram", &sniff.telegrams),
         Data::Motion(motion) => list("motion", &[motion]),
         Data::Relocation(relocation) => list("relocation", &[relocation]),
         Data::Monitor(summary) => list("end", &[summary]),

@@ -30,6 +30,7 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
         },
         Data::Decode(decode) => page.decode(decode),
         Data::Plan(plan) => page.telegrams(&plan.telegrams),
+        Data::Sniff(sniff) => page.telegrams(&sniff.telegrams),
         // Its stream has shown everything.
         Data::Monitor(_) => String::new(),
         Data::Motion(motion) => page.motion(motion),
@@ -682,8 +683,7 @@ impl Page {
     fn telegrams(self, docs: &[TelegramDoc]) -> String {
         let rows = docs.iter().map(|doc| {
             let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
-            let sent = if doc.direction == Some("request") { ">" } else { "<" };
-            vec![at, sent.to_owned(), doc.hex.clone(), doc.meaning.clone()]
+            vec![at, direction(doc).to_owned(), doc.hex.clone(), doc.meaning.clone()]
         });
         self.table(&[">ms", "", "telegram", "meaning"], rows.collect())
     }
@@ -697,6 +697,16 @@ impl Page {
             text += &self.table(&["", "field", "value"], rows);
         }
         text
+    }
+}
+
+/// Sign of who speaks: `>` the master, `<` a drive, `?` either, `!` nobody who can be understood.
+pub(super) fn direction(doc: &TelegramDoc) -> &'static str {
+    match doc.direction {
+        _ if !doc.check_ok => "!",
+        Some("request") => ">",
+        Some(_) => "<",
+        None => "?",
     }
 }
 

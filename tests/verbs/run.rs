@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 use tempfile::TempDir;
 
 /// Verbs that have a JSON document, and so a schema.
-pub(crate) const VERBS: [&str; 13] = [
+pub(crate) const VERBS: [&str; 14] = [
     "scan",
     "identify",
     "read",
@@ -27,6 +27,7 @@ pub(crate) const VERBS: [&str; 13] = [
     "line",
     "params",
     "decode",
+    "sniff",
     "simulate",
 ];
 

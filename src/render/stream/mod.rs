@@ -8,12 +8,15 @@ mod csv;
 mod lines;
 mod live;
 mod ndjson;
+mod telegrams;
 mod ticker;
 
 pub use live::{Key, Keys};
 
 use super::{Console, print_failure};
-use crate::outcome::{Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, StreamEnd};
+use crate::outcome::{
+    Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, SniffSummary, StreamEnd, StreamSummary,
+};
 use crate::profile::Lang;
 use std::io::{self, Write};
 
@@ -26,6 +29,8 @@ pub enum View {
     Csv,
     /// One line a sample, for people.
     Lines,
+    /// One line a telegram, for people.
+    Telegrams,
     /// One line that is refreshed.
     Ticker,
     /// The whole terminal: a chart and a table.
@@ -85,6 +90,7 @@ impl<'a> Stream<'a> {
             View::Ndjson => Box::new(ndjson::Ndjson::new(out)),
             View::Csv => Box::new(csv::Csv::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
+            View::Telegrams => Box::new(telegrams::Telegrams::new(out)),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
             View::Live => Box::new(live::Live::new(live::Terminal::take(out)?, manner)?),
         };
@@ -131,7 +137,7 @@ impl<'a> Stream<'a> {
     }
 
     /// Writes how it ended, gives the terminal back, and says on stderr what went wrong.
-    pub fn finish(mut self, outcome: &Outcome) -> io::Result<()> {
+    pub fn finish(mut self, outcome: &Outcome, command: &'static str) -> io::Result<()> {
         if let Some(error) = self.broken.take() {
             return Err(error);
         }
@@ -139,11 +145,12 @@ impl<'a> Stream<'a> {
             plan.telegrams.iter().try_for_each(|telegram| self.form.record(&Record::Telegram(telegram.clone())))?;
         }
         let summary = match &outcome.data {
-            Some(Data::Monitor(summary)) => Some(summary.clone()),
+            Some(Data::Monitor(summary)) => Some(StreamSummary::Monitor(summary.clone())),
+            Some(Data::Sniff(sniff)) => Some(StreamSummary::Sniff(sniff.summary.clone())),
             _ => None,
         };
         let (view, lang, console) = (self.view, self.manner.lang, self.console.clone());
-        self.form.record(&Record::End(end(outcome, summary.clone())))?;
+        self.form.record(&Record::End(end(outcome, command, summary.clone())))?;
         // Gives the terminal back.
         drop(self);
         if let Some(summary) = summary
@@ -159,12 +166,16 @@ impl<'a> Stream<'a> {
     }
 }
 
-fn end(outcome: &Outcome, summary: Option<Monitor>) -> StreamEnd {
+fn end(outcome: &Outcome, command: &'static str, summary: Option<StreamSummary>) -> StreamEnd {
+    let t = summary.as_ref().map(|summary| match summary {
+        StreamSummary::Monitor(monitor) => monitor.t,
+        StreamSummary::Sniff(sniff) => sniff.t,
+    });
     StreamEnd {
-        t: summary.as_ref().map_or(Decimal { raw: 0, decimals: 6 }, |summary| summary.t),
+        t: t.unwrap_or(Decimal { raw: 0, decimals: 6 }),
         schema: SCHEMA_VERSION,
         tool: "antrieb",
-        command: "monitor",
+        command,
         ok: outcome.failure.is_none(),
         summary,
         warnings: outcome.warnings.clone(),
@@ -172,11 +183,19 @@ fn end(outcome: &Outcome, summary: Option<Monitor>) -> StreamEnd {
     }
 }
 
-fn told(summary: &Monitor, lang: Lang) -> String {
-    let Monitor { samples, gaps, rounds, .. } = summary;
-    let seconds = cells::seconds(summary.t);
-    match lang {
-        Lang::En => format!("{samples} samples in {rounds} rounds and {seconds} s, {gaps} of them gaps"),
-        Lang::De => format!("{samples} Messpunkte in {rounds} Runden und {seconds} s, davon {gaps} Lücken"),
+fn told(summary: &StreamSummary, lang: Lang) -> String {
+    match (summary, lang) {
+        (StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }), Lang::En) => {
+            format!("{samples} samples in {rounds} rounds and {} s, {gaps} of them gaps", cells::seconds(*t))
+        }
+        (StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }), Lang::De) => {
+            format!("{samples} Messpunkte in {rounds} Runden und {} s, davon {gaps} Lücken", cells::seconds(*t))
+        }
+        (StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }), Lang::En) => {
+            format!("{heard} telegrams in {} s, {garbled} of them disturbed", cells::seconds(*t))
+        }
+        (StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }), Lang::De) => {
+            format!("{heard} Telegramme in {} s, davon {garbled} gestört", cells::seconds(*t))
+        }
     }
 }

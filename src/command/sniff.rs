@@ -1,0 +1,107 @@
+//! `sniff`: listens to what others say on a line. Never sends.
+
+use super::{Context, connect, offline_family, telegram_reader};
+use crate::args::parse_span;
+use crate::drive::{Listening, Port, sniff};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Outcome, Plan, Sniff};
+use crate::profile::Lang;
+use crate::tick::Span;
+use clap::Args as ClapArgs;
+
+/// Listens on a line and tells every telegram: when, who speaks, the bytes, and what they say. Never sends.
+///
+/// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`. Parameters are named as in the
+/// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
+/// record; --json and CSV tell all at the end.
+///
+/// Times are milliseconds since the port was opened. `>` is a request, `<` a reply, `?` could be either, `!` is
+/// disturbed.
+///
+/// Ctrl-C is the usual way to end it, and ends it with exit code 0, like --count and --for. If nothing was heard it is
+/// 4, if nothing of it is a telegram 5. The bench and recordings, whose time is virtual, end after 10 s of silence.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    /// End after this time
+    #[arg(long = "for", value_name = "TIME", value_parser = parse_span)]
+    pub duration: Option<Span>,
+
+    /// End after this many telegrams
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub count: Option<u64>,
+}
+
+/// Where time is virtual, silence would never be cut short by anybody.
+const QUIET: Span = Span::from_secs(10);
+
+/// Listens until the time or the count is over, or somebody ends it.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let lang = settings.lang;
+    let family = offline_family(settings, registry)?;
+    if settings.dry_run {
+        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new() })));
+    }
+    if matches!(settings.port, Some(Port::Mbtcp(_))) {
+        return Err(no_line(lang));
+    }
+    let is_virtual = matches!(settings.port, Some(Port::Sim(_) | Port::Tape(_)));
+    let plan = Listening {
+        duration: args.duration,
+        quiet: (is_virtual && args.duration.is_none()).then_some(QUIET),
+        count: args.count,
+        keep: settings.tells_at_the_end(),
+    };
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
+    let failure = error.map(|error| error.failure(0, None, lang)).or_else(|| unheard(&heard, lang));
+    Ok(Outcome { data: Some(Data::Sniff(heard)), warnings: Vec::new(), failure })
+}
+
+/// Why it was of no use to listen.
+fn unheard(sniff: &Sniff, lang: Lang) -> Option<Failure> {
+    let summary = &sniff.summary;
+    let (line, protocol, heard) = (&summary.line, summary.protocol, summary.heard);
+    let failure = match (heard, heard - summary.garbled) {
+        (0, _) => Failure::new(
+            Class::Silence,
+            "silence.nothing_heard",
+            match lang {
+                Lang::En => format!("nothing was heard on {} at {line}", summary.port),
+                Lang::De => format!("auf {} war bei {line} nichts zu hören", summary.port),
+            },
+        )
+        .hint(lang.pick(
+            "sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and `antrieb \
+             decode trace FILE` reads a recording with what was sent",
+            "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
+             `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde",
+        )),
+        (_, 0) => Failure::new(
+            Class::Garbled,
+            "garbled.nothing_valid",
+            match lang {
+                Lang::En => format!("nothing that was heard is a telegram of {protocol} at {line}"),
+                Lang::De => format!("nichts des Gehörten ist ein Telegramm von {protocol} bei {line}"),
+            },
+        )
+        .hint(lang.pick(
+            "try other settings: --protocol rtu, ascii or vabus, --baud, --parity",
+            "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity",
+        )),
+        _ => return None,
+    };
+    Some(failure)
+}
+
+fn no_line(lang: Lang) -> Failure {
+    let text = lang.pick(
+        "behind a Modbus/TCP gateway there is nothing to listen to: it passes on only answers to our own questions",
+        "hinter einem Modbus/TCP-Gateway gibt es nichts zu hören: es gibt nur Antworten auf eigene Fragen weiter",
+    );
+    let hint = lang.pick(
+        "expected a serial port, tcp://HOST:PORT or rfc2217://HOST:PORT",
+        "erwartet: ein serieller Anschluss, tcp://HOST:PORT oder rfc2217://HOST:PORT",
+    );
+    Failure::new(Class::Usage, "usage.no_line", text).hint(hint)
+}

@@ -1,0 +1,411 @@
+//! Listens on a line without ever sending: cuts what comes into telegrams and says what they say.
+//!
+//! A listener may miss the silences that part RTU telegrams, because adapters deliver bytes in chunks. So an RTU telegram
+//! is taken when it is one of a known function code with a right CRC; what such a cut leaves is settled by a longer silence.
+
+use super::decode::Reader;
+use super::session::{AccessError, Session};
+use crate::outcome::{Decimal, Event, Record, Sniff, SniffSummary, TelegramDoc};
+use crate::protocol::Protocol;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::{EXCEPTION_BIT, Reply, Request};
+use crate::protocol::modbus::{Framing, ascii, rtu};
+use crate::protocol::vabus;
+use crate::tick::{Span, Tick};
+use crate::transport::Wake;
+use std::collections::VecDeque;
+use std::iter::repeat_n;
+
+/// Longer than adapters hold back the rest of a telegram (facts/engineering.md: 16 ms): what is open then stays so.
+const PATIENCE: Span = Span::from_millis(50);
+
+/// How long to listen, and what to keep.
+#[derive(Clone, Copy, Debug)]
+pub struct Listening {
+    /// End after this time.
+    pub duration: Option<Span>,
+    /// End when nothing came for so long.
+    pub quiet: Option<Span>,
+    /// End after so many telegrams, disturbed ones among them.
+    pub count: Option<u64>,
+    /// Whether the telegrams are part of the result, beside the records on the way.
+    pub keep: bool,
+}
+
+/// Tells every telegram as a record until the time or the count is over, or somebody interrupts, which is the normal end;
+/// an error only if the port is lost. Never sends.
+pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<AccessError>) {
+    let begin = session.now();
+    let mut ear = Ear::new(*reader, session.line(), session.limits().reply_timeout);
+    let mut log = Log { plan, heard: 0, garbled: 0, kept: Vec::new() };
+    let mut last = begin;
+    let (because, error) = loop {
+        let ends = [
+            (plan.duration.map(|span| begin + span), Some("duration")),
+            (plan.quiet.map(|span| last + span), Some("quiet")),
+            (ear.ends(last), None),
+        ];
+        let next = ends.into_iter().filter_map(|(at, because)| Some((at?, because))).min_by_key(|(at, _)| *at);
+        let (until, because) = next.unwrap_or((session.now() + Span::from_secs(1), None));
+        let telegrams = match session.hear(until).await {
+            Ok(Wake::Bytes(bytes)) => {
+                last = session.now();
+                ear.feed(last, &bytes)
+            }
+            Ok(Wake::Silence) => match because {
+                Some(because) => break (because, None),
+                None => ear.silence(),
+            },
+            Err(AccessError::Interrupted) => break ("interrupted", None),
+            Err(error) => break ("lost", Some(error)),
+        };
+        if log.tell(session, telegrams) {
+            break ("count", None);
+        }
+    };
+    // What was begun is told as it is.
+    log.tell(session, ear.silence());
+    let summary = SniffSummary {
+        because,
+        t: seconds(session.now().since(begin)),
+        port: session.port().to_owned(),
+        line: session.line().to_string(),
+        protocol: session.protocol().name(),
+        heard: log.heard,
+        garbled: log.garbled,
+    };
+    (Sniff { summary, telegrams: log.kept }, error)
+}
+
+fn seconds(span: Span) -> Decimal {
+    Decimal { raw: i64::try_from(span.as_micros()).unwrap_or(i64::MAX), decimals: 6 }
+}
+
+/// What was told so far.
+struct Log {
+    plan: Listening,
+    heard: u64,
+    garbled: u64,
+    kept: Vec<TelegramDoc>,
+}
+
+impl Log {
+    /// Tells telegrams up to the count; `true` if that is reached.
+    fn tell(&mut self, session: &mut Session<'_>, telegrams: Vec<TelegramDoc>) -> bool {
+        for telegram in telegrams {
+            if self.is_full() {
+                break;
+            }
+            self.heard += 1;
+            self.garbled += u64::from(!telegram.check_ok);
+            if self.plan.keep {
+                self.kept.push(telegram.clone());
+            }
+            session.tell(Event::Record(Box::new(Record::Telegram(telegram))));
+        }
+        self.is_full()
+    }
+
+    fn is_full(&self) -> bool {
+        self.plan.count.is_some_and(|count| self.heard >= count)
+    }
+}
+
+/// Turns bytes and silence into telegrams in words.
+struct Ear<'r> {
+    reader: Reader<'r>,
+    cutter: Cutter,
+    /// When each of the bytes came that belong to no telegram yet.
+    arrivals: VecDeque<Tick>,
+    /// A silence that leaves nothing open.
+    pause: Span,
+    /// How long a reply may take.
+    patience: Span,
+    /// Who was asked what last, and when: address and function code.
+    asked: Option<(Tick, Option<u8>, Option<u8>)>,
+    /// Something was heard before.
+    is_in: bool,
+}
+
+impl<'r> Ear<'r> {
+    fn new(reader: Reader<'r>, line: LineSetting, patience: Span) -> Self {
+        let (cutter, pause) = match reader.protocol {
+            Protocol::Modbus(Framing::Ascii) => (Cutter::Ascii(Vec::new()), ascii::MAX_PAUSE),
+            Protocol::Modbus(_) => (Cutter::Rtu(Rtu::default()), PATIENCE.longer(line.t35())),
+            Protocol::Vabus => (Cutter::Vabus(vabus::Receiver::default()), PATIENCE.longer(line.t35())),
+        };
+        Ear { reader, cutter, arrivals: VecDeque::new(), pause, patience, asked: None, is_in: false }
+    }
+
+    /// When what is open will stay so, if the last byte came at `last`.
+    fn ends(&self, last: Tick) -> Option<Tick> {
+        (!self.arrivals.is_empty()).then(|| last + self.pause)
+    }
+
+    fn feed(&mut self, at: Tick, bytes: &[u8]) -> Vec<TelegramDoc> {
+        self.arrivals.extend(repeat_n(at, bytes.len()));
+        let pieces = self.cutter.feed(bytes);
+        self.told(pieces)
+    }
+
+    fn silence(&mut self) -> Vec<TelegramDoc> {
+        let pieces = self.cutter.silence();
+        self.told(pieces)
+    }
+
+    fn told(&mut self, pieces: Vec<Vec<u8>>) -> Vec<TelegramDoc> {
+        pieces.iter().map(|bytes| self.telegram(bytes)).collect()
+    }
+
+    fn telegram(&mut self, bytes: &[u8]) -> TelegramDoc {
+        let came: Vec<Tick> = self.arrivals.drain(..bytes.len().min(self.arrivals.len())).collect();
+        let at = came.first().copied().unwrap_or_default();
+        let mut doc = self.reader.telegram(bytes, None);
+        let same = |(then, address, function)| {
+            at.since(then) <= self.patience && (address, function) == (doc.address, doc.function)
+        };
+        // Where request and reply look alike, the first is the request; but of the very first nobody knows.
+        if doc.check_ok && doc.direction.is_none() && self.is_in {
+            doc = self.reader.telegram(bytes, Some(!self.asked.is_some_and(same)));
+        }
+        doc.at_us = Some(at.as_micros());
+        self.is_in = true;
+        self.asked = (doc.check_ok && doc.direction != Some("reply")).then_some((at, doc.address, doc.function));
+        doc
+    }
+}
+
+/// Cuts bytes into telegrams and what is none; every byte comes out once, in order.
+enum Cutter {
+    Rtu(Rtu),
+    /// The telegram that has begun.
+    Ascii(Vec<u8>),
+    Vabus(vabus::Receiver),
+}
+
+impl Cutter {
+    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        match self {
+            Cutter::Rtu(rtu) => rtu.feed(bytes),
+            Cutter::Ascii(open) => bytes.iter().flat_map(|byte| cut_ascii(open, byte & 0x7F)).collect(),
+            Cutter::Vabus(receiver) => receiver.feed(bytes).into_iter().map(heard).collect(),
+        }
+    }
+
+    fn silence(&mut self) -> Vec<Vec<u8>> {
+        match self {
+            Cutter::Rtu(rtu) => rtu.cut(true),
+            Cutter::Ascii(open) => some(std::mem::take(open)).into_iter().collect(),
+            Cutter::Vabus(receiver) => receiver.silence().into_iter().map(heard).collect(),
+        }
+    }
+}
+
+fn heard(heard: vabus::Heard) -> Vec<u8> {
+    match heard {
+        vabus::Heard::Telegram(_, bytes) | vabus::Heard::Noise(bytes, _) => bytes,
+    }
+}
+
+fn some(bytes: Vec<u8>) -> Option<Vec<u8>> {
+    (!bytes.is_empty()).then_some(bytes)
+}
+
+/// What a character ends: the telegram before a colon that was never finished, and the one that a line feed finishes.
+fn cut_ascii(open: &mut Vec<u8>, byte: u8) -> Vec<Vec<u8>> {
+    let torn = if byte == ascii::START { some(std::mem::take(open)) } else { None };
+    open.push(byte);
+    let is_over = byte == b'\n' || open.len() > ascii::MAX_FRAME;
+    let whole = is_over.then(|| std::mem::take(open));
+    torn.into_iter().chain(whole).collect()
+}
+
+/// Telegrams of RTU among bytes whose silences nobody knows.
+#[derive(Default)]
+struct Rtu {
+    open: Vec<u8>,
+    noise: Vec<u8>,
+}
+
+impl Rtu {
+    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        self.open.extend(bytes);
+        self.cut(false)
+    }
+
+    /// `is_over`: a silence came, nothing that is open will be completed.
+    fn cut(&mut self, is_over: bool) -> Vec<Vec<u8>> {
+        let mut pieces = Vec::new();
+        while !self.open.is_empty() {
+            if let Some(len) = self.telegram(is_over) {
+                pieces.extend(some(std::mem::take(&mut self.noise)));
+                pieces.push(self.open.drain(..len).collect());
+            } else if is_over || self.open.len() >= rtu::MAX_FRAME {
+                self.noise.push(self.open.remove(0));
+                if self.noise.len() >= rtu::MAX_FRAME {
+                    pieces.push(std::mem::take(&mut self.noise));
+                }
+            } else {
+                break;
+            }
+        }
+        if is_over {
+            pieces.extend(some(std::mem::take(&mut self.noise)));
+        }
+        pieces
+    }
+
+    /// Length of the telegram that the open bytes begin with. One with an unknown function code is believed only where
+    /// a telegram must begin, and when nothing more comes: inside noise some CRC is right by chance.
+    fn telegram(&self, is_over: bool) -> Option<usize> {
+        let frames = || (rtu::MIN_FRAME..=self.open.len().min(rtu::MAX_FRAME)).filter_map(|len| self.open.get(..len));
+        let known = frames().find(|frame| is_known(frame) && rtu::decode(frame).is_ok());
+        let any = || frames().find(|frame| is_over && self.noise.is_empty() && rtu::decode(frame).is_ok());
+        known.or_else(any).map(<[u8]>::len)
+    }
+}
+
+/// Whether the bytes between station and CRC are a request or a reply of a function code that we know.
+fn is_known(frame: &[u8]) -> bool {
+    let pdu = frame.get(1..frame.len().saturating_sub(2)).unwrap_or_default();
+    let is_exception = pdu.first().is_some_and(|function| function & EXCEPTION_BIT != 0);
+    let is_reply = || Reply::decode(pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. }));
+    let is_request = || Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }));
+    is_reply() || !is_exception && is_request()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Lang;
+    use crate::protocol::line::Parity;
+
+    const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
+    const READ: &[u8] = &[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C];
+
+    fn ear(protocol: Protocol) -> Ear<'static> {
+        let reader = Reader { protocol, node: 0, family: None, high_first: true, lang: Lang::En };
+        Ear::new(reader, LINE, Span::from_millis(500))
+    }
+
+    fn rtu() -> Ear<'static> {
+        ear(Framing::Rtu.into())
+    }
+
+    fn at(ms: u64) -> Tick {
+        Tick::from_micros(ms * 1_000)
+    }
+
+    /// Sign of direction and bytes of every telegram.
+    fn short(docs: &[TelegramDoc]) -> Vec<(&'static str, &str)> {
+        let sign = |doc: &TelegramDoc| if doc.check_ok { doc.direction.unwrap_or("either") } else { "garbled" };
+        docs.iter().map(|doc| (sign(doc), doc.hex.as_str())).collect()
+    }
+
+    /// What comes of chunks however they are cut, with the silence at the end.
+    fn all_cuts(protocol: Protocol, bytes: &[u8]) -> Vec<(&'static str, String)> {
+        let run = |size: usize| {
+            let mut ear = ear(protocol);
+            let mut docs: Vec<_> = bytes.chunks(size).flat_map(|chunk| ear.feed(at(1), chunk)).collect();
+            docs.extend(ear.silence());
+            assert!(ear.arrivals.is_empty());
+            short(&docs).into_iter().map(|(sign, hex)| (sign, hex.to_owned())).collect::<Vec<_>>()
+        };
+        let whole = run(bytes.len());
+        (1..bytes.len()).for_each(|size| assert_eq!(run(size), whole, "chunks of {size}"));
+        whole
+    }
+
+    fn told(expected: &[(&'static str, &str)]) -> Vec<(&'static str, String)> {
+        expected.iter().map(|(sign, hex)| (*sign, (*hex).to_owned())).collect()
+    }
+
+    #[test]
+    fn rtu_telegrams_that_are_glued_are_parted_however_the_chunks_fall() {
+        let reply = rtu::encode(1, &[3, 2, 0x05, 0x6E]);
+        let refusal = rtu::encode(1, &[0x83, 2]);
+        let bytes = [READ, &reply, READ, &refusal].concat();
+        let expected = [
+            ("request", "01 03 21 74 00 01 CE 2C"),
+            ("reply", "01 03 02 05 6E 3A F8"),
+            ("request", "01 03 21 74 00 01 CE 2C"),
+            ("reply", "01 83 02 C0 F1"),
+        ];
+        assert_eq!(all_cuts(Framing::Rtu.into(), &bytes), told(&expected));
+    }
+
+    #[test]
+    fn noise_between_rtu_telegrams_is_told_and_costs_no_telegram() {
+        let bytes = [&[0x00, 0xFF], READ, &[0x55], READ].concat();
+        let mut ear = rtu();
+        let mut docs = ear.feed(at(1), &bytes);
+        docs.extend(ear.silence());
+        let request = ("request", "01 03 21 74 00 01 CE 2C");
+        assert_eq!(short(&docs), [("garbled", "00 FF"), request, ("garbled", "55"), request]);
+    }
+
+    #[test]
+    fn endless_noise_does_not_pile_up_and_is_left_behind() {
+        let mut ear = rtu();
+        let noise = ear.feed(at(1), &[0xFF; 2_000]);
+        assert!(noise.len() >= 6 && noise.iter().all(|doc| !doc.check_ok), "{}", noise.len());
+        assert!(ear.arrivals.len() <= 2 * rtu::MAX_FRAME);
+        ear.silence();
+        assert_eq!(short(&ear.feed(at(100), READ)), [("request", "01 03 21 74 00 01 CE 2C")]);
+    }
+
+    #[test]
+    fn a_function_code_that_nobody_knows_ends_with_silence() {
+        let mut ear = rtu();
+        let strange = rtu::encode(5, &[0x41, 1, 2, 3]);
+        assert!(ear.feed(at(1), &strange).is_empty());
+        assert_eq!(ear.ends(at(1)), Some(at(51)));
+        let docs = ear.silence();
+        assert_eq!((docs.len(), docs[0].check_ok, docs[0].function), (1, true, Some(0x41)));
+    }
+
+    #[test]
+    fn a_telegram_that_is_torn_by_the_adapter_keeps_the_time_of_its_first_byte() {
+        let mut ear = rtu();
+        assert!(ear.feed(at(7), &READ[..3]).is_empty());
+        let docs = ear.feed(at(23), &READ[3..]);
+        assert_eq!((docs.len(), docs[0].at_us), (1, Some(7_000)));
+    }
+
+    #[test]
+    fn of_telegrams_that_look_alike_the_first_is_the_request_once_something_was_heard() {
+        let write = rtu::encode(3, &[6, 0x41, 0x78, 0, 0x0F]);
+        let mut ear = rtu();
+        let directions: Vec<_> = [(0, &*write), (10, READ), (20, &write), (30, &write), (40, &write), (900, &write)]
+            .into_iter()
+            .flat_map(|(ms, bytes)| ear.feed(at(ms), bytes))
+            .map(|doc| doc.direction)
+            .collect();
+        // At 900 ms the request of 40 ms is long lost.
+        let (request, reply) = (Some("request"), Some("reply"));
+        assert_eq!(directions, [None, request, request, reply, request, request]);
+    }
+
+    #[test]
+    fn ascii_telegrams_end_with_their_line_or_with_the_next_colon() {
+        // B6h is a '6' with the parity bit that some drivers leave in.
+        let bytes = b"\r\n:01032174000166\r\n:0103:010321740001\xB66\r\n:01830";
+        let all = all_cuts(Framing::Ascii.into(), bytes);
+        let signs: Vec<_> = all.iter().map(|(sign, _)| *sign).collect();
+        assert_eq!(signs, ["garbled", "request", "garbled", "request", "garbled"]);
+    }
+
+    #[test]
+    fn vabus_is_cut_by_its_characters_and_a_check_value_of_zero_is_one() {
+        let address = vabus::Address::drive(1).unwrap();
+        let number = vabus::ParamNumber::new(372).unwrap();
+        let node = vabus::SystemNode::new(50).unwrap();
+        let header = vabus::Header { node, number, ..vabus::Header::default() };
+        let reply = |bits| vabus::Reply::Value { address, header, data: vabus::Data::word(bits) }.encode();
+        let zero = (0..u16::MAX).map(reply).find(|bytes| bytes.last() == Some(&0)).unwrap();
+        let question = vabus::Request::Enquiry { address, header }.encode();
+        let bytes = [&*question, &zero, &question, b"\x41\x15", b"\x04"].concat();
+        let signs: Vec<_> = all_cuts(Protocol::Vabus, &bytes).into_iter().map(|(sign, _)| sign).collect();
+        assert_eq!(signs, ["request", "reply", "request", "reply", "request"]);
+    }
+}

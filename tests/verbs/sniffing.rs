@@ -1,0 +1,83 @@
+//! `sniff`: what others say on a line, in every form and protocol; never a byte of our own.
+
+use crate::run::antrieb;
+use serde_json::{Value, json};
+
+/// A question and its reply glued, a write and its echo-like reply, an exception, noise. All received: a tape of a listener.
+const RTU: &str = "# antrieb trace 1, 19200 8E1, rtu
+1000 < 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8
+30000 < 03 06 41 78 00 0F 5C 09
+36000 < 03 06 41 78 00 0F 5C 09
+50000 < 01 03 21 74
+51000 < 00 01 CE 2C
+60000 < 01 83 02 C0 F1
+90000 < 55 AA
+";
+
+#[test]
+fn every_telegram_is_a_line_with_time_direction_bytes_and_words() {
+    let line = "-p tape:{dir}/t sniff --protocol rtu";
+    let output = antrieb(line).file("t", RTU).exits(0);
+    insta::assert_snapshot!(output.out, @"");
+    assert!(output.err.contains("7 telegrams in"), "{}", output.err);
+    let german = antrieb(&format!("--lang de {line}")).file("t", RTU).exits(0);
+    assert!(german.out.contains("Adresse 1: Wert 1390") && german.err.contains("7 Telegramme in"), "{}", german.out);
+}
+
+#[test]
+fn a_document_tells_all_at_the_end_and_a_stream_each_as_it_comes() {
+    let line = "-p tape:{dir}/t sniff --protocol rtu";
+    let document = antrieb(line).file("t", RTU).json().exits(0);
+    let data = &document.value["data"];
+    assert_eq!((&data["heard"], &data["garbled"], &data["because"]), (&json!(7), &json!(1), &json!("quiet")));
+    let telegrams = data["telegrams"].as_array().unwrap();
+    let stream = antrieb(&format!("{line} --format ndjson")).file("t", RTU).exits(0);
+    let records: Vec<Value> = stream.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let (end, told) = records.split_last().unwrap();
+    assert_eq!(told.len(), telegrams.len());
+    for (record, telegram) in told.iter().zip(telegrams) {
+        assert_eq!((&record["type"], &record["hex"], &record["at_us"]), (&json!("telegram"), &telegram["hex"], &telegram["at_us"]));
+    }
+    assert_eq!((&end["type"], &end["command"], &end["summary"]["heard"]), (&json!("end"), &json!("sniff"), &json!(7)));
+}
+
+#[test]
+fn the_count_and_the_time_end_it() {
+    let run = |more: &str| antrieb(&format!("-p tape:{{dir}}/t sniff {more}")).file("t", RTU).json().exits(0);
+    for (more, heard, because) in [("--count 3", 3, "count"), ("--for 40ms", 4, "duration")] {
+        let document = run(&format!("--protocol rtu {more}"));
+        let data = &document.value["data"];
+        assert_eq!((&data["heard"], &data["because"]), (&json!(heard), &json!(because)), "{more}");
+    }
+}
+
+#[test]
+fn ascii_and_vabus_are_heard_too() {
+    let ascii = "# antrieb trace 1, 19200 7E1, ascii\n1000 < 3A 30 31 30 33 32 31 37 34\n9000 < 30 30 30 31 36 36 0D 0A\n";
+    let output = antrieb("-p tape:{dir}/t sniff --protocol ascii").file("t", ascii).exits(0);
+    assert!(output.out.contains("1.000  >") && output.out.contains("address 1: read P.372@2"), "{}", output.out);
+    let vabus = "# antrieb trace 1, 19200 7E1, vabus\n1000 < 04 41 30 32 33 37 32 05 41 02 30 32 33 37 32 30 34 30 35 36 45 03 45\n";
+    let output = antrieb("-p tape:{dir}/t sniff --protocol vabus").file("t", vabus).exits(0);
+    assert!(output.out.contains(">  04 41") && output.out.contains("<  41 02") && output.out.contains("1390"), "{}", output.out);
+}
+
+#[test]
+fn a_silent_line_is_4_a_foreign_one_5_and_a_gateway_is_none() {
+    for line in ["-p sim sniff", "-p sim sniff --for 2s"] {
+        let output = antrieb(line).json().exits(4);
+        assert_eq!(output.error()["code"], "silence.nothing_heard");
+        assert!(output.error()["hint"].as_str().unwrap().contains("never sends"));
+    }
+    let foreign = antrieb("-p tape:{dir}/t sniff --protocol vabus").file("t", RTU).json().exits(5);
+    assert_eq!(foreign.error()["code"], "garbled.nothing_valid");
+    assert_eq!(antrieb("-p mbtcp://localhost sniff").json().exits(2).error()["code"], "usage.no_line");
+    assert_eq!(antrieb("-p sim sniff --dry-run").json().exits(0).data("/telegrams"), &json!([]));
+}
+
+#[test]
+fn what_was_heard_can_be_recorded_and_heard_again() {
+    let first = antrieb("-p tape:{dir}/t sniff --protocol rtu --trace {dir}/again").file("t", RTU).exits(0);
+    let again = std::fs::read_to_string(first.directory().join("again")).unwrap();
+    assert!(again.lines().skip(1).all(|line| line.contains('<')), "{again}");
+    assert_eq!(antrieb("-p tape:{dir}/t sniff --protocol rtu").file("t", &again).exits(0).out, first.out);
+}
