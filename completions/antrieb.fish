@@ -71,6 +71,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "protocol" -d 'Shows
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes speed, parity or address of a drive, and follows it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "decode" -d 'Explains telegrams, words and codes. No drive is needed'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sniff" -d 'Listens on a line and tells every telegram: when, who speaks, the bytes, and what they say. Never sends'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "simulate" -d 'Serves simulated drives in real time on a pseudo terminal or a TCP port'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "schema" -d 'Prints the JSON Schema of a verb\'s output, or of every verb\'s'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "completions" -d 'Prints a completion script'
@@ -1949,6 +1950,39 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l for -d 'End after this time' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l count -d 'End after this many telegrams' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l parity -d 'Parity: even, odd, none; `auto`: scan finds it [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485 -d 'Who switches an RS-485 line between sending and listening: auto, kernel, rts, adapter [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-before -d 'Wait so long between switching to sending and the telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-after -d 'Wait so long between the telegram and switching to listening, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'Protocol on the line: rtu, ascii, vabus; `auto`: scan finds it [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s v -l verbose -d 'Show every telegram on stderr, decoded, with its time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l link -d 'Name the pseudo terminal with this symbolic link' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l tcp -d 'Serve on this loopback address instead of a pseudo terminal, such as 127.0.0.1:5020' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l for -d 'End after this time' -r

@@ -232,9 +232,22 @@ impl Dialect {
         }
     }
 
-    /// Whether the late reply to `missing` could be taken for the answer to `question`. Refusals name only the function
-    /// code in Modbus, so the same code is enough, and nothing at all in VABus.
+    /// Whether the late answer to `missing`, if it is no refusal, could be taken for the answer to `question`. Many answers
+    /// name what they answer.
     pub(super) fn confuses(self, missing: &Question, question: &Question) -> bool {
+        if missing == question || self.protocol == Protocol::Modbus(Framing::Tcp) {
+            return false;
+        }
+        match (missing, question) {
+            (Question::Modbus(missing), Question::Modbus(question)) => confuses_modbus(missing, question),
+            (Question::Vabus(missing), Question::Vabus(question)) => confuses_vabus(missing, question),
+            _ => true,
+        }
+    }
+
+    /// Whether the late refusal of `missing` could be taken for one of `question`: refusals name only the function code in
+    /// Modbus, and nothing at all in VABus.
+    pub(super) fn refuses_alike(self, missing: &Question, question: &Question) -> bool {
         match (missing, question) {
             _ if missing == question || self.protocol == Protocol::Modbus(Framing::Tcp) => false,
             (Question::Modbus(missing), Question::Modbus(question)) => missing.function() == question.function(),
@@ -258,7 +271,7 @@ impl Dialect {
     /// Whether this answer to a fence proves that nothing older can come. Its echo does not, and a refusal only if none
     /// of the missing replies could be one.
     pub(super) fn settles(self, fence: &Question, said: &Said, missing: &[Question]) -> bool {
-        let may_be_old = said.is_refusal() && missing.iter().any(|missing| self.confuses(missing, fence));
+        let may_be_old = said.is_refusal() && missing.iter().any(|missing| self.refuses_alike(missing, fence));
         let is_echo = match (fence, said) {
             (Question::Modbus(fence), Said::Modbus(reply)) => {
                 matches!(fence, Request::Diagnostics { .. }) && fence.encode() == reply.encode()
@@ -266,6 +279,34 @@ impl Dialect {
             _ => false,
         };
         !may_be_old && !is_echo
+    }
+}
+
+fn confuses_modbus(missing: &Request, question: &Request) -> bool {
+    use Request::{ExchangeRegisters, ReadRegisters, WriteLong, WriteRegister, WriteRegisters};
+    match (missing, question) {
+        (ReadRegisters { count: a, .. }, ReadRegisters { count: b, .. })
+        | (ExchangeRegisters { count: a, .. }, ExchangeRegisters { count: b, .. }) => a == b,
+        (Request::Diagnostics { sub: a, .. }, Request::Diagnostics { sub: b, .. }) => a == b,
+        // These are echoed, so only the same question has the same answer.
+        (WriteRegister { .. }, WriteRegister { .. }) | (WriteLong { .. }, WriteLong { .. }) => false,
+        (WriteRegisters { start: a, values: x }, WriteRegisters { start: b, values: y }) => {
+            (a, x.len()) == (b, y.len())
+        }
+        _ => missing.function() == question.function(),
+    }
+}
+
+/// A value names its parameter; an ACK names nothing.
+fn confuses_vabus(missing: &vabus::Request, question: &vabus::Request) -> bool {
+    use vabus::Request::{Enquiry, Select};
+    match (missing, question) {
+        (Enquiry { header: missing, .. }, Enquiry { header: question, .. }) => {
+            let replied = vabus::Header { set: missing.set.as_replied(), ..*missing };
+            missing.answers(*question) || replied.answers(*question)
+        }
+        (Select { .. }, Select { .. }) => true,
+        _ => false,
     }
 }
 

@@ -250,8 +250,13 @@ impl Master {
         if !missing.iter().any(|missing| self.dialect.confuses(missing, question)) {
             return Parting::None;
         }
+        self.part(station, question, now)
+    }
+
+    /// Keeps everything that the station still owes away from the question.
+    fn part(&self, station: u8, question: &Question, now: Tick) -> Parting {
         let Some((due, end)) = self.debts.due(station) else { return Parting::None };
-        let fence = self.dialect.fence(missing, question, self.known.get(&station));
+        let fence = self.dialect.fence(self.debts.missing(station, now), question, self.known.get(&station));
         fence.map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
     }
 
@@ -393,10 +398,30 @@ impl Master {
         }
     }
 
+    /// Whether this refusal of the question could be a late one of something else.
+    fn may_be_old(&self, said: &Said, at: Tick) -> bool {
+        let Some(job) = self.job.as_ref().filter(|job| !matches!(job.parting, Parting::Fence(..))) else { return false };
+        let missing = self.debts.missing(job.station, at);
+        said.is_refusal() && missing.iter().any(|missing| self.dialect.refuses_alike(missing, &job.question))
+    }
+
+    /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
+    fn ask_behind_fence(&mut self, at: Tick, sent_end: Tick) {
+        let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else { return };
+        self.debts.owes(station, question.clone(), sent_end + LATEST_REPLY, at);
+        let parting = self.part(station, &question, at);
+        if let Some(job) = &mut self.job {
+            *job = Job { station, question, parting, wanted: at, asked: 0, echoed: false, phase: Phase::Gap };
+        }
+    }
+
     /// The answer has come: to the fence, then the question goes out; or to the question, then it is over.
     fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
+        if self.may_be_old(&said, at) {
+            return self.ask_behind_fence(at, sent_end);
+        }
         let Some(job) = &mut self.job else { return };
         self.debts.hears(job.station);
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
@@ -717,9 +742,10 @@ mod tests {
         let counter = |sub| Request::Diagnostics { sub, data: 0 };
         let counted = |sub, data| frame(1, &Reply::Diagnostics { sub, data });
         assert!(line.ask(1, counter(0x0B), &[]).is_err());
+        assert!(line.ask(1, READ, &[]).is_err());
         let late = counted(0x0B, 99);
-        let outcome = line.ask(1, counter(0x12), &[&[(10, late), (60, counted(0x0E, 5))], &[(10, counted(0x12, 3))]]);
-        assert_eq!(taken(outcome), Reply::Diagnostics { sub: 0x12, data: 3 });
+        let outcome = line.ask(1, OTHER, &[&[(10, late), (60, counted(0x0E, 5))], &[(10, value(7))]]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]));
     }
 
     #[test]
@@ -741,6 +767,35 @@ mod tests {
         assert!(line.ask(1, READ, &[&[(650, frame(1, &refused))]]).is_err());
         let outcome = line.ask(1, OTHER, &[&[(300, fence_reply())], &[(10, value(7))]]);
         assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    }
+
+    #[test]
+    fn a_write_is_told_from_an_older_one_by_its_echo_and_needs_no_fence() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        let write = |value| Request::WriteRegister { address: 410, value };
+        let echo = |value| rtu::encode(1, &write(value).encode());
+        assert!(line.ask(1, write(15), &[&[(700, echo(15))]]).is_err());
+        // The stop goes out at once, and the late echo of the start is not its own.
+        let begun = line.now;
+        assert!(line.ask(1, write(2), &[&[(300, echo(2))]]).is_ok());
+        assert!(line.now.since(begun) < Span::from_millis(320));
+        assert_eq!((line.master.tally().fences, line.master.tally().strays), (0, 1));
+    }
+
+    #[test]
+    fn a_refusal_that_may_be_an_older_one_is_asked_about_again() {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+        let write = |value| Request::WriteRegister { address: 410, value };
+        let echo = rtu::encode(1, &write(2).encode());
+        let refused = frame(1, &Reply::Exception { function: 6, code: Exception::DeviceFailure });
+        assert!(line.ask(1, write(15), &[&[(700, refused)]]).is_err());
+        let outcome = line.ask(1, write(2), &[&[(300, echo.clone())], &[(10, fence_reply())], &[(10, echo)]]);
+        assert_eq!(taken(outcome), Reply::RegisterWritten { address: 410, value: 2 });
+        assert_eq!(line.master.tally().fences, 1);
     }
 
     #[test]
@@ -839,7 +894,7 @@ mod tests {
         assert_eq!(line.sent.last(), Some(&vec![vabus::EOT]));
         // The NAK to the second question comes while the third is asked: it is not the third one's.
         assert!(line.ask(1, enquiry(484), &[&[(650, nak)]]).is_err());
-        let outcome = line.ask(1, enquiry(372), &[&[(300, told(411, 0x40))], &[(10, told(372, 1390))]]);
+        let outcome = line.ask(1, enquiry(372), &[&[], &[(10, told(411, 0x40))], &[(10, told(372, 1390))]]);
         let Ok(Answer::Reply { said: Said::Vabus(reply), .. }) = outcome else { panic!("{outcome:?}") };
         assert_eq!(reply.encode(), told(372, 1390));
         assert_eq!(line.master.tally().fences, 1);

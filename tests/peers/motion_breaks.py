@@ -621,7 +621,7 @@ def check_report(case, run, truth, turned, keep):
     demand(run.code != 0, "the stop was not acknowledged, and the run is called a success")
     demand("NOT acknowledged" in error["message"], f"a missing stop must be in the message: {error['message']!r}")
     demand("P.413" in (stop["note"] or ""), f"the note does not name the watchdog: {stop}")
-    named = f" {case.watchdog()} s " in stop["note"] or "not known" in stop["note"]
+    named = f" {case.watchdog()} s:" in stop["note"] or "not known" in stop["note"]
     demand(named, f"the note does not tell the {case.watchdog()} s of the watchdog: {stop}")
     if truth is not None:
         demand(truth.fault == WATCHDOG_FAULT, f"not acknowledged, and the watchdog did not act: {truth}")
