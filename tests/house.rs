@@ -18,7 +18,19 @@ const LAW: &[(&str, &[&str])] = &[
     ("transport", &["simulator", "protocol::line", "tick"]),
     ("drive", &["exchange", "transport", "profile", "gate", "failure", "outcome", "tick", "simulator", "protocol"]),
     ("render", &["outcome", "failure", "gate", "profile"]),
-    ("args", &["transport", "profile", "render", "failure", "tick", "protocol::line", "protocol::modbus", "protocol::Protocol"]),
+    (
+        "args",
+        &[
+            "transport",
+            "profile",
+            "render",
+            "failure",
+            "tick",
+            "protocol::line",
+            "protocol::modbus",
+            "protocol::Protocol",
+        ],
+    ),
     ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "tick"]),
     ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure"]),
 ];

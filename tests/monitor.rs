@@ -215,7 +215,8 @@ fn a_drive_that_comes_later_fits_into_the_columns() {
     assert_eq!((&rows[0][3], &rows.last().unwrap()[3]), ("unknown", "acu"));
     let last = rows.last().unwrap();
     // What only a Lexium has, which it could have been, stays empty: its status word and its error number.
-    let empty: Vec<_> = reader.headers().unwrap().iter().zip(last).filter(|row| row.1.is_empty()).map(|row| row.0).collect();
+    let empty: Vec<_> =
+        reader.headers().unwrap().iter().zip(last).filter(|row| row.1.is_empty()).map(|row| row.0).collect();
     assert_eq!(empty, ["status-word", "error-number", "error"], "{last:?}");
 }
 

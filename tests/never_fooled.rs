@@ -61,8 +61,11 @@ kind = "garbled"
 fn bench(protocol: Framing, faults: &str) -> Bench {
     let mut text = String::from("[line]\nseed = 11\n");
     for address in STATIONS {
-        text += &format!("[[drive]]\nmodel = \"act\"\naddress = {address}\nprotocol = \"{}\"\nset = {{ ", protocol.name());
-        let cells = CELLS.iter().map(|(number, set, _, raw)| format!("\"{number}@{set}\" = \"0x{:X}\"", raw + u32::from(address)));
+        text +=
+            &format!("[[drive]]\nmodel = \"act\"\naddress = {address}\nprotocol = \"{}\"\nset = {{ ", protocol.name());
+        let cells = CELLS
+            .iter()
+            .map(|(number, set, _, raw)| format!("\"{number}@{set}\" = \"0x{:X}\"", raw + u32::from(address)));
         text += &cells.collect::<Vec<_>>().join(", ");
         text += " }\n";
     }
@@ -183,7 +186,9 @@ fn a_master_without_fences_is_fooled_by_the_same_trial() {
         let reply = loop {
             came.extend(trial.wait(deadline));
             if let Ok(adu) = Framing::Rtu.decode(&came) {
-                break Reply::decode(&adu.pdu).ok().filter(|reply| request.is_answered_by(reply) && adu.station == station);
+                break Reply::decode(&adu.pdu)
+                    .ok()
+                    .filter(|reply| request.is_answered_by(reply) && adu.station == station);
             }
             if trial.now >= deadline {
                 break None;

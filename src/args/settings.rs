@@ -3,8 +3,8 @@
 use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, WordOrder, parse_span};
 use crate::failure::{Class, Failure};
 use crate::profile::{CatalogueFile, Lang};
-use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::Protocol;
+use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::render::Format;
 use crate::tick::Span;
@@ -158,9 +158,10 @@ impl Settings {
         let protocol_text = globals.protocol.as_ref().or(named.and_then(|drive| drive.protocol.as_ref()));
         let protocol_text = protocol_text.or(first(layers, |file| file.protocol.as_ref()));
         let protocol_text = protocol_text.map(String::as_str);
-        let protocol = protocol_text.filter(|&text| text != AUTO).map_or(Ok(Protocol::Modbus(Framing::Rtu)), |text| {
-            text.parse().map_err(|why: String| protocol_failure(text, &why))
-        })?;
+        let protocol =
+            protocol_text.filter(|&text| text != AUTO).map_or(Ok(Protocol::Modbus(Framing::Rtu)), |text| {
+                text.parse().map_err(|why: String| protocol_failure(text, &why))
+            })?;
         let protocol = fitting(protocol, protocol_text.is_some(), &ports)?;
         let parity_text = named.and_then(|drive| drive.parity.as_ref()).or(first(layers, |file| file.parity.as_ref()));
         let parity = match (globals.parity.and_then(Auto::known), parity_text) {
@@ -257,7 +258,9 @@ impl Settings {
         }
         if self.unknown != Unknown::default() {
             let why = "auto is for `scan`; expected the settings of the line";
-            return Err(bad_setting("auto", why).hint("`antrieb scan` with auto finds them, and says what to give here"));
+            return Err(
+                bad_setting("auto", why).hint("`antrieb scan` with auto finds them, and says what to give here")
+            );
         }
         Ok(())
     }
@@ -277,7 +280,8 @@ fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, 
     match (protocol == tcp, named) {
         (false, true) if has_gateway => {
             let why = format!("a gateway (mbtcp://) speaks {tcp}, got {protocol}");
-            Err(bad_setting("protocol", &why).hint("a device server that passes bytes on as they are is tcp://HOST:PORT"))
+            Err(bad_setting("protocol", &why)
+                .hint("a device server that passes bytes on as they are is tcp://HOST:PORT"))
         }
         (true, _) if has_line => {
             let why = format!("{tcp} is not spoken on a serial line");

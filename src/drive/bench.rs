@@ -40,12 +40,7 @@ pub async fn serve(
     let mut server = Server::open(place).map_err(|error| failure(&error))?;
     let port = server.name();
     for drive in bench.drives() {
-        let (address, model, line, framing) = (
-            drive.address(),
-            drive.model(),
-            drive.line(),
-            drive.protocol(),
-        );
+        let (address, model, line, framing) = (drive.address(), drive.model(), drive.line(), drive.protocol());
         observe(Event::Note(format!("{model} at address {address}, {line}, {framing}")));
     }
     observe(Event::Note(format!("serving on {port}; Ctrl-C ends it")));

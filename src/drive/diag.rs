@@ -10,11 +10,7 @@ use crate::profile::{Cause, Lang, Type};
 use crate::protocol::Protocol;
 
 /// Reads every counter that the family defines; VABus has none.
-pub async fn counters(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    lang: Lang,
-) -> Result<Vec<Counter>, AccessError> {
+pub async fn counters(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<Counter>, AccessError> {
     let mut counters = Vec::new();
     let route = target.route(session).await?;
     if route.protocol == Protocol::Vabus {

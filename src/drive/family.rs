@@ -170,7 +170,8 @@ impl Inquest<'_, '_> {
         let lang = self.lang;
         if u32::from(status) & VOLTAGE_BIT != 0 {
             let bit = lang.pick("bit 4 of P.411", "Bit 4 von P.411");
-            let tells = lang.pick("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
+            let tells =
+                lang.pick("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
             self.finding.note(bit, "1", tells);
             self.finding.drive = Some("acu".to_owned());
             return Ok(());

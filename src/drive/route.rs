@@ -175,9 +175,7 @@ impl Route {
         Some(match inquiry {
             Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 2 },
             Inquiry::ReadMany(cell, count) => Request::ReadRegisters { start: start(cell)?, count: count * 2 },
-            Inquiry::Write(cell, _, bits) => {
-                Request::WriteRegisters { start: start(cell)?, values: self.split(bits) }
-            }
+            Inquiry::Write(cell, _, bits) => Request::WriteRegisters { start: start(cell)?, values: self.split(bits) },
             Inquiry::WriteAndRead(cell, _, bits) => Request::ExchangeRegisters {
                 start: start(cell)?,
                 count: 2,

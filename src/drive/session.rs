@@ -3,7 +3,9 @@
 use super::pump::{self, Interrupt, PumpError};
 use super::route::{No, Route, no};
 use super::{decode, trouble};
-use crate::exchange::{Answer, Pauses, ExchangeError, Limits, Master, News, Question, Record, Said, Survey, Tally, Verdict};
+use crate::exchange::{
+    Answer, ExchangeError, Limits, Master, News, Pauses, Question, Record, Said, Survey, Tally, Verdict,
+};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::{Family, Lang, Registry};
@@ -113,11 +115,8 @@ impl<'a> Session<'a> {
         let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose, lang } = opening;
         let usual = Limits::default();
         let patience = if protocol == Framing::Tcp.into() { GATEWAY_PATIENCE } else { usual.reply_timeout };
-        let limits = Limits {
-            reply_timeout: timeout.unwrap_or(patience),
-            retries: retries.unwrap_or(usual.retries),
-            ..usual
-        };
+        let limits =
+            Limits { reply_timeout: timeout.unwrap_or(patience), retries: retries.unwrap_or(usual.retries), ..usual };
         let mut link = match port {
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
             port => tokio::select! {
@@ -132,7 +131,18 @@ impl<'a> Session<'a> {
             observe(Event::Note(format!("{port}: {deviation}")));
         }
         let (port, master) = (port.to_string(), Master::new(protocol, line, limits));
-        Ok(Session { port, link, master, node: 0, observe, interrupt, overheard: None, known: BTreeMap::new(), verbose, lang })
+        Ok(Session {
+            port,
+            link,
+            master,
+            node: 0,
+            observe,
+            interrupt,
+            overheard: None,
+            known: BTreeMap::new(),
+            verbose,
+            lang,
+        })
     }
 
     /// From now on everything is asked of this node of the system bus, through the drive that is its master; 0 asks the

@@ -82,9 +82,15 @@ pub enum WriteFate {
 impl Target {
     /// A drive of a known family.
     pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target { address, family,             high_first: None,
+        Target {
+            address,
+            family,
+            high_first: None,
             lacks_exchange: false,
- widths: BTreeMap::new(), kept_register: None, known_watchdog: None }
+            widths: BTreeMap::new(),
+            kept_register: None,
+            known_watchdog: None,
+        }
     }
 
     /// The same with the word order that somebody gave, if any.
@@ -289,7 +295,8 @@ impl Target {
             session.ask(self.address, plain).await?;
             return Ok(WriteFate::Broadcast);
         }
-        let both = route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
+        let both =
+            route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
         let mut question = both.unwrap_or_else(|| plain.clone());
         let limits = session.limits();
         let mut tries = 0;

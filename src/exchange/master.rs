@@ -11,7 +11,7 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{Dialect, Question, Said};
 use super::echo::Echo;
-use super::{Answer, Pauses, Conversation, ExchangeError, Limits, Record, Step, Tally, Verdict};
+use super::{Answer, Conversation, ExchangeError, Limits, Pauses, Record, Step, Tally, Verdict};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
@@ -400,14 +400,18 @@ impl Master {
 
     /// Whether this refusal of the question could be a late one of something else.
     fn may_be_old(&self, said: &Said, at: Tick) -> bool {
-        let Some(job) = self.job.as_ref().filter(|job| !matches!(job.parting, Parting::Fence(..))) else { return false };
+        let Some(job) = self.job.as_ref().filter(|job| !matches!(job.parting, Parting::Fence(..))) else {
+            return false;
+        };
         let missing = self.debts.missing(job.station, at);
         said.is_refusal() && missing.iter().any(|missing| self.dialect.refuses_alike(missing, &job.question))
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
     fn ask_behind_fence(&mut self, at: Tick, sent_end: Tick) {
-        let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else { return };
+        let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else {
+            return;
+        };
         self.debts.owes(station, question.clone(), sent_end + LATEST_REPLY, at);
         let parting = self.part(station, &question, at);
         if let Some(job) = &mut self.job {
@@ -443,8 +447,7 @@ impl Master {
             self.known.insert(job.station, job.question.clone());
         }
         let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
-        job.phase =
-            if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome) };
+        job.phase = if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome) };
     }
 
     /// The line has been silent for long enough: name what came, then wait on, repeat or end.
@@ -858,7 +861,8 @@ mod tests {
     #[test]
     fn a_doubled_reply_is_one_stray_telegram() {
         let mut line = Line::new(Framing::Rtu);
-        let again: Vec<_> = value(1390).into_iter().enumerate().map(|(at, byte)| (11 + at as u64, vec![byte])).collect();
+        let again: Vec<_> =
+            value(1390).into_iter().enumerate().map(|(at, byte)| (11 + at as u64, vec![byte])).collect();
         let chunks: Vec<_> = [(10, value(1390))].into_iter().chain(again).collect();
         taken(line.ask(1, READ, &[&chunks]));
         assert_eq!(taken(line.ask(1, OTHER, &[&[(10, value(7))]])), Reply::Registers(vec![7]));
@@ -906,8 +910,7 @@ mod tests {
         line.master.set_limits(Limits { retries: 1, ..Limits::default() });
         assert!(line.ask(1, READ, &[]).is_err());
         // The first fence is answered only after it was repeated; the reply to the repeat comes later still.
-        let outcome =
-            line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, fence_reply())], &[(10, value(7))]]);
+        let outcome = line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, fence_reply())], &[(10, value(7))]]);
         assert_eq!(taken(outcome), Reply::Registers(vec![7]));
         assert!(line.master.owes_until(line.now).is_some(), "the second fence's reply is still to come");
         let (at, late) = line.coming.remove(0);

@@ -12,14 +12,16 @@ mod stream;
 mod transfer;
 mod value;
 
-pub use found::{Counter, Diag, Diagnosis, Bucket, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search};
+pub use found::{
+    Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
+};
 pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
-    Column, Monitor, PortChange, Record, Sample, SampleValue, Sniff, SniffSummary, StreamEnd, StreamStart, StreamSummary,
-    WatchedDrive,
+    Column, Monitor, PortChange, Record, Sample, SampleValue, Sniff, SniffSummary, StreamEnd, StreamStart,
+    StreamSummary, WatchedDrive,
 };
 pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};

@@ -187,7 +187,11 @@ impl Selector {
             Who::Number(id) => vec![select(family.param_or_unknown(*id))],
             Who::Range(first, last) => {
                 let known: Vec<_> = family.params.range(first..=last).map(|(_, param)| select(param.clone())).collect();
-                if known.is_empty() { (*first..=*last).map(|id| select(family.param_or_unknown(id))).collect() } else { known }
+                if known.is_empty() {
+                    (*first..=*last).map(|id| select(family.param_or_unknown(id))).collect()
+                } else {
+                    known
+                }
             }
             Who::Name(name) => vec![select(family.find(name)?.clone())],
             Who::Group(name) => {
