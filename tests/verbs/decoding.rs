@@ -272,7 +272,7 @@ fn the_word_order_is_the_one_that_is_given() {
     let document = antrieb(&format!("{low} decode telegram '{telegram}'")).json().exits(0);
     assert_eq!(document.data("/telegrams/0/meaning"), "address 1: write CUR_I_target (8200) Set current = 10.00 A");
     let planned = antrieb(&format!("-p sim -a 1 {low} --dry-run write CUR_I_target=10A")).exits(0).out;
-    assert!(planned.contains("01 10 20 08 00 02 04 03 E8 00 00"), "{planned}");
+    assert!(planned.contains("01 17 20 08 00 02 20 08 00 02 04 03 E8 00 00"), "{planned}");
 }
 
 #[test]
