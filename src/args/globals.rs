@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub struct Globals {
     /// Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]
     ///
-    /// tcp://HOST:PORT is a raw serial server, rfc2217://HOST:PORT one whose line is set from here, mbtcp://HOST[:502] a
+    /// tcp://HOST:PORT is a raw serial server, rfc2217://HOST:PORT one whose line is set from here, mbtcp://HOST:PORT a
     /// Modbus/TCP gateway; sim:FILE.toml is a bench of your own, tape:FILE a recording of --trace. Without a port the one
     /// USB serial adapter that is plugged in is taken. `scan` searches several at once: -p A -p B.
     #[arg(short, long, global = true, value_name = "PORT", help_heading = "Line")]

@@ -1,0 +1,277 @@
+//! The survey on a line on which bytes come at set times.
+
+use super::*;
+use crate::protocol::line::Parity;
+use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::{Framing, rtu};
+
+const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
+const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
+const FULL: Span = Span::from_millis(500);
+
+/// Two wires on which who speaks at once with somebody is not understood. The master does not hear what comes while
+/// it sends, as behind an adapter that switches its receiver off.
+struct Bus {
+    survey: Survey,
+    now: Tick,
+    /// Station, delay of its reply, value that it replies with.
+    drives: Vec<(u8, u64, u16)>,
+    /// Bytes on the wire: from, to, what the master hears when they are over.
+    slots: Vec<(Tick, Tick, u8)>,
+    /// The adapter holds bytes back until then.
+    latency: Span,
+    sent: Vec<(Tick, Vec<u8>)>,
+    told: Vec<News>,
+}
+
+fn question() -> Question {
+    Question::Modbus(Request::ReadRegisters { start: 411, count: 1 })
+}
+
+fn survey(stations: impl IntoIterator<Item = u8>, patience: Patience) -> Survey {
+    let questions = stations.into_iter().map(|station| (station, question()));
+    Survey::new(RTU, LINE, questions, patience, Tick::ZERO)
+}
+
+fn brief() -> Patience {
+    Patience::brief(RTU, LINE, &question(), FULL)
+}
+
+impl Bus {
+    fn new(drives: &[(u8, u64, u16)], stations: impl IntoIterator<Item = u8>, patience: Patience) -> Self {
+        let survey = survey(stations, patience);
+        let drives = drives.to_vec();
+        Bus {
+            survey,
+            now: Tick::ZERO,
+            drives,
+            slots: Vec::new(),
+            latency: Span::ZERO,
+            sent: Vec::new(),
+            told: Vec::new(),
+        }
+    }
+
+    /// Puts bytes on the wire; whatever is there at the same time is spoilt.
+    fn put(&mut self, at: Tick, bytes: &[u8]) {
+        for (count, &byte) in (0..).zip(bytes) {
+            let (from, to) = (at + LINE.chars(count), at + LINE.chars(count + 1));
+            match self.slots.iter_mut().find(|slot| slot.0 < to && from < slot.1) {
+                Some(slot) => slot.2 &= byte.rotate_left(1),
+                None => self.slots.push((from, to, byte)),
+            }
+        }
+        self.slots.sort();
+    }
+
+    fn send(&mut self, bytes: Vec<u8>) {
+        let end = self.now + LINE.chars(bytes.len() as u64);
+        let (now, before) = (self.now, self.slots.len());
+        self.slots.retain(|slot| slot.1 <= now || slot.0 >= end);
+        let clean = before == self.slots.len();
+        let asked = *bytes.first().unwrap();
+        for (station, delay, value) in self.drives.clone() {
+            if clean && station == asked {
+                let reply = rtu::encode(station, &Reply::Registers(vec![value]).encode());
+                self.put(end + Span::from_millis(delay), &reply);
+            }
+        }
+        self.sent.push((now, bytes));
+    }
+
+    fn run(mut self) -> Self {
+        loop {
+            match self.survey.step(self.now) {
+                Step::Done(News::Over) => return self,
+                Step::Done(news) => self.told.push(news),
+                Step::Send(bytes) => self.send(bytes),
+                Step::Wait(until) => self.wait(until),
+            }
+            assert!(self.now < Tick::ZERO + Span::from_secs(1_000), "it ends");
+        }
+    }
+
+    fn wait(&mut self, until: Tick) {
+        let Some(&(_, end, _)) = self.slots.first().filter(|slot| slot.1 + self.latency <= until) else {
+            self.now = self.now.max(until);
+            return;
+        };
+        // The adapter hands on what has come when its time is over.
+        self.now = self.now.max(end + self.latency);
+        let due = self.slots.iter().take_while(|slot| slot.1 <= self.now).count();
+        let bytes: Vec<u8> = self.slots.drain(..due).map(|slot| slot.2).collect();
+        self.survey.feed(self.now, &bytes);
+    }
+
+    fn found(&self) -> Vec<u8> {
+        let heard = self.told.iter().filter_map(|news| match news {
+            News::Heard(sign) => Some(sign.station),
+            _ => None,
+        });
+        let mut heard: Vec<u8> = heard.collect();
+        heard.sort_unstable();
+        heard
+    }
+}
+
+const THREE: [(u8, u64, u16); 3] = [(1, 10, 7), (17, 11, 8), (42, 12, 9)];
+
+#[test]
+fn the_whole_line_takes_six_seconds_and_asks_everybody_once() {
+    let bus = Bus::new(&THREE, 1..=247, brief()).run();
+    assert_eq!(bus.found(), [1, 17, 42]);
+    assert_eq!(bus.sent.len(), 247);
+    let took = bus.now.since(Tick::ZERO);
+    assert!(took < Span::from_millis(6_500), "{took}");
+    // The last one has had its full time.
+    assert!(bus.now.since(bus.sent.last().unwrap().0) >= FULL);
+}
+
+#[test]
+fn an_adapter_that_holds_bytes_back_costs_nothing_but_time() {
+    let mut bus = Bus::new(&THREE, 1..=60, brief());
+    bus.latency = ADAPTER;
+    let bus = bus.run();
+    assert_eq!(bus.found(), [1, 17, 42]);
+    assert_eq!(bus.sent.len(), 60, "nobody is asked twice");
+}
+
+#[test]
+fn a_late_reply_is_credited_to_the_address_that_it_names() {
+    let bus = Bus::new(&[(1, 10, 7), (17, 304, 8)], 1..=60, brief()).run();
+    let said = Some(Said::Modbus(Reply::Registers(vec![8])));
+    let late = bus.told.iter().find_map(|news| match news {
+        News::Heard(sign) if sign.station == 17 => Some(sign.clone()),
+        _ => None,
+    });
+    assert_eq!(late, Some(Sign { station: 17, said, after: Span::from_millis(304) + LINE.chars(7) }));
+    assert_eq!(bus.survey.attendance()[&17].replies.len(), 1);
+}
+
+#[test]
+fn late_replies_that_meet_a_question_are_asked_for_again() {
+    // What comes while the master sends is lost: only a reply that is over before its questions are is never seen.
+    let count = |patience: Patience| {
+        let found = |delay: &u64| Bus::new(&[(17, *delay, 8)], 1..=60, patience).run().found() == [17];
+        (10..=490).filter(found).count()
+    };
+    assert!(count(brief()) >= 481 * 92 / 100, "{}", count(brief()));
+    assert_eq!(count(Patience::by_the_book(FULL)), 481);
+}
+
+#[test]
+fn a_question_that_was_spoilt_by_a_late_reply_is_repeated() {
+    // 17 answers into the questions to those who are asked 300 ms later: every one of them is found all the same.
+    for victim in 28..=33 {
+        for delay in 296..320 {
+            let bus = Bus::new(&[(17, delay, 8), (victim, 10, 9)], 1..=60, brief()).run();
+            assert!(bus.found().contains(&victim) || !bus.found().contains(&17), "{victim} {delay}");
+        }
+    }
+}
+
+#[test]
+fn two_with_one_address_are_told_from_silence() {
+    let same = Bus::new(&[(1, 10, 7), (17, 10, 8), (17, 10, 9)], 1..=247, brief()).run();
+    assert_eq!(same.found(), [1]);
+    assert_eq!(same.survey.attendance()[&17].garbled, TRIES);
+    let others = same.survey.attendance().iter().filter(|(station, _)| **station != 17);
+    assert_eq!(others.map(|(_, known)| known.garbled).max(), Some(0));
+    let took = same.now.since(Tick::ZERO);
+    assert!(took < Span::from_secs(10), "{took}");
+    let apart = Bus::new(&[(17, 10, 8), (17, 30, 9)], 15..=20, brief()).run();
+    let known = &apart.survey.attendance()[&17];
+    assert_eq!((apart.found(), known.asked, known.replies.len()), (vec![17], 1, 2));
+}
+
+#[test]
+fn nothing_is_sent_into_a_telegram_that_comes_in() {
+    // The first byte of the reply comes in the last moment of the window.
+    let patience = Patience { window: Span::from_millis(20), ..brief() };
+    let bus = Bus::new(&[(1, 19, 7)], 1..=3, patience).run();
+    let (first, second) = (bus.sent[0].0, bus.sent[1].0);
+    let reply = LINE.chars(8) + Span::from_millis(19) + LINE.chars(7);
+    assert_eq!(second.since(first), reply + LINE.t35());
+    assert_eq!((bus.found(), bus.sent.len()), (vec![1], 3));
+}
+
+#[test]
+fn echo_and_noise_are_nobody() {
+    let mut survey = survey(1..=2, brief());
+    let mut now = Tick::ZERO;
+    let mut asked = 0;
+    loop {
+        match survey.step(now) {
+            Step::Done(News::Over) => break,
+            Step::Done(News::Asked(_)) => asked += 1,
+            Step::Done(News::Heard(sign)) => assert_eq!(sign.station, 2),
+            Step::Send(mut bytes) => {
+                now += LINE.chars(bytes.len() as u64);
+                let to = bytes[0];
+                bytes.insert(0, 0x00);
+                survey.feed(now, &bytes);
+                if to == 2 {
+                    now += Span::from_millis(10);
+                    survey.feed(now, &[0xFF]);
+                    survey.feed(now, &rtu::encode(2, &Reply::Registers(vec![1]).encode()));
+                }
+            }
+            Step::Wait(until) => now = until,
+        }
+    }
+    assert_eq!(survey.attendance()[&2].replies.len(), 1);
+    assert!(survey.attendance()[&1].garbled > 0 && asked > 2, "a byte of noise may be the rest of a reply");
+}
+
+#[test]
+fn a_line_that_is_never_silent_is_left_alone() {
+    let mut survey = survey(1..=247, brief());
+    let mut now = Tick::ZERO;
+    let mut sent = 0;
+    loop {
+        match survey.step(now) {
+            Step::Done(News::Over) => break,
+            Step::Done(_) => {}
+            Step::Send(_) => sent += 1,
+            Step::Wait(_) => {
+                now += Span::from_millis(3);
+                survey.feed(now, &[0x55]);
+            }
+        }
+    }
+    assert!(survey.is_occupied());
+    assert!(sent <= 1 && now < Tick::ZERO + Span::from_secs(2));
+}
+
+#[test]
+fn telegrams_of_somebody_else_are_told_apart() {
+    let mut survey = survey([1], brief());
+    let mut now = Tick::ZERO;
+    loop {
+        match survey.step(now) {
+            Step::Done(News::Over) => break,
+            Step::Done(_) => {}
+            Step::Send(_) => {
+                now += Span::from_millis(20);
+                survey.feed(now, &rtu::encode(9, &[3, 0, 0, 0, 1]));
+            }
+            Step::Wait(until) => now = until,
+        }
+    }
+    assert_eq!(survey.strangers().iter().collect::<Vec<_>>(), [&9]);
+    assert!(!survey.attendance()[&1].heard);
+}
+
+#[test]
+fn what_others_overhear_is_credited_too() {
+    let mut survey = survey([1, 2], brief());
+    let mut now = Tick::ZERO;
+    while !matches!(survey.step(now), Step::Send(_)) {
+        now += Span::from_millis(1);
+    }
+    now += Span::from_millis(30);
+    survey.overhear(now, &rtu::encode(1, &Reply::Registers(vec![1]).encode()));
+    assert_eq!(survey.step(now), Step::Done(News::Asked(1)));
+    let Step::Wait(free) = survey.step(now) else { panic!("the pause after a reply") };
+    assert!(matches!(survey.step(free), Step::Done(News::Heard(Sign { station: 1, .. }))));
+}
