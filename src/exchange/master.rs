@@ -247,10 +247,9 @@ impl Master {
     fn parting(&mut self, station: u8, question: &Question, now: Tick) -> Parting {
         self.debts.forget(now);
         let missing = self.debts.missing(station, now);
-        if !missing.iter().any(|missing| self.dialect.confuses(missing, question)) {
-            return Parting::None;
-        }
-        self.part(station, question, now)
+        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question));
+        // A stop must go out at once. Writes set values, so one whose answer may be an old one is sent again.
+        if question.is_write() || !confused { Parting::None } else { self.part(station, question, now) }
     }
 
     /// Keeps everything that the station still owes away from the question.
@@ -398,13 +397,16 @@ impl Master {
         }
     }
 
-    /// Whether this refusal of the question could be a late one of something else.
+    /// Whether this answer could be a late one to something else.
     fn may_be_old(&self, said: &Said, at: Tick) -> bool {
         let Some(job) = self.job.as_ref().filter(|job| !matches!(job.parting, Parting::Fence(..))) else {
             return false;
         };
         let missing = self.debts.missing(job.station, at);
-        said.is_refusal() && missing.iter().any(|missing| self.dialect.refuses_alike(missing, &job.question))
+        missing.iter().any(|missing| match said.is_refusal() {
+            true => self.dialect.refuses_alike(missing, &job.question),
+            false => self.dialect.confuses(missing, &job.question),
+        })
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.

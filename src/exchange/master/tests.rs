@@ -178,6 +178,23 @@ fn a_write_is_told_from_an_older_one_by_its_echo_and_needs_no_fence() {
 }
 
 #[test]
+fn a_write_goes_out_at_once_and_an_answer_that_may_be_old_does_not_prove_it() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    // Code 16 answers with start and count only: the late answer to the start looks like that to the stop.
+    let write = |value| Request::WriteRegisters { start: 6914, values: vec![0, value] };
+    let written = || frame(1, &Reply::RegistersWritten { start: 6914, count: 2 });
+    assert!(line.ask(1, write(15), &[&[(700, written())]]).is_err());
+    let begun = (line.now, line.sent.len());
+    let outcome = line.ask(1, write(7), &[&[(400, written())], &[(10, fence_reply())], &[(10, written())]]);
+    assert!(outcome.is_ok(), "{outcome:?}");
+    let stop = rtu::encode(1, &write(7).encode());
+    assert_eq!(line.sent[begun.1], stop, "the first telegram is the stop itself");
+    assert_eq!((line.sent.last(), line.master.tally().fences), (Some(&stop), 1));
+}
+
+#[test]
 fn a_refusal_that_may_be_an_older_one_is_asked_about_again() {
     let mut line = Line::new(Framing::Rtu);
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
