@@ -2,6 +2,7 @@
 
 use crate::profile::Lang;
 use crate::protocol::line::Parity;
+use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485Mode};
@@ -66,7 +67,7 @@ pub struct Globals {
 
     /// Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]
     #[arg(long, global = true, value_name = "ORDER", help_heading = "Line")]
-    pub word_order: Option<WordOrder>,
+    pub word_order: Option<FirstHalf>,
 
     /// How long to wait for a reply, such as 500ms or 2s [default: 500ms]
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
@@ -170,11 +171,20 @@ pub(super) const AUTO: &str = "auto";
 
 /// Which half of a value in two registers goes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum WordOrder {
+pub enum FirstHalf {
     /// The upper 16 bits.
     High,
     /// The lower 16 bits.
     Low,
+}
+
+impl From<FirstHalf> for WordOrder {
+    fn from(first: FirstHalf) -> Self {
+        match first {
+            FirstHalf::High => WordOrder::HighFirst,
+            FirstHalf::Low => WordOrder::LowFirst,
+        }
+    }
 }
 
 /// When to use colour.

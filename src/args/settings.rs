@@ -1,10 +1,11 @@
 //! The settings of a run: flag before environment before project file before user configuration before default.
 
-use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, WordOrder, parse_span};
+use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
 use crate::failure::{Class, Failure};
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::render::Format;
 use crate::tick::Span;
@@ -54,8 +55,8 @@ pub struct Settings {
     pub unknown: Unknown,
     /// Family, or `None` to ask the drive.
     pub drive: Option<String>,
-    /// The upper half of a value in two registers goes first; `None` to ask the drive.
-    pub high_first: Option<bool>,
+    /// Which half of a value in two registers goes first; `None` to ask the drive.
+    pub word_order: Option<WordOrder>,
     /// How long to wait for a reply; `None` for the manual's time.
     pub timeout: Option<Span>,
     /// How often to repeat a question; `None` for the usual number.
@@ -226,7 +227,7 @@ impl Settings {
             protocol,
             unknown,
             drive,
-            high_first: globals.word_order.map(|order| order == WordOrder::High),
+            word_order: globals.word_order.map(WordOrder::from),
             timeout,
             retries: globals.retries.or(first(layers, |file| file.retries)),
             format,

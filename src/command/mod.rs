@@ -127,14 +127,14 @@ async fn target(
     shows_register: bool,
 ) -> Result<Target, Failure> {
     if let Some(name) = &settings.drive {
-        return Ok(Target::new(address, named_family(registry, name)?).in_word_order(settings.high_first));
+        return Ok(Target::new(address, named_family(registry, name)?).in_word_order(settings.word_order));
     }
     let presumed = registry.family("acu");
     let finding = recognise(session, registry, address, settings.lang, shows_register)
         .await
         .map_err(|error| error.failure(address, presumed.as_deref(), settings.lang))?;
     let target = finding.target(address, registry);
-    target.map(|target| target.in_word_order(settings.high_first)).ok_or_else(|| {
+    target.map(|target| target.in_word_order(settings.word_order)).ok_or_else(|| {
         let told: Vec<_> =
             finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
         Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
@@ -213,7 +213,7 @@ fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> crate::drive:
         protocol: settings.protocol,
         node: settings.node,
         family: Some(family),
-        high_first: settings.high_first.unwrap_or(true),
+        order: settings.word_order.unwrap_or_default(),
         lang: settings.lang,
     }
 }

@@ -60,7 +60,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let mut jobs = Vec::new();
     for address in addresses {
         let mut target = match address {
-            0 => Target::new(0, family.clone()).in_word_order(settings.high_first),
+            0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
             _ => target(&mut session, settings, registry, address, false).await?,
         };
         let steps = steps(args, &target.family, settings.lang)?;

@@ -9,6 +9,7 @@ use super::route::{Inquiry, Route};
 use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Lang, Link};
 use crate::protocol::Protocol;
+use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::transport::{TraceLine, read_trace};
 
@@ -24,8 +25,8 @@ pub struct Reader<'a> {
     pub node: u8,
     /// Names of parameters, if the family is known.
     pub family: Option<&'a Family>,
-    /// The upper half of a value in two registers comes first; no telegram tells.
-    pub high_first: bool,
+    /// Which half of a value in two registers comes first; no telegram tells.
+    pub order: WordOrder,
     /// Language of names.
     pub lang: Lang,
 }
@@ -130,7 +131,7 @@ impl Reader<'_> {
     pub fn question(&self, station: u8, inquiry: Inquiry) -> Option<TelegramDoc> {
         let presumed = Link::default();
         let link = self.family.map_or(&presumed, |family| &family.link);
-        let way = Route { node: self.node, high_first: self.high_first, ..Route::new(self.protocol, link, station) };
+        let way = Route { node: self.node, order: self.order, ..Route::new(self.protocol, link, station) };
         let question = way.question(inquiry)?;
         Some(self.telegram(&question.telegram(self.protocol, station), Some(true)))
     }

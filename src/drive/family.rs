@@ -7,7 +7,7 @@ use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
 use crate::outcome::Evidence;
 use crate::profile::{Family, Lang, Registry, Route as Way, Type};
 use crate::protocol::Protocol;
-use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
+use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, WordOrder, identification};
 use std::rc::Rc;
 
 /// Stator frequency: 32 bits on both families, proved by telegrams (facts B), so code 100 reads it.
@@ -48,7 +48,7 @@ impl Finding {
 
 /// The way to a device that nobody knows yet: as if it were an ACTIVE drive.
 fn presumed(protocol: Protocol, address: u8) -> Route {
-    Route { protocol, way: Way::Active, address, node: 0, high_first: true }
+    Route { protocol, way: Way::Active, address, node: 0, order: WordOrder::default() }
 }
 
 /// The question that every device is asked first: its status word. An ACTIVE drive answers it without touching its

@@ -5,7 +5,7 @@ use crate::exchange::{Question, Said};
 use crate::profile::{Cause, Family, Link, Route as Way, Type};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::BROADCAST;
-use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request};
+use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
 use crate::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber, SystemNode};
 
 /// A parameter number and a data set as they go on the wire.
@@ -74,14 +74,14 @@ pub struct Route {
     pub address: u8,
     /// System-bus node behind it; 0 is the drive itself.
     pub node: u8,
-    /// The upper half of a value in two registers comes first.
-    pub high_first: bool,
+    /// Which half of a value in two registers comes first.
+    pub order: WordOrder,
 }
 
 impl Route {
     /// The way to a drive of a family.
     pub fn new(protocol: Protocol, link: &Link, address: u8) -> Self {
-        Route { protocol, way: link.route, address, node: 0, high_first: true }
+        Route { protocol, way: link.route, address, node: 0, order: WordOrder::default() }
     }
 
     /// The question, if the protocol and the family have it and the number fits.
@@ -143,7 +143,7 @@ impl Route {
 
     fn words(self, words: &[u16]) -> Option<Content> {
         Some(match (self.way, words) {
-            (Way::Registers32, &[first, second, ..]) => Content::Bits(self.join(first, second), Width::AsAsked),
+            (Way::Registers32, &[first, second, ..]) => Content::Bits(self.order.join([first, second]), Width::AsAsked),
             (_, &[word, ..]) => Content::Bits(word.into(), Width::Word),
             _ => return None,
         })
@@ -153,20 +153,10 @@ impl Route {
     pub(super) fn values(self, said: &Said) -> Vec<u32> {
         match said {
             Said::Modbus(Reply::Registers(words)) if self.way == Way::Registers32 => {
-                words.chunks_exact(2).map(|pair| self.join(pair[0], pair[1])).collect()
+                words.as_chunks().0.iter().map(|pair| self.order.join(*pair)).collect()
             }
             _ => Vec::new(),
         }
-    }
-
-    fn join(self, first: u16, second: u16) -> u32 {
-        let (high, low) = if self.high_first { (first, second) } else { (second, first) };
-        u32::from(high) << 16 | u32::from(low)
-    }
-
-    fn split(self, bits: u32) -> Vec<u16> {
-        let (high, low) = ((bits >> 16) as u16, bits as u16);
-        if self.high_first { vec![high, low] } else { vec![low, high] }
     }
 
     /// LXM05: every parameter in two registers (LXM05 manual 5.2, 5.3).
@@ -175,12 +165,14 @@ impl Route {
         Some(match inquiry {
             Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 2 },
             Inquiry::ReadMany(cell, count) => Request::ReadRegisters { start: start(cell)?, count: count * 2 },
-            Inquiry::Write(cell, _, bits) => Request::WriteRegisters { start: start(cell)?, values: self.split(bits) },
+            Inquiry::Write(cell, _, bits) => {
+                Request::WriteRegisters { start: start(cell)?, values: self.order.split(bits).to_vec() }
+            }
             Inquiry::WriteAndRead(cell, _, bits) => Request::ExchangeRegisters {
                 start: start(cell)?,
                 count: 2,
                 write_start: start(cell)?,
-                values: self.split(bits),
+                values: self.order.split(bits).to_vec(),
             },
             Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
             Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },

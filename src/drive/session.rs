@@ -11,6 +11,7 @@ use crate::outcome::Event;
 use crate::profile::{Family, Lang, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
@@ -66,7 +67,7 @@ pub struct Session<'a> {
 struct Known {
     family: Rc<Family>,
     /// The upper half of a value in two registers comes first.
-    high_first: bool,
+    order: WordOrder,
 }
 
 impl std::fmt::Debug for Session<'_> {
@@ -196,9 +197,9 @@ impl<'a> Session<'a> {
     }
 
     /// Remembers what a drive is, for what is told of its telegrams from now on.
-    pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, high_first: bool) {
+    pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, order: WordOrder) {
         if self.verbose {
-            self.known.insert(address, Known { family: family.clone(), high_first });
+            self.known.insert(address, Known { family: family.clone(), order });
         }
     }
 
@@ -408,8 +409,8 @@ fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record:
         Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
     };
     let family = known.map(|known| &*known.family);
-    let high_first = known.is_none_or(|known| known.high_first);
-    let reader = decode::Reader { protocol, node: 0, family, high_first, lang };
+    let order = known.map_or_else(WordOrder::default, |known| known.order);
+    let reader = decode::Reader { protocol, node: 0, family, order, lang };
     let told = reader.telegram(&record.bytes, is_request);
     let meaning = match record.verdict {
         Verdict::Fence => format!("fence: {}", told.meaning),

@@ -6,7 +6,7 @@ use crate::exchange::Limits;
 use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Type, value};
 use crate::protocol::modbus::BROADCAST;
-use crate::protocol::modbus::pdu::Exception;
+use crate::protocol::modbus::pdu::{Exception, WordOrder};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -25,7 +25,7 @@ pub struct Target {
     /// What it is.
     pub family: Rc<Family>,
     /// Which half of a value in two registers comes first, once it is known or given.
-    pub high_first: Option<bool>,
+    pub order: Option<WordOrder>,
     /// It refused the code that writes and reads back in one exchange.
     lacks_exchange: bool,
     /// Widths that were found out by asking, for this run.
@@ -85,7 +85,7 @@ impl Target {
         Target {
             address,
             family,
-            high_first: None,
+            order: None,
             lacks_exchange: false,
             widths: BTreeMap::new(),
             kept_register: None,
@@ -95,8 +95,8 @@ impl Target {
 
     /// The same with the word order that somebody gave, if any.
     #[must_use]
-    pub fn in_word_order(self, high_first: Option<bool>) -> Self {
-        Target { high_first, ..self }
+    pub fn in_word_order(self, order: Option<WordOrder>) -> Self {
+        Target { order, ..self }
     }
 
     /// Reads a parameter in the data sets that are meant. Asks set 0 first; if the sets differ (P.11 = 9), reads each
@@ -207,11 +207,11 @@ impl Target {
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
         let route = Route {
             node: session.node(),
-            high_first: self.high_first.unwrap_or(true),
+            order: self.order.unwrap_or_default(),
             ..Route::new(session.protocol(), &self.family.link, self.address)
         };
-        session.knows(self.address, &self.family, route.high_first);
-        let asks = self.high_first.is_none() && self.address != BROADCAST;
+        session.knows(self.address, &self.family, route.order);
+        let asks = self.order.is_none() && self.address != BROADCAST;
         let Some(order) = self.family.role("word-order").filter(|_| asks) else {
             return Ok(route);
         };
@@ -224,10 +224,13 @@ impl Target {
         };
         // The setting is 0 or 1, so one half is always 0, and a 1 that reads as the upper half came first.
         let content = answer.and_then(|(said, _)| route.content(&said));
-        let high_first = !matches!(content, Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX));
-        self.high_first = Some(high_first);
-        session.knows(self.address, &self.family, high_first);
-        Ok(Route { high_first, ..route })
+        let order = match content {
+            Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX) => WordOrder::LowFirst,
+            _ => WordOrder::HighFirst,
+        };
+        self.order = Some(order);
+        session.knows(self.address, &self.family, order);
+        Ok(Route { order, ..route })
     }
 
     async fn read_as(

@@ -334,10 +334,11 @@ fn rtu_frame(rest: &[u8], station: u8, request: &Request) -> Option<Adu> {
 
 fn ascii_frame(rest: &[u8]) -> Option<Adu> {
     // Some drivers leave the parity bit of 7-bit characters in place.
-    let masked: Vec<u8> = rest.iter().map(|byte| byte & 0x7F).collect();
-    if masked.first() != Some(&ascii::START) {
+    let mask = |byte: &u8| byte & 0x7F;
+    if rest.first().map(mask) != Some(ascii::START) {
         return None;
     }
+    let masked: Vec<u8> = rest.iter().map(mask).collect();
     let end = masked.windows(2).position(|pair| pair == ascii::END)? + ascii::END.len();
     ascii::decode(masked.get(..end)?).ok()
 }

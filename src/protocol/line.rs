@@ -42,7 +42,7 @@ impl LineSetting {
 
     /// Usual format of VABus: 7 data bits, even parity, 1 stop bit (facts A1).
     pub const fn vabus(baud: u32) -> Self {
-        LineSetting { baud, data_bits: 7, parity: Parity::Even, stop_bits: 1 }
+        Self::ascii(baud, Parity::Even)
     }
 
     /// Bits that one character takes on the wire, start bit included.

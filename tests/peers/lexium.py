@@ -16,6 +16,7 @@ from pymodbus.framer import FramerType
 from pymodbus.framer.rtu import FramerRTU
 
 from harness import Failed, bench, expect, group
+from refusal import Refused, expect_refused
 
 case = group("lexium")
 # It warns of the silence that some cases ask for.
@@ -48,22 +49,6 @@ PAUSE_S = 0.005
 # Between a broadcast and the next telegram (MODBUS over Serial Line V1.02, 2.4.1: 100 to 200 ms).
 TURNAROUND_S = 0.15
 PATIENCE_S = 20
-
-
-class Refused(Exception):
-    """An exception reply."""
-
-    def __init__(self, code):
-        super().__init__(f"exception {code}")
-        self.code = code
-
-
-def expect_refused(code, ask):
-    try:
-        came = ask()
-    except Refused as refused:
-        return expect("exception code", refused.code, code)
-    raise Failed(f"expected exception {code}, got {came!r}")
 
 
 def registers(values, order=">"):

@@ -13,6 +13,7 @@ from pymodbus.framer import FramerType
 from pymodbus.pdu.diag_message import ReturnBusMessageCountRequest
 
 from harness import Failed, bench, expect, group
+from refusal import Refused, expect_refused
 from vendor_codes import ReadLongReply, ReadLongRequest, WriteLong, address_word
 
 case = group("pymodbus master")
@@ -85,22 +86,6 @@ class Master:
         """Code 8: one of pymodbus' `diag_…` questions."""
         time.sleep(PAUSE_S)
         return self.check(getattr(self.client, f"diag_{name}")(device_id=ACT)).message
-
-
-class Refused(Exception):
-    """An exception reply."""
-
-    def __init__(self, code):
-        super().__init__(f"exception {code}")
-        self.code = code
-
-
-def expect_refused(code, ask):
-    try:
-        came = ask()
-    except Refused as refused:
-        return expect("exception code", refused.code, code)
-    raise Failed(f"expected exception {code}, got {came!r}")
 
 
 def expect_silence(ask):

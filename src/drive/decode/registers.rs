@@ -97,9 +97,8 @@ impl Reader<'_> {
     }
 
     fn parts(&self, words: &[u16]) -> Vec<Part> {
-        let order = if self.high_first { WordOrder::HighFirst } else { WordOrder::LowFirst };
         match self.grain(words.len()).0 {
-            2 => words.as_chunks().0.iter().map(|pair| Part::pair(*pair, order)).collect(),
+            2 => words.as_chunks().0.iter().map(|pair| Part::pair(*pair, self.order)).collect(),
             _ => words.iter().map(|&word| Part::word(word)).collect(),
         }
     }

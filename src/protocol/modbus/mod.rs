@@ -9,7 +9,6 @@ pub mod pdu;
 pub mod rtu;
 
 use std::fmt;
-use std::str::FromStr;
 
 /// Station address for broadcasts: everybody obeys, nobody answers; writes only (CM-485 manual 6.1).
 pub const BROADCAST: u8 = 0;
@@ -56,18 +55,6 @@ impl Framing {
             Framing::Rtu => "rtu",
             Framing::Ascii => "ascii",
             Framing::Tcp => "mbtcp",
-        }
-    }
-}
-
-impl FromStr for Framing {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.to_ascii_lowercase().as_str() {
-            "rtu" => Ok(Framing::Rtu),
-            "ascii" => Ok(Framing::Ascii),
-            "mbtcp" => Ok(Framing::Tcp),
-            _ => Err(format!("expected rtu or ascii, got '{text}'")),
         }
     }
 }
