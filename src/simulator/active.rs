@@ -12,6 +12,7 @@
 mod values;
 
 use super::machine::Machine;
+use super::readings::{Reading, Readings};
 use super::setup::{Model, Setup};
 use super::shaft::Ramps;
 use super::spec::{Spec, specs};
@@ -89,6 +90,7 @@ pub(super) struct Active {
     torque: i64,
     ramps: Ramps,
     strict_remote: bool,
+    readings: Readings,
     machine: Machine,
     register: u16,
     warnings: u16,
@@ -111,6 +113,7 @@ impl Active {
             torque: setup.torque,
             ramps: setup.ramps,
             strict_remote: setup.strict_remote,
+            readings: setup.readings,
             machine: Machine::new(Tick::ZERO),
             register: 0,
             warnings: 0,
@@ -158,9 +161,21 @@ impl Active {
         self.catch_up(now);
     }
 
+    /// What it makes of a question that the manual leaves open.
+    pub(super) fn has(&self, reading: Reading) -> bool {
+        self.readings.has(reading)
+    }
+
     /// Reads a parameter; the bits for the wire.
     pub(super) fn read(&mut self, now: Tick, address: ParamAddress, width: Width) -> Result<u32, Cause> {
-        self.fetch(now, address, width).inspect_err(|&cause| self.blame(cause))
+        self.fetch(now, address, width).inspect_err(|&cause| self.register(cause))
+    }
+
+    /// Leaves the cause of a refusal of Modbus: only exception 4 leaves one (CM-485 manual 6.6).
+    fn register(&mut self, cause: Cause) {
+        if cause != Cause::Unknown || !self.has(Reading::UnknownIsException2) {
+            self.blame(cause);
+        }
     }
 
     /// Like [`Active::read`], but a refusal leaves nothing in P.11.
@@ -214,7 +229,10 @@ impl Active {
         }
         let value = match self.actual(number) {
             Some(value) => value,
-            None => self.cell_value(number, spec, address.set())?,
+            None => {
+                let in_force = if self.has(Reading::ReadsInForce) && address.set() < 5 { 5 } else { 0 };
+                self.cell_value(number, spec, address.set() + in_force)?
+            }
         };
         // What does not fit is cut off, as in the registers of a drive.
         Ok(to_wire(value, spec.kind).unwrap_or(value as u32))
@@ -233,7 +251,7 @@ impl Active {
 
     /// Writes a parameter.
     pub(super) fn write(&mut self, now: Tick, address: ParamAddress, width: Width, bits: u32) -> Result<Effect, Cause> {
-        self.put(now, address, width, bits).inspect_err(|&cause| self.blame(cause))
+        self.put(now, address, width, bits).inspect_err(|&cause| self.register(cause))
     }
 
     /// Like [`Active::write`], but a refusal leaves nothing in P.11.
@@ -261,6 +279,7 @@ impl Active {
         if number == 34 && value == RESTART {
             return Ok(Effect::Reset);
         }
+        self.machine.fresh |= number == 410;
         if number == 484 && value != 0 {
             self.backwards = value < 0;
         }

@@ -15,6 +15,7 @@ use super::dice::Dice;
 use super::foreign::Foreign;
 use super::judge::TURNAROUND;
 use super::lexium::{Fault, Lexium, Servo};
+use super::readings::Readings;
 use super::script::{Action, Event, Trigger};
 use super::setup::{BAUD_RATES, Model, PARITIES, Setup, Spoken};
 use super::slave::Counters;
@@ -53,8 +54,10 @@ pub struct Drive {
     strict_silence: bool,
     /// What is still to happen.
     script: Vec<Event>,
-    /// Writes that have come to it.
+    /// Telegrams, and writes among them, that have come to it.
+    telegrams: u64,
     writes: u64,
+    readings: Readings,
     pending: VecDeque<Pending>,
     sending: Option<(Tick, Effect)>,
     /// Off the bus until then.
@@ -104,7 +107,9 @@ impl Drive {
             dice: Dice::new(setup.seed),
             strict_silence: setup.strict_silence,
             script: setup.script,
+            telegrams: 0,
             writes: 0,
+            readings: setup.readings,
             pending: VecDeque::new(),
             sending: None,
             away: None,
@@ -278,6 +283,14 @@ impl Drive {
 
     /// Protocol and address, from the RAM copy of their parameters.
     fn adopt(&mut self) {
+        if let Body::Lexium(lexium) = &mut self.body {
+            let (address, line) = lexium.follow(self.address, self.line);
+            if line != self.line {
+                self.line = line;
+                self.forget_bytes();
+            }
+            self.address = address;
+        }
         let Body::Active(active) = &self.body else { return };
         let spoken = Spoken::of(active.value(395));
         let address = if spoken == Spoken::Vabus { 394 } else { 1376 };
@@ -342,6 +355,12 @@ impl Drive {
     fn play(&mut self, now: Tick) {
         while let Some(place) = self.script.iter().position(|event| self.is_due(event.trigger, now)) {
             let event = self.script.remove(place);
+            let back = event.lasts.zip(event.action.opposite());
+            self.script.extend(back.map(|(span, action)| Event {
+                trigger: Trigger::At(now + span),
+                action,
+                lasts: None,
+            }));
             self.act(now, event.action);
         }
     }
@@ -350,6 +369,7 @@ impl Drive {
         match (trigger, &self.body) {
             (Trigger::At(at), _) => at <= now,
             (Trigger::Writes(count), _) => count <= self.writes,
+            (Trigger::Telegrams(count), _) => count <= self.telegrams,
             (Trigger::Running, Body::Active(active)) => active.machine().runs(),
             (Trigger::Above(limit), Body::Active(active)) => active.machine().shaft.is_above(limit),
             (Trigger::Running, Body::Lexium(lexium)) => lexium.powered(),

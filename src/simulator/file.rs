@@ -149,6 +149,7 @@ impl Reader<'_> {
         setup.delay = self.delay(row)?;
         setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
         setup.strict_silence = row.strict_silence;
+        setup.readings = self.readings(row, model)?;
         setup.strict_remote = row.strict_remote;
         for sto in [&row.stoa, &row.stob].into_iter().flatten() {
             self.check_sto(sto, model)?;

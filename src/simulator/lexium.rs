@@ -14,6 +14,7 @@
 
 mod axis;
 mod machine;
+mod memory;
 mod motion;
 mod params;
 mod slave;
@@ -23,11 +24,13 @@ pub(super) use motion::World;
 pub(super) use params::{BAUD_RATES, named};
 pub(super) use slave::encode;
 
+use super::readings::{Reading, Readings};
 use super::setup::Setup;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::tick::{Span, Tick};
 use machine::{Machine, Power};
+use memory::Memory;
 use motion::Motion;
 use params::{Kind, Values};
 
@@ -97,6 +100,8 @@ pub struct Servo {
 pub(super) struct Lexium {
     values: Values,
     identity: Identity,
+    readings: Readings,
+    memory: Memory,
     machine: Machine,
     motion: Motion,
     /// End of the last step.
@@ -127,14 +132,17 @@ impl Lexium {
         let mut lexium = Lexium {
             values,
             identity: setup.fittings.identity.clone(),
-            machine: Machine::new(Some(Tick::ZERO)),
-            motion: Motion::new(setup.fittings.world),
+            readings: setup.readings,
+            memory: Memory::default(),
+            machine: Machine::new(Some(Tick::ZERO), setup.readings),
+            motion: Motion::new(setup.fittings.world, setup.readings),
             at: Tick::ZERO,
             order: WordOrder::HighFirst,
             synchronous: 0,
             listen_only: false,
             heard: None,
         };
+        lexium.values.settle();
         lexium.take_settings();
         lexium.motion.take_ratio(&lexium.values);
         lexium.machine.tick(Tick::ZERO, true);
@@ -157,11 +165,22 @@ impl Lexium {
     /// Power-on (or off and on again): off the bus until `up`.
     pub(super) fn power_up(&mut self, now: Tick, up: Tick) {
         self.catch_up(now);
-        self.values.power_up();
-        self.machine = Machine::new(Some(up));
+        self.values.power_up(self.readings.has(Reading::SaveByCommand));
+        self.machine = Machine::new(Some(up), self.readings);
         self.motion.power_up();
         self.take_settings();
         (self.synchronous, self.listen_only, self.heard) = (0, false, None);
+    }
+
+    /// What holds at once of MBadr, MBbaud and MBdword_order, when the reply to their write is out.
+    pub(super) fn follow(&mut self, address: u8, line: LineSetting) -> (u8, LineSetting) {
+        let now = |reading| self.readings.has(reading);
+        let address = if now(Reading::AddressAtOnce) { self.address() } else { address };
+        let baud = if now(Reading::BaudAtOnce) { self.line().baud } else { line.baud };
+        if now(Reading::WordOrderAtOnce) {
+            self.take_settings();
+        }
+        (address, LineSetting { baud, ..line })
     }
 
     fn take_settings(&mut self) {
@@ -169,8 +188,9 @@ impl Lexium {
     }
 
     /// A telegram to this station.
-    pub(super) fn heard(&mut self, now: Tick) {
-        if self.values.get(params::NODE_GUARD) > 0 {
+    pub(super) fn heard(&mut self, now: Tick, is_write: bool) {
+        let feeds = is_write || !self.readings.has(Reading::GuardFedByWrites);
+        if feeds && self.values.get(params::NODE_GUARD) > 0 {
             self.heard = Some(now);
         }
     }
@@ -184,10 +204,17 @@ impl Lexium {
     fn record(&mut self, now: Tick, fault: Fault) {
         self.machine.fail(fault);
         let seconds = i32::try_from(now.since(Tick::ZERO).as_millis() / 1_000).unwrap_or(i32::MAX);
-        self.values.put(params::FAULT_NUMBER, fault.number.into());
-        self.values.put(params::FAULT_CLASS, fault.class.into());
-        self.values.put(params::FAULT_TIME, seconds);
-        self.values.put(params::FAULT_QUALIFIER, fault.qualifier.into());
+        let entry = [fault.number.into(), fault.class.into(), seconds, fault.qualifier.into()];
+        self.memory.keep(entry);
+        self.show_entry(Some(entry));
+    }
+
+    /// Puts an entry of the fault memory where it is read; none is all zeros.
+    fn show_entry(&mut self, entry: Option<[i32; 4]>) {
+        let fields = [params::FAULT_NUMBER, params::FAULT_CLASS, params::FAULT_TIME, params::FAULT_QUALIFIER];
+        for (field, value) in fields.into_iter().zip(entry.unwrap_or_default()) {
+            self.values.put(field, value);
+        }
     }
 
     /// Whether the output stage feeds the motor.
@@ -270,7 +297,10 @@ impl Lexium {
     fn step(&mut self) {
         let now = self.at;
         if self.guard_ends().is_some_and(|ends| ends <= now) {
-            self.record(now, GUARD_ERROR);
+            match self.readings.has(Reading::GuardQuickStop) {
+                true => self.machine.quick_stop(),
+                false => self.record(now, GUARD_ERROR),
+            }
         }
         if self.powered() && self.motion.off_limits() && !self.in_fault() {
             self.record(now, LIMIT_ERROR);

@@ -90,6 +90,10 @@ pub(super) struct Inputs {
     pub(super) positioning: bool,
     /// Without the Remote bit no command is obeyed.
     pub(super) strict_remote: bool,
+    /// Only a control word that is written is obeyed, not one that stands.
+    pub(super) edge: bool,
+    /// A fault is acknowledged only with the Remote bit.
+    pub(super) reset_needs_remote: bool,
     /// Reference frequency, 0.01 Hz, inside P.419.
     pub(super) goal: i64,
     pub(super) ramps: Ramps,
@@ -170,6 +174,8 @@ pub(super) struct Machine {
     pub(super) fault: u16,
     fault_at: Tick,
     last_word: u16,
+    /// The control word was written and not yet looked at.
+    pub(super) fresh: bool,
     phase: Option<Phase>,
     pub(super) shaft: Shaft,
 }
@@ -177,7 +183,8 @@ pub(super) struct Machine {
 impl Machine {
     /// A drive without power, with its shaft at rest.
     pub(super) fn new(at: Tick) -> Self {
-        Machine { state: State::NotReady, fault: 0, fault_at: at, last_word: 0, phase: None, shaft: Shaft::new(at) }
+        let shaft = Shaft::new(at);
+        Machine { state: State::NotReady, fault: 0, fault_at: at, last_word: 0, fresh: false, phase: None, shaft }
     }
 
     /// Power-on or reset (0): "not ready" until the drive is up (1). Never up, if the power is gone for good. A shaft
@@ -227,9 +234,11 @@ impl Machine {
         self.last_word = inputs.word;
         self.shaft.advance(now);
         self.shaft.fit(inputs.motor);
+        let fresh = std::mem::take(&mut self.fresh) || !inputs.edge;
         let commanded = inputs.control == Control::StateMachine && (inputs.released() || !inputs.strict_remote);
+        let acknowledged = commanded && (inputs.released() || !inputs.reset_needs_remote);
         // Transition 15: rising edge of bit 7, after the lock.
-        if self.state == State::Fault && commanded && rising & 0x80 != 0 && now.since(self.fault_at) >= FAULT_LOCK {
+        if self.state == State::Fault && acknowledged && rising & 0x80 != 0 && now.since(self.fault_at) >= FAULT_LOCK {
             self.state = State::SwitchOnInhibit;
             self.fault = 0;
         }
@@ -240,7 +249,7 @@ impl Machine {
             return self.trip(now, MAINS_FAILURE);
         }
         match inputs.control {
-            Control::StateMachine => self.obey(now, inputs, commanded),
+            Control::StateMachine => self.obey(now, inputs, commanded && fresh),
             Control::Contacts => self.obey_contacts(now, inputs, inputs.started() && inputs.voltage()),
             Control::Keypad => self.obey_contacts(now, inputs, false),
         }

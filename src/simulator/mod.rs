@@ -17,6 +17,7 @@ mod judge;
 mod lexium;
 mod machine;
 mod motor;
+mod readings;
 mod script;
 mod setup;
 mod shaft;

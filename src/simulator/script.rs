@@ -7,6 +7,8 @@ use crate::tick::{Span, Tick};
 pub(super) struct Event {
     pub(super) trigger: Trigger,
     pub(super) action: Action,
+    /// The opposite follows after this time.
+    pub(super) lasts: Option<Span>,
 }
 
 /// What it waits for.
@@ -21,6 +23,8 @@ pub(super) enum Trigger {
     /// So many writes have come to it, broadcasts included, obeyed or refused. The last of them is obeyed first; its
     /// reply comes after the event.
     Writes(u64),
+    /// So many telegrams have come to it. The last of them is obeyed first; its reply comes after the event.
+    Telegrams(u64),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,4 +47,18 @@ pub(super) enum Action {
     StartLeft(bool),
     /// Load at the shaft, percent of the rated torque.
     Torque(i64),
+}
+
+impl Action {
+    /// What undoes it, if that is a thing to do.
+    pub(super) fn opposite(self) -> Option<Action> {
+        Some(match self {
+            Action::Mains(on) => Action::Mains(!on),
+            Action::StoA(on) => Action::StoA(!on),
+            Action::StoB(on) => Action::StoB(!on),
+            Action::StartRight(on) => Action::StartRight(!on),
+            Action::StartLeft(on) => Action::StartLeft(!on),
+            _ => return None,
+        })
+    }
 }

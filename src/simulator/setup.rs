@@ -2,6 +2,7 @@
 
 use super::active::Contacts;
 use super::lexium::Fittings;
+use super::readings::Readings;
 use super::script::Event;
 use super::shaft::Ramps;
 use super::vabus::Node;
@@ -78,6 +79,8 @@ pub(super) struct Setup {
     pub(super) delay: Span,
     pub(super) jitter: Span,
     pub(super) strict_silence: bool,
+    /// What it makes of questions that the manuals leave open.
+    pub(super) readings: Readings,
     /// Without the Remote bit it obeys no command.
     pub(super) strict_remote: bool,
     pub(super) contacts: Contacts,
@@ -109,6 +112,7 @@ impl Setup {
             delay: REPLY_DELAY,
             jitter: Span::ZERO,
             strict_silence: false,
+            readings: Readings::default(),
             strict_remote: false,
             contacts: CONTACTS,
             torque: TORQUE,

@@ -3,7 +3,8 @@
 //! Where the manual contradicts itself, the worked telegrams of its chapter 8 decide (facts C): a register count
 //! other than 1 is exception 2, everything that concerns the parameter itself is exception 4 with its cause in P.11.
 
-use super::active::{Active, Effect, Width};
+use super::active::{Active, Cause, Effect, Width};
+use super::readings::Reading;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, COUNTERS, Exception, ParamAddress, PduError, Reply, Request};
 use crate::tick::Tick;
 
@@ -56,7 +57,12 @@ fn execute(drive: &mut Active, counters: &mut Counters, now: Tick, pdu: &[u8]) -
         PduError::Length { .. } | PduError::ByteCount { .. } | PduError::TooLong { .. } => Exception::IllegalDataValue,
         PduError::Empty => Exception::IllegalFunction,
     })?;
-    let failed = |_| Exception::DeviceFailure;
+    // 6.4 lists exception 2 for addresses, the worked telegram of 8.1.3 shows 4.
+    let address = drive.has(Reading::UnknownIsException2);
+    let failed = move |cause| match cause {
+        Cause::Unknown if address => Exception::IllegalDataAddress,
+        _ => Exception::DeviceFailure,
+    };
     let reply = match request {
         Request::ReadRegisters { count, .. } if count != 1 => return Err(Exception::IllegalDataAddress),
         Request::ReadRegisters { start, .. } => {

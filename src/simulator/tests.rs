@@ -6,6 +6,7 @@ use crate::protocol::modbus::Framing;
 
 mod hand;
 mod motion;
+mod readings;
 mod servo;
 mod transitions;
 

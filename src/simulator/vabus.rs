@@ -13,6 +13,7 @@
 
 use super::active::{Active, Cause, Effect, Width};
 use super::drive::RESTART;
+use super::readings::Reading;
 use crate::profile::Type;
 use crate::protocol::modbus::pdu::ParamAddress;
 use crate::protocol::vabus::{
@@ -101,18 +102,22 @@ impl Port {
         over.then(|| std::mem::take(&mut self.bytes))
     }
 
-    /// Executes a request and makes the reply.
-    pub(super) fn answer(&mut self, drive: &mut Active, now: Tick, request: &Request) -> (Reply, Effect) {
+    /// Executes a request and makes the reply; `None` is silence.
+    pub(super) fn answer(&mut self, drive: &mut Active, now: Tick, request: &Request) -> Option<(Reply, Effect)> {
         let address = request.address();
-        match self.execute(drive, now, request) {
+        if self.locked && matches!(request, Request::Select { .. }) && drive.has(Reading::SilentAfterNak) {
+            return None;
+        }
+        Some(match self.execute(drive, now, request) {
             Ok((None, effect)) => (Reply::Ack { address }, effect),
             Ok((Some(data), effect)) => {
                 let header = request.header();
-                let header = Header { set: header.set.as_replied(), ..header };
+                let set = if drive.has(Reading::SetAsAsked) { header.set } else { header.set.as_replied() };
+                let header = Header { set, ..header };
                 (Reply::Value { address, header, data }, effect)
             }
             Err(refusal) => (self.refuse(drive, address, refusal), Effect::None),
-        }
+        })
     }
 
     /// Obeys a broadcast: nobody answers, and so nobody is locked by one.
@@ -126,6 +131,7 @@ impl Port {
     /// What a telegram with a wrong check character gets, if it names this drive.
     pub(super) fn garbled(&mut self, drive: &mut Active, own: Address, telegram: &[u8]) -> Option<(Reply, Effect)> {
         let named = telegram.get(1).is_some_and(|&byte| byte == own.character());
+        let named = named && !drive.has(Reading::SilentOnWrongCheck);
         named.then(|| (self.refuse(drive, own, Some(Cause::Check)), Effect::None))
     }
 

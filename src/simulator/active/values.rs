@@ -17,6 +17,7 @@
 use super::{Active, Contacts};
 use crate::simulator::machine::{Control, Inputs};
 use crate::simulator::motor::Motor;
+use crate::simulator::readings::Reading;
 use crate::simulator::shaft::Ramps;
 use crate::tick::Span;
 
@@ -74,6 +75,8 @@ impl Active {
             mains: self.contacts.mains,
             positioning: self.acu && self.value(30) % 100 == 40,
             strict_remote: self.strict_remote,
+            edge: self.has(Reading::ControlByEdge),
+            reset_needs_remote: self.has(Reading::ResetNeedsRemote),
             goal: self.reference().clamp(-limit, limit),
             ramps: self.ramps,
             quick_ramps: Ramps { down_right: self.value(424), down_left: self.value(425), ..self.ramps },

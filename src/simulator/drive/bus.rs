@@ -8,13 +8,14 @@
 //!   after power-on or after P.413 was set; a broadcast is no exchange and does not hold it off.
 
 use super::{Body, Drive};
-use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::pdu::{ParamAddress, Reply, Request};
 use crate::protocol::modbus::{BROADCAST, FrameError, Framing, rtu};
 use crate::protocol::vabus;
 use crate::simulator::active::Effect;
 use crate::simulator::disturb::Outgoing;
 use crate::simulator::judge::TURNAROUND;
 use crate::simulator::lexium;
+use crate::simulator::readings::Reading;
 use crate::simulator::setup::Spoken;
 use crate::simulator::slave::{Counters, answer};
 use crate::simulator::wire::{Slot, fits};
@@ -112,6 +113,7 @@ impl Drive {
             return;
         }
         self.counters.count(Counters::OWN);
+        let is_write = Request::decode(&adu.pdu).is_ok_and(|request| request.is_write());
         match &mut self.body {
             Body::Active(active) => {
                 active.catch_up(now);
@@ -119,12 +121,16 @@ impl Drive {
             }
             Body::Lexium(lexium) => {
                 lexium.catch_up(now);
-                lexium.heard(last);
+                lexium.heard(last, is_write);
             }
             Body::Foreign(_) => {}
         }
         if let Some((reply, effect)) = self.execute(now, &adu.pdu) {
-            self.prepare(last, framing, &reply, effect);
+            let line = written(&adu.pdu).is_some_and(|number| LINE_PARAMS.contains(&number));
+            let line = line && !matches!(reply, Reply::Exception { .. });
+            if let Some(effect) = self.answers_anew(now, line, effect) {
+                self.prepare(last, self.framing().unwrap_or(framing), &reply, effect);
+            }
         }
     }
 
@@ -138,8 +144,9 @@ impl Drive {
             Ok(request) if request.address() == own => {
                 active.catch_up(now);
                 active.heard(now);
+                self.telegrams += 1;
                 self.writes += u64::from(is_select);
-                Some(self.vabus.answer(active, now, &request))
+                self.vabus.answer(active, now, &request)
             }
             Ok(request) if request.address().is_broadcast() => {
                 self.writes += u64::from(is_select);
@@ -150,13 +157,42 @@ impl Drive {
             _ => None,
         };
         if let Some((reply, effect)) = answer {
+            let line = matches!(&reply, vabus::Reply::Ack { .. }) && vabus_line(telegram);
+            let Some(effect) = self.answers_anew(now, line, effect) else { return };
+            let reply = match (reply, vabus::Address::drive(self.address)) {
+                (vabus::Reply::Ack { .. }, Some(address)) => vabus::Reply::Ack { address },
+                (reply, _) => reply,
+            };
             let refused = matches!(reply, vabus::Reply::Nak { .. });
             self.queue(now, Span::ZERO, reply.encode(), effect, refused);
         }
     }
 
+    /// After a write of what the line hangs on, where its reply goes out with the new setting, or is lost: takes the
+    /// setting now. `None` if there is no reply.
+    fn answers_anew(&mut self, now: Tick, line: bool, effect: Effect) -> Option<Effect> {
+        if line && self.readings.has(Reading::LineReplyLost) {
+            self.follow_up(now, effect);
+            return None;
+        }
+        // A reset with the new setting answers nobody: the drive is off the bus.
+        if line && self.readings.has(Reading::LineReplyNew) && effect == Effect::None {
+            self.adopt();
+        }
+        Some(effect)
+    }
+
+    /// How its telegrams are framed, if it speaks Modbus.
+    fn framing(&self) -> Option<Framing> {
+        match self.spoken {
+            Spoken::Modbus(framing) => Some(framing),
+            Spoken::Vabus | Spoken::PBus => None,
+        }
+    }
+
     /// Executes a request; `None` if it is not answered.
     fn execute(&mut self, now: Tick, pdu: &[u8]) -> Option<(Reply, Effect)> {
+        self.telegrams += 1;
         self.writes += u64::from(Request::decode(pdu).is_ok_and(|request| request.is_write()));
         match &mut self.body {
             Body::Active(active) => Some(answer(active, &mut self.counters, now, pdu)),
@@ -233,4 +269,22 @@ impl Drive {
         self.exceptions += u64::from(reply.exception);
         Some(Outgoing { station: self.address, spoken: self.spoken, line: self.line, frame: reply.frame })
     }
+}
+
+/// Protocol, both addresses, reset: what a reply can be lost by (CM-485 manual 5.2.1, 6; facts A1).
+const LINE_PARAMS: [u16; 4] = [395, 1376, 394, 34];
+
+/// The parameter that a Modbus telegram of the ACTIVE family writes.
+fn written(pdu: &[u8]) -> Option<u16> {
+    match Request::decode(pdu) {
+        Ok(Request::WriteRegister { address, .. } | Request::WriteLong { address, .. }) => {
+            Some(ParamAddress::from_word(address).number())
+        }
+        _ => None,
+    }
+}
+
+/// Whether a VABus telegram writes what its reply can be lost by.
+fn vabus_line(telegram: &[u8]) -> bool {
+    vabus::Request::decode(telegram).is_ok_and(|request| LINE_PARAMS.contains(&request.header().number.get()))
 }

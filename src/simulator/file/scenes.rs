@@ -1,15 +1,29 @@
-//! What is to happen on a bench: the script of a drive, and the disturbances of the line.
+//! What is to happen on a bench: the readings and the script of a drive, and the disturbances of the line.
 
-use super::tables::{DisturbTable, EventTable};
+use super::tables::{DisturbTable, DriveTable, EventTable};
 use super::{BenchError, Reader};
 use crate::profile::value::parse_decimal;
 use crate::simulator::disturb::{Kind, Rule, When};
+use crate::simulator::readings::{Readings, question};
 use crate::simulator::script::{Action, Event, Trigger};
 use crate::simulator::setup::Model;
 use crate::tick::{Span, Tick};
 use toml::Spanned;
 
 impl Reader<'_> {
+    /// What a drive makes of the questions that the manuals leave open.
+    pub(super) fn readings(&self, row: &DriveTable, model: Model) -> Result<Readings, BenchError> {
+        let mut readings = Readings::default();
+        for (key, word) in &row.readings {
+            let message = || format!("readings: an {} has no question \"{key}\"", model.name());
+            let question = question(key, model).ok_or_else(|| self.error(word.span(), message()))?;
+            if let Some(reading) = self.word(key, word, question.words)? {
+                readings.add(reading);
+            }
+        }
+        Ok(readings)
+    }
+
     pub(super) fn event(
         &self,
         table: &Spanned<EventTable>,
@@ -20,7 +34,7 @@ impl Reader<'_> {
         let trigger = self.trigger(table)?;
         if model == Model::Lxm05 {
             let actions = self.servo_actions(table)?;
-            script.extend(actions.into_iter().map(|action| Event { trigger, action }));
+            script.extend(actions.into_iter().map(|action| Event { trigger, action, lasts: None }));
             return Ok(());
         }
         if row.class.is_some() || row.qualifier.is_some() {
@@ -55,20 +69,29 @@ impl Reader<'_> {
                            stoa, stob, start_right, start_left or torque";
             return Err(self.error(table.span(), message.to_owned()));
         }
-        script.extend(actions.into_iter().map(|action| Event { trigger, action }));
+        let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
+        if let Some(got) = row.lasts.as_ref().filter(|_| actions.iter().any(|action| action.opposite().is_none())) {
+            let message = "for goes only with mains, enable, stoa, stob, start_right, start_left";
+            return Err(self.error(got.span(), message.to_owned()));
+        }
+        script.extend(actions.into_iter().map(|action| Event { trigger, action, lasts }));
         Ok(())
     }
 
     fn trigger(&self, table: &Spanned<EventTable>) -> Result<Trigger, BenchError> {
         let row = table.get_ref();
-        match (&row.at, &row.when, &row.after_writes) {
-            (Some(at), None, None) => Ok(Trigger::At(Tick::ZERO + self.time("at", at)?)),
-            (None, Some(when), None) => condition(when.get_ref()).ok_or_else(|| {
+        match (&row.at, &row.when, &row.after_writes, &row.after_telegrams) {
+            (Some(at), None, None, None) => Ok(Trigger::At(Tick::ZERO + self.time("at", at)?)),
+            (None, Some(when), None, None) => condition(when.get_ref()).ok_or_else(|| {
                 let message = format!("when = \"{}\"; expected \"running\" or \"above 20Hz\"", when.get_ref());
                 self.error(when.span(), message)
             }),
-            (None, None, Some(writes)) => Ok(Trigger::Writes(self.count(writes)?)),
-            _ => Err(self.error(table.span(), "expected exactly one of: at, when, after_writes".to_owned())),
+            (None, None, Some(writes), None) => Ok(Trigger::Writes(self.count(writes)?)),
+            (None, None, None, Some(count)) => Ok(Trigger::Telegrams(self.count(count)?)),
+            _ => {
+                let message = "expected exactly one of: at, when, after_writes, after_telegrams";
+                Err(self.error(table.span(), message.to_owned()))
+            }
         }
     }
 

@@ -34,6 +34,7 @@ impl Reader<'_> {
         };
         setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
         setup.strict_silence = row.strict_silence;
+        setup.readings = self.readings(row, Model::Lxm05)?;
         setup.seed = own_seed(seed, address);
         if let Some(servo) = &row.servo {
             setup.fittings = self.fittings(servo.get_ref())?;
@@ -138,6 +139,7 @@ impl Reader<'_> {
         let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
         let others =
             others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
+        let others = others || row.lasts.is_some();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
             let message = "expected fault (with class and qualifier), power_cycle or silent, as an LXM05 knows them";

@@ -61,6 +61,8 @@ pub(super) struct DriveTable {
     pub(super) nodes: Vec<Spanned<NodeTable>>,
     pub(super) servo: Option<Spanned<ServoTable>>,
     #[serde(default)]
+    pub(super) readings: BTreeMap<String, Spanned<String>>,
+    #[serde(default)]
     pub(super) event: Vec<Spanned<EventTable>>,
 }
 
@@ -112,6 +114,9 @@ pub(super) struct EventTable {
     pub(super) at: Option<Spanned<String>>,
     pub(super) when: Option<Spanned<String>>,
     pub(super) after_writes: Option<Spanned<u64>>,
+    pub(super) after_telegrams: Option<Spanned<u64>>,
+    #[serde(rename = "for")]
+    pub(super) lasts: Option<Spanned<String>>,
     pub(super) fault: Option<Spanned<String>>,
     pub(super) class: Option<u8>,
     pub(super) qualifier: Option<u16>,

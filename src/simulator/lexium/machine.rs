@@ -11,6 +11,7 @@
 //! - a fault can be reset at once; a further error takes no place of the first, but is kept in the memory.
 
 use crate::simulator::machine::{Command, State};
+use crate::simulator::readings::{Reading, Readings};
 use crate::tick::{Span, Tick};
 
 /// From "switched on" to "operation enabled".
@@ -33,6 +34,8 @@ pub(super) enum Power {
     Drives,
     /// The shaft comes to rest on the quick stop ramp.
     Stops,
+    /// The shaft comes to rest on the ramp, and the power goes then.
+    Ramps,
 }
 
 /// State, and what leads out of it.
@@ -45,12 +48,18 @@ pub(super) struct Machine {
     /// The fault that stands.
     fault: Option<Fault>,
     warning: bool,
+    /// Control 7 brakes: the shaft is on its way to rest.
+    ramping: bool,
+    /// Only disable voltage leads out of the quick stop.
+    held: bool,
+    readings: Readings,
 }
 
 impl Machine {
     /// A drive that comes up at `up`; never, without power.
-    pub(super) fn new(up: Option<Tick>) -> Self {
-        Machine { state: State::NotReady, word: 0, until: up, fault: None, warning: false }
+    pub(super) fn new(up: Option<Tick>, readings: Readings) -> Self {
+        let (state, word, fault, warning) = (State::NotReady, 0, None, false);
+        Machine { state, word, until: up, fault, warning, ramping: false, held: false, readings }
     }
 
     pub(super) fn state(&self) -> State {
@@ -64,6 +73,7 @@ impl Machine {
 
     pub(super) fn power(&self) -> Power {
         match self.state {
+            State::Enabled if self.ramping => Power::Ramps,
             State::Enabled => Power::Drives,
             State::QuickStop | State::FaultReaction => Power::Stops,
             _ => Power::Off,
@@ -104,7 +114,8 @@ impl Machine {
         match self.state {
             State::NotReady if self.until.is_some_and(|until| until <= now) => self.go(State::SwitchOnInhibit), // 1
             State::SwitchedOn if self.until.is_some_and(|until| until <= now) => self.go(State::Enabled),       // 4
-            State::QuickStop if stands => self.go(State::SwitchOnInhibit),                                      // 12
+            State::QuickStop if stands && !self.held => self.go(State::SwitchOnInhibit),                        // 12
+            State::Enabled if self.ramping && stands => self.go(State::SwitchedOn),                             // 5
             State::FaultReaction if stands => self.go(State::Fault),                                            // 14
             _ => return,
         }
@@ -122,7 +133,16 @@ impl Machine {
         }
     }
 
+    /// The reaction to a master that is not heard any more, where it is a quick stop and no fault (11).
+    pub(super) fn quick_stop(&mut self) {
+        self.go(State::QuickStop);
+        self.held = true;
+    }
+
     fn obey(&mut self, now: Tick) {
+        if self.state == State::Enabled && Command::of(self.word) == Command::EnableOperation {
+            self.ramping = false;
+        }
         if self.state == State::SwitchedOn && Command::of(self.word) != Command::EnableOperation {
             self.until = None; // called back
         }
@@ -133,7 +153,12 @@ impl Machine {
                 self.until = self.until.or(Some(now + STAGE)); // 4
                 return;
             }
+            if (self.state, next) == (State::Enabled, State::SwitchedOn) && self.readings.has(Reading::Control7Brakes) {
+                self.ramping = true;
+                return;
+            }
             self.go(next);
+            self.held = next == State::QuickStop && self.readings.has(Reading::QuickStopStays);
         }
     }
 
@@ -157,6 +182,8 @@ impl Machine {
     fn go(&mut self, next: State) {
         self.state = next;
         self.until = None;
+        self.ramping = false;
+        self.held = false;
     }
 }
 
@@ -169,7 +196,7 @@ mod tests {
 
     /// A drive in operation.
     fn enabled() -> Machine {
-        let mut machine = Machine::new(Some(Tick::ZERO));
+        let mut machine = Machine::new(Some(Tick::ZERO), Readings::default());
         machine.tick(NOW, true);
         machine.command(NOW, 0x06);
         machine.command(NOW, 0x0F);
@@ -207,7 +234,7 @@ mod tests {
 
     #[test]
     fn the_output_stage_takes_its_time_and_can_be_called_back() {
-        let mut machine = Machine::new(Some(NOW));
+        let mut machine = Machine::new(Some(NOW), Readings::default());
         machine.command(NOW, 0x06);
         assert_eq!(machine.status(), 0);
         machine.tick(NOW, true);
@@ -248,7 +275,7 @@ mod tests {
         machine.command(LATER, 0x00);
         machine.command(LATER, 0x80);
         assert!(!machine.in_fault());
-        let mut off = Machine::new(None);
+        let mut off = Machine::new(None, Readings::default());
         off.fail(Fault { number: 1, class: 3, qualifier: 0 });
         assert_eq!((off.state(), off.next()), (State::NotReady, None));
     }

@@ -22,6 +22,7 @@
 use super::axis::{Axis, PARTS, PER_RPM, Ramps, USR_PER_TURN};
 use super::machine::Power;
 use super::params::{self, Values};
+use crate::simulator::readings::{Reading, Readings};
 use crate::tick::{Span, Tick};
 
 /// Until a written mode is active.
@@ -98,6 +99,9 @@ enum Homing {
 pub(super) struct Motion {
     axis: Axis,
     world: World,
+    readings: Readings,
+    /// The output stage did what the mode says.
+    drives: bool,
     mode: Option<Mode>,
     /// Mode that was written, and when it may become active.
     wanted: Option<(Mode, Tick)>,
@@ -114,10 +118,12 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub(super) fn new(world: World) -> Self {
+    pub(super) fn new(world: World, readings: Readings) -> Self {
         Motion {
             axis: Axis::default(),
             world,
+            readings,
+            drives: false,
             mode: None,
             wanted: None,
             zero: 0,
@@ -132,7 +138,7 @@ impl Motion {
 
     /// Power-on: the shaft stays or coasts where it is, and nobody knows where that is.
     pub(super) fn power_up(&mut self) {
-        *self = Motion { axis: self.axis, zero: self.place(), ..Motion::new(self.world) };
+        *self = Motion { axis: self.axis, zero: self.place(), ..Motion::new(self.world, self.readings) };
     }
 
     /// Speed of the shaft, 0.001 1/min.
@@ -209,16 +215,26 @@ impl Motion {
     /// Lets a millisecond pass that ends `now`.
     pub(super) fn tick(&mut self, now: Tick, values: &mut Values, word: u16, power: Power) {
         if power != Power::Drives {
-            self.let_go(values);
+            self.end();
+            self.release(values, Reading::ReferencesOutliveRun);
         }
+        if self.drives && power != Power::Drives && self.readings.has(Reading::SetpointsEndWithRun) {
+            forget_setpoints(values);
+        }
+        self.drives = power == Power::Drives;
         if self.wanted.is_some_and(|wanted| wanted.1 <= now) && self.stands() {
-            self.let_go(values);
+            self.end();
+            self.release(values, Reading::ReferencesOutliveMode);
+            if self.readings.has(Reading::SetpointsEndWithMode) {
+                forget_setpoints(values);
+            }
             self.mode = self.wanted.take().map(|wanted| wanted.0);
         }
         let ramps = Ramps { up: values.get(params::ACCELERATION), down: values.get(params::DECELERATION) };
         let held = word & HALT != 0 || self.wanted.is_some();
         match (power, self.mode) {
             (Power::Off, _) => self.axis.coast(),
+            (Power::Ramps, _) => self.axis.accelerate_to(0, ramps),
             (Power::Stops, _) => self.axis.accelerate_to(0, Ramps { up: QUICK_STOP, down: QUICK_STOP }),
             (Power::Drives, Some(mode)) if !held => self.drive(mode, values, ramps),
             (Power::Drives, _) => self.axis.accelerate_to(0, ramps),
@@ -306,8 +322,15 @@ impl Motion {
     }
 
     /// Ends everything that was under way.
-    fn let_go(&mut self, values: &mut Values) {
+    fn end(&mut self) {
         (self.target, self.queued, self.arrived, self.homing) = (None, None, false, None);
+    }
+
+    /// Takes back the jog and the sources of current, speed and gear, unless they outlive this.
+    fn release(&self, values: &mut Values, outlive: Reading) {
+        if self.readings.has(outlive) {
+            return;
+        }
         for action in [params::JOG, params::CURRENT_SOURCE, params::SPEED_SOURCE, params::GEAR_SOURCE] {
             values.put(action, 0);
         }
@@ -326,5 +349,12 @@ impl Motion {
     /// Position of the shaft since the bench was built, user units.
     fn place(&self) -> i64 {
         self.axis.position().div_euclid(PARTS)
+    }
+}
+
+/// Setpoints that stand still at 0.
+fn forget_setpoints(values: &mut Values) {
+    for setpoint in [params::VELOCITY, params::CURRENT, params::SPEED] {
+        values.put(setpoint, 0);
     }
 }

@@ -199,13 +199,19 @@ pub(in crate::simulator) fn named(name: &str) -> Option<&'static Row> {
 #[derive(Clone, Debug)]
 pub(super) struct Values {
     values: BTreeMap<u16, i32>,
+    /// What stood there when the power came.
+    at_power_on: BTreeMap<u16, i32>,
     writes: u64,
 }
 
 impl Values {
     /// A drive as it leaves the factory.
     pub(super) fn new() -> Self {
-        Values { values: ROWS.iter().map(|row| (row.address, row.factory)).collect(), writes: 0 }
+        Values {
+            values: ROWS.iter().map(|row| (row.address, row.factory)).collect(),
+            at_power_on: BTreeMap::new(),
+            writes: 0,
+        }
     }
 
     /// Present value; 0 of what there is not.
@@ -229,8 +235,18 @@ impl Values {
         self.writes
     }
 
-    /// Power-on: what is not kept goes back to its factory setting.
-    pub(super) fn power_up(&mut self) {
+    /// What stands there now is what the EEPROM holds.
+    pub(super) fn settle(&mut self) {
+        self.at_power_on = self.values.clone();
+    }
+
+    /// Power-on: what is not kept goes back to its factory setting; what nobody has `saved` to what it was.
+    pub(super) fn power_up(&mut self, unsaved_is_lost: bool) {
+        for row in ROWS.iter().filter(|row| unsaved_is_lost && row.kind == Kind::Kept) {
+            if let Some(&value) = self.at_power_on.get(&row.address) {
+                self.put(row.address, value);
+            }
+        }
         for row in ROWS.iter().filter(|row| row.kind == Kind::Lost) {
             self.put(row.address, row.factory);
         }
@@ -271,7 +287,7 @@ mod tests {
         for (address, value) in [(BAUD, 9_600), (NODE_GUARD, 500), (CONTROL, 15)] {
             values.write(at(address).unwrap(), value);
         }
-        values.power_up();
+        values.power_up(false);
         assert_eq!((values.get(BAUD), values.get(NODE_GUARD), values.get(CONTROL)), (9_600, 0, 0));
         assert_eq!(values.writes(), 1);
     }

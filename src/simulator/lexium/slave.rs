@@ -17,7 +17,8 @@ use crate::protocol::modbus::pdu::{
     CLEAR_COUNTERS, DIAGNOSTIC_REGISTER, ECHO, ENCAPSULATED, Exception, Identification, LISTEN_ONLY, MOST_EXCHANGED,
     MOST_READ, MOST_WRITTEN, PduError, RESTART_COMMUNICATION, Reply, Request, refused_identification,
 };
-use crate::simulator::machine::State;
+use crate::simulator::machine::{Command, State};
+use crate::simulator::readings::{Reading, Readings};
 use crate::simulator::slave::Counters;
 use crate::tick::Tick;
 
@@ -34,18 +35,27 @@ enum Refusal {
 
 impl Refusal {
     /// Exception code, and the synchronous error that sub-function 2 tells: numbers of the bench.
-    fn row(self) -> (Exception, u16) {
-        match self {
+    fn row(self, readings: Readings) -> (Exception, u16) {
+        let (code, number) = match self {
             Refusal::Function => (Exception::IllegalFunction, 1),
             Refusal::Address => (Exception::IllegalDataAddress, 2),
             Refusal::Length => (Exception::IllegalDataValue, 3),
             Refusal::Value => (Exception::IllegalDataValue, 4),
             Refusal::ReadOnly => (Exception::DeviceFailure, 5),
             Refusal::NotNow => (Exception::DeviceFailure, 6),
-        }
+        };
+        let one = ONE_FOR_ALL.iter().find(|row| readings.has(row.0));
+        (one.map_or(code, |row| row.1), number)
     }
 }
 
+/// Which exception fits which case is open (manual 6.2): one for all.
+const ONE_FOR_ALL: [(Reading, Exception); 4] = [
+    (Reading::Exception1, Exception::IllegalFunction),
+    (Reading::Exception2, Exception::IllegalDataAddress),
+    (Reading::Exception3, Exception::IllegalDataValue),
+    (Reading::Exception4, Exception::DeviceFailure),
+];
 /// Sub-functions of code 8 that return a counter (manual, table 5.2).
 const COUNTERS: [u16; 6] = [11, 12, 13, 16, 17, 18];
 /// Data of sub-function 1 that also clear the event log of the norm (V1.1b3, 6.8.1).
@@ -76,7 +86,7 @@ impl Lexium {
             PduError::Empty => Refusal::Function,
         });
         let reply = done.and_then(|request| self.execute(counters, now, request)).unwrap_or_else(|refusal| {
-            let (code, number) = refusal.row();
+            let (code, number) = refusal.row(self.readings);
             self.synchronous = number;
             counters.count(Counters::EXCEPTIONS);
             Reply::Exception { function: pdu.first().copied().unwrap_or(0), code }
@@ -86,15 +96,26 @@ impl Lexium {
 
     fn execute(&mut self, counters: &mut Counters, now: Tick, request: Request) -> Result<Reply, Refusal> {
         match request {
-            Request::ReadRegisters { start, count } => self.read_from(start, count).map(Reply::Registers),
+            Request::ReadRegisters { start, count } => {
+                let told = self.read_from(start, count)?;
+                let faults = start..start.saturating_add(count);
+                if self.readings.has(Reading::FaultMemoryMovesOn) && faults.contains(&params::FAULT_NUMBER) {
+                    let next = self.memory.move_on();
+                    self.show_entry(next);
+                }
+                Ok(Reply::Registers(told))
+            }
             Request::WriteRegisters { start, values } => {
                 self.write_from(now, start, &values, MOST_WRITTEN)?;
                 Ok(Reply::RegistersWritten { start, count: values.len() as u16 })
             }
             Request::ExchangeRegisters { start, count, write_start, values } => {
                 self.rows(start, count, MOST_READ)?;
+                let first = self.readings.has(Reading::ExchangeReadsFirst);
+                let before = if first { Some(self.read_from(start, count)?) } else { None };
                 self.write_from(now, write_start, &values, MOST_EXCHANGED)?;
-                self.read_from(start, count).map(Reply::RegistersExchanged)
+                let told = before.map_or_else(|| self.read_from(start, count), Ok);
+                told.map(Reply::RegistersExchanged)
             }
             Request::Diagnostics { sub, data } => self.diagnose(counters, sub, data),
             Request::ReadIdentification { category: BASIC, object } => Ok(Reply::Identification(self.identify(object))),
@@ -122,10 +143,14 @@ impl Lexium {
         let rows = self.rows(start, count, most)?;
         let values = values.chunks_exact(2).map(|pair| self.order.join([pair[0], pair[1]]) as i32);
         let writes: Vec<(&Row, i32)> = rows.into_iter().zip(values).collect();
-        for (row, value) in &writes {
+        let one_by_one = self.readings.has(Reading::WritesOneByOne);
+        for (row, value) in writes.iter().filter(|_| !one_by_one) {
             self.check(row, *value)?;
         }
         for (row, value) in writes {
+            if one_by_one {
+                self.check(row, value)?;
+            }
             self.write(now, row, value);
         }
         Ok(())
@@ -147,12 +172,24 @@ impl Lexium {
 
     fn check(&self, row: &Row, value: i32) -> Result<(), Refusal> {
         let jogs = self.motion.mode() == Some(motion::Mode::Jog) && self.machine.state() == State::Enabled;
+        let turns = self.machine.state() == State::Enabled && !self.motion.stands();
         match row {
+            Row { address: params::MODE, .. } if turns && self.is_busy(value) => Err(Refusal::NotNow),
+            Row { address: params::CONTROL, .. } if turns && self.refuses_word(value) => Err(Refusal::NotNow),
             Row { kind: Kind::ReadOnly, .. } => Err(Refusal::ReadOnly),
             row if !row.takes(value) => Err(Refusal::Value),
             Row { address: params::JOG, .. } if value != 0 && !jogs => Err(Refusal::NotNow),
             _ => Ok(()),
         }
+    }
+
+    /// Whether a running movement forbids this mode (manual 6.3.1).
+    fn is_busy(&self, mode: i32) -> bool {
+        self.readings.has(Reading::ModeChangeRefused) && i64::from(mode) != self.motion.mode_number()
+    }
+
+    fn refuses_word(&self, word: i32) -> bool {
+        self.readings.has(Reading::Control7Refused) && Command::of(word as u16) == Command::SwitchOn
     }
 
     fn write(&mut self, now: Tick, row: &Row, value: i32) {

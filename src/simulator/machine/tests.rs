@@ -13,6 +13,8 @@ fn inputs(acu: bool, word: u16) -> Inputs {
         mains: true,
         positioning: false,
         strict_remote: false,
+        edge: false,
+        reset_needs_remote: false,
         goal: 1_000,
         ramps: RAMP,
         quick_ramps: Ramps::all(1_000),
