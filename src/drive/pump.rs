@@ -56,6 +56,9 @@ pub(super) async fn rest(
             Wake::Bytes(bytes) => master.feed(link.now(), &bytes),
             Wake::Silence => return Ok(()),
         }
+        if link.now() >= until {
+            return Ok(()); // bytes that come all the time do not prolong it
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::pump::{self, Interrupt, PumpError};
 use super::route::{No, Route, no};
 use super::{decode, trouble};
 use crate::exchange::{
-    Answer, ExchangeError, Limits, Master, News, Pauses, Question, Record, Said, Survey, Tally, Verdict,
+    Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Said, Survey, Tally, Verdict,
 };
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -22,6 +22,9 @@ use std::rc::Rc;
 
 /// A gateway waits for its stations itself and then says so; many wait for a second or more.
 const GATEWAY_PATIENCE: Span = Span::from_secs(3);
+
+/// Strange telegrams that are kept until somebody asks for them.
+const MOST_OVERHEARD: usize = 4_096;
 
 /// How to open a line.
 #[derive(Debug)]
@@ -55,6 +58,8 @@ pub struct Session<'a> {
     node: u8,
     observe: &'a mut dyn FnMut(Event),
     interrupt: Interrupt,
+    /// Whether telegrams go out by the clock, whatever is on the line.
+    insists: bool,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
     overheard: Option<Vec<Record>>,
     /// What is known of the drives by address, to name what goes over the line.
@@ -139,6 +144,7 @@ impl<'a> Session<'a> {
             node: 0,
             observe,
             interrupt,
+            insists: false,
             overheard: None,
             known: BTreeMap::new(),
             verbose,
@@ -157,6 +163,18 @@ impl<'a> Session<'a> {
         self.node
     }
 
+    /// From now on every telegram goes out by the clock: a silent line, or a reply that is still owed, is waited for at most
+    /// [`INSIST`] before it, then it goes out even into a busy line. For the stop, the refresh and the look of a held run,
+    /// which nobody else's talking may put off. The pauses between telegrams of our own are kept.
+    pub fn insist(&mut self, on: bool) {
+        self.insists = on;
+    }
+
+    /// The longest that one question takes, whatever comes over the line.
+    pub fn longest(&self) -> Span {
+        self.master.limits().longest(self.protocol(), self.line())
+    }
+
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
     /// knows yet whether the adapter echoes, something else is asked first that tells.
     pub async fn ask(&mut self, station: u8, question: impl Into<Question>) -> Result<Answer, AccessError> {
@@ -168,13 +186,15 @@ impl<'a> Session<'a> {
     }
 
     async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.master.ask(station, question, self.link.now());
+        let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };
+        self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
         let records = self.master.take_records();
         self.show(&records, Some(station));
         if let Some(overheard) = &mut self.overheard {
             let strange = |record: &Record| matches!(record.verdict, Verdict::Stray { .. } | Verdict::Garbage);
-            overheard.extend(records.into_iter().filter(strange));
+            let room = MOST_OVERHEARD.saturating_sub(overheard.len());
+            overheard.extend(records.into_iter().filter(strange).take(room));
         }
         Ok(outcome??)
     }

@@ -50,7 +50,13 @@ pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listeni
         let telegrams = match session.hear(until).await {
             Ok(Wake::Bytes(bytes)) => {
                 last = session.now();
-                ear.feed(last, &bytes)
+                let telegrams = ear.feed(last, &bytes);
+                // Bytes that come all the time do not prolong it.
+                if plan.duration.is_some_and(|span| last >= begin + span) {
+                    log.tell(session, telegrams);
+                    break ("duration", None);
+                }
+                telegrams
             }
             Ok(Wake::Silence) => match because {
                 Some(because) => break (because, None),

@@ -139,6 +139,33 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
                 ))
                 .with("responder", station)
         }
+        ExchangeError::NeverSilent { asked } => {
+            let message = match lang {
+                Lang::En => format!("{at}: the line is never silent, asked {asked} times"),
+                Lang::De => format!("{at}: die Leitung schweigt nie, {asked}-mal gefragt"),
+            };
+            Failure::new(Class::Garbled, "garbled.never_silent", message).hint(lang.pick(
+                "another master, two drives at one address, or a wrong baud rate? `antrieb sniff` shows what is said",
+                "ein zweiter Master, zwei Antriebe mit einer Adresse oder eine falsche Baudrate? `antrieb sniff` zeigt, \
+                 was gesprochen wird",
+            ))
+        }
+        ExchangeError::Unproven { asked } => {
+            let message = match lang {
+                Lang::En => {
+                    format!("{at}: answers came, but each may be one to an older question, asked {asked} times")
+                }
+                Lang::De => {
+                    format!("{at}: Antworten kamen, aber jede kann einer älteren Frage gelten, {asked}-mal gefragt")
+                }
+            };
+            Failure::new(Class::Garbled, "garbled.unproven", message).hint(lang.pick(
+                "replies come late, twice or from somebody else: a longer --timeout, and look for a second master, a \
+                 repeater or two drives with one address",
+                "Antworten kommen spät, doppelt oder von anderen: --timeout verlängern und nach einem zweiten Master, \
+                 einem Repeater oder zwei Antrieben mit einer Adresse suchen",
+            ))
+        }
         ExchangeError::BroadcastRead => {
             let message = lang.pick("a broadcast can only write", "an alle kann nur geschrieben werden");
             Failure::new(Class::Usage, "usage.broadcast_read", message)

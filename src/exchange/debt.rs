@@ -1,11 +1,13 @@
-//! Replies that stations still owe: after a time-out or garbage the missing reply may still come.
+//! Replies that stations still owe: after a time-out or garbage the missing reply may still come. A debt is paid by the
+//! reply or settled by the answer to a fence, not by time alone.
 
 use super::dialect::{Question, Said};
+use super::limits::LATEST_OF_ALL;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// After this time without a sign a missing reply is not expected any more, even from a drive under load.
-const FORGET: Span = Span::from_secs(2);
+/// So long other programs are kept from the line for the sake of a reply that is missing, without a sign of it.
+const HOLD: Span = Span::from_secs(2);
 
 /// The longest that a drive takes to answer but under high load (CM-485 manual 6.8).
 pub(super) const LATEST_REPLY: Span = Span::from_millis(500);
@@ -34,9 +36,18 @@ impl Debts {
         let debt = self.by_station.entry(station).or_default();
         debt.since = now;
         debt.due = debt.due.max(due);
-        debt.owed += 1;
+        debt.owed = debt.owed.saturating_add(1);
         if !debt.missing.contains(&missing) {
             debt.missing.push(missing);
+        }
+    }
+
+    /// A station owes the reply to a fence too. That is none to be waited for.
+    pub(super) fn owes_fence(&mut self, station: u8, fence: Question) {
+        let Some(debt) = self.by_station.get_mut(&station) else { return };
+        debt.owed = debt.owed.saturating_add(1);
+        if !debt.missing.contains(&fence) {
+            debt.missing.push(fence);
         }
     }
 
@@ -62,24 +73,18 @@ impl Debts {
     }
 
     /// Questions whose replies may still come from a station.
-    pub(super) fn missing(&self, station: u8, now: Tick) -> &[Question] {
-        let debt = self.by_station.get(&station).filter(|debt| now.since(debt.since) <= FORGET);
-        debt.map_or(&[], |debt| &debt.missing)
+    pub(super) fn missing(&self, station: u8) -> &[Question] {
+        self.by_station.get(&station).map_or(&[], |debt| &debt.missing)
     }
 
-    /// When the replies are due that a station owes, and until when they may come under load.
+    /// When the replies are due that a station owes, and until when the latest of them may come.
     pub(super) fn due(&self, station: u8) -> Option<(Tick, Tick)> {
-        self.by_station.get(&station).map(|debt| (debt.due, debt.since + FORGET))
-    }
-
-    /// Forgets what cannot come any more.
-    pub(super) fn forget(&mut self, now: Tick) {
-        self.by_station.retain(|_, debt| now.since(debt.since) <= FORGET);
+        self.by_station.get(&station).map(|debt| (debt.due, debt.since + LATEST_OF_ALL))
     }
 
     /// Until when a reply may still come from a station that has answered before and owes one.
     pub(super) fn until(&self) -> impl Iterator<Item = Tick> {
         let owing = self.by_station.iter().filter(|(station, _)| self.heard.contains(station));
-        owing.map(|(_, debt)| debt.since + FORGET)
+        owing.map(|(_, debt)| debt.since + HOLD)
     }
 }

@@ -214,6 +214,11 @@ impl Dialect {
         if dawdles { ascii::MAX_PAUSE } else { STRAGGLE }
     }
 
+    /// The longest that any telegram of it may straggle.
+    pub(super) fn longest_straggle(self) -> Span {
+        self.straggle(&[]).longer(STRAGGLE)
+    }
+
     /// Bytes of the shortest reply; fewer are noise, behind which the reply may still come.
     pub(super) fn shortest_reply(self) -> usize {
         match self.protocol {
@@ -256,16 +261,26 @@ impl Dialect {
     }
 
     /// A question whose answer can be taken for none of the missing ones. Modbus: a counter, at best one that counts the
-    /// question itself. VABus: `known`, a harmless one that the station has answered before.
-    pub(super) fn fence(self, missing: &[Question], question: &Question, known: Option<&Question>) -> Option<Question> {
+    /// question itself. VABus: one of the `known`, harmless ones that the station has answered before.
+    pub(super) fn fence<'k>(
+        self,
+        missing: &[Question],
+        question: &Question,
+        mut known: impl Iterator<Item = &'k Question>,
+    ) -> Option<Question> {
         let fresh = |fence: &Question| !missing.contains(fence) && fence != question;
         match self.protocol {
             Protocol::Modbus(_) => {
                 let subs = BUSY_COUNTERS.into_iter().chain(COUNTERS.rev());
                 subs.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 })).find(fresh)
             }
-            Protocol::Vabus => known.filter(|known| fresh(known)).cloned(),
+            Protocol::Vabus => known.find(|known| fresh(known)).cloned(),
         }
+    }
+
+    /// Whether the answer to this fence may be its echo: a counter that does not count the question itself.
+    pub(super) fn may_stand_still(self, fence: &Question) -> bool {
+        matches!(fence, Question::Modbus(Request::Diagnostics { sub, .. }) if !BUSY_COUNTERS.contains(sub))
     }
 
     /// Whether this answer to a fence proves that nothing older can come. Its echo does not, and a refusal only if none

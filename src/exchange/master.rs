@@ -11,14 +11,21 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{Dialect, Question, Said};
 use super::echo::Echo;
-use super::{Answer, Conversation, ExchangeError, Limits, Pauses, Record, Step, Tally, Verdict};
+use super::job::{Came, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
+use super::limits::{LATEST_OF_ALL, ROUNDS};
+use super::{
+    Answer, Conversation, ExchangeError, Limits, MOST_BYTES, MOST_RECORDS, Pauses, Record, Step, Tally, Verdict,
+};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::Tick;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
-type Outcome = Result<Answer, ExchangeError>;
+pub(super) type Outcome = Result<Answer, ExchangeError>;
+
+/// Harmless questions that are remembered of every station, to part replies by.
+const MOST_KNOWN: usize = 4;
 
 /// The master of one line.
 #[derive(Debug)]
@@ -33,8 +40,8 @@ pub struct Master {
     job: Option<Job>,
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
-    /// The last harmless question that a station answered without a refusal.
-    known: BTreeMap<u8, Question>,
+    /// The last harmless questions that a station answered without a refusal.
+    known: BTreeMap<u8, VecDeque<Question>>,
     /// The last reply that was taken.
     last_reply: Option<Record>,
     /// Bytes that nobody waits for, until they make a telegram or pause.
@@ -44,86 +51,6 @@ pub struct Master {
     pauses: Pauses,
     tally: Tally,
     records: Vec<Record>,
-}
-
-#[derive(Debug)]
-struct Orphan {
-    station: u8,
-    question: Question,
-    deadline: Tick,
-    came: Vec<u8>,
-}
-
-#[derive(Debug, Default)]
-struct Loose {
-    last: Tick,
-    bytes: Vec<u8>,
-}
-
-#[derive(Debug)]
-struct Job {
-    station: u8,
-    question: Question,
-    parting: Parting,
-    /// When somebody wanted to know.
-    wanted: Tick,
-    asked: u8,
-    /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
-    echoed: bool,
-    phase: Phase,
-}
-
-/// What keeps old replies from the question.
-#[derive(Clone, Debug)]
-enum Parting {
-    /// Nothing old can come that could be confused.
-    None,
-    /// This is asked first, but not before the time.
-    Fence(Question, Tick),
-    /// Nothing is sent before the time.
-    Until(Tick),
-}
-
-#[derive(Debug)]
-enum Phase {
-    Gap,
-    Reply(Waiting),
-    Turnaround { until: Tick },
-    Farewell(Outcome),
-    Done(Outcome),
-}
-
-/// Waiting for the reply to a telegram.
-#[derive(Debug)]
-struct Waiting {
-    sent: Vec<u8>,
-    sent_end: Tick,
-    deadline: Tick,
-    came: Vec<u8>,
-    last: Tick,
-    /// The echo of the telegram has been taken away already.
-    echoed: bool,
-    stray: Option<u8>,
-    garbage: Vec<u8>,
-}
-
-/// What has come when the line fell silent.
-enum Came {
-    Nothing,
-    Stray(u8),
-    /// Too little for a reply, which may still come.
-    Noise,
-    Garbage,
-}
-
-impl Job {
-    /// What is asked now: the fence, if there is one, then the question.
-    fn asks(&self) -> &Question {
-        match &self.parting {
-            Parting::Fence(fence, _) => fence,
-            Parting::None | Parting::Until(_) => &self.question,
-        }
-    }
 }
 
 impl Master {
@@ -207,15 +134,34 @@ impl Master {
     ///
     /// A question that is still open is given up: its reply or its time-out is waited for before anything is sent.
     pub fn ask(&mut self, station: u8, question: impl Into<Question>, now: Tick) {
+        self.ask_within(station, question, self.limits, now);
+    }
+
+    /// Like [`Master::ask`], with time limits of its own. It is done within [`Limits::longest`], whatever comes.
+    pub fn ask_within(&mut self, station: u8, question: impl Into<Question>, limits: Limits, now: Tick) {
         let question = question.into();
         self.abandon(now);
         let phase = if station == BROADCAST && !question.is_write() {
             Phase::Done(Err(ExchangeError::BroadcastRead))
         } else {
-            Phase::Gap
+            Phase::Gap(now)
         };
-        let parting = self.parting(station, &question, now);
-        self.job = Some(Job { station, question, parting, wanted: now, asked: 0, echoed: false, phase });
+        self.job = Some(Job {
+            parting: self.parting(station, &question),
+            station,
+            question,
+            limits,
+            wanted: now,
+            until: now + limits.longest(self.protocol(), self.line),
+            patience: limits.patience(self.protocol(), self.line),
+            asked: 0,
+            same_fence: 0,
+            rounds: 0,
+            echoed: false,
+            heard: false,
+            patient: false,
+            phase,
+        });
     }
 
     /// A station was asked this by somebody else on our side, and its reply may still come.
@@ -244,50 +190,80 @@ impl Master {
     }
 
     /// How the question is kept apart from replies that the station still owes.
-    fn parting(&mut self, station: u8, question: &Question, now: Tick) -> Parting {
-        self.debts.forget(now);
-        let missing = self.debts.missing(station, now);
+    fn parting(&self, station: u8, question: &Question) -> Parting {
+        let missing = self.debts.missing(station);
         let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question));
         // A stop must go out at once. Writes set values, so one whose answer may be an old one is sent again.
-        if question.is_write() || !confused { Parting::None } else { self.part(station, question, now) }
+        if question.is_write() || !confused { Parting::None } else { self.part(station, question) }
     }
 
     /// Keeps everything that the station still owes away from the question.
-    fn part(&self, station: u8, question: &Question, now: Tick) -> Parting {
+    fn part(&self, station: u8, question: &Question) -> Parting {
         let Some((due, end)) = self.debts.due(station) else { return Parting::None };
-        let fence = self.dialect.fence(self.debts.missing(station, now), question, self.known.get(&station));
-        fence.map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
+        self.fence(station, question).map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
+    }
+
+    /// A question whose answer can be taken for none that the station owes.
+    fn fence(&self, station: u8, question: &Question) -> Option<Question> {
+        let known = self.known.get(&station).into_iter().flatten();
+        self.dialect.fence(self.debts.missing(station), question, known)
     }
 
     /// What to do now. Call again after every step; after `Done` the question is over.
     pub fn step(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
-        let orphan = self.orphan.as_ref().map(|orphan| orphan.deadline);
         if self.debts.due(job.station).is_none() && job.asked == 0 {
             job.parting = Parting::None; // what was owed has come meanwhile
         }
-        let parted = match job.parting {
-            Parting::Fence(_, until) | Parting::Until(until) => until,
-            Parting::None => now,
-        };
-        let free = self.ready_at.max(parted).max(orphan.unwrap_or(now));
+        if now >= job.until && !matches!(job.phase, Phase::Done(_) | Phase::Farewell(..)) {
+            return self.give_up(now);
+        }
+        if matches!(job.phase, Phase::Farewell(..)) {
+            return self.advance(now);
+        }
+        let until = job.until;
+        match self.advance(now) {
+            Step::Wait(later) => Step::Wait(later.min(until)),
+            step => step,
+        }
+    }
+
+    fn advance(&mut self, now: Tick) -> Step<Outcome> {
+        let Some(job) = &self.job else { return Step::Wait(now) };
         match &job.phase {
-            Phase::Gap if now < free => Step::Wait(free),
-            Phase::Farewell(_) if now < self.ready_at => Step::Wait(self.ready_at),
-            Phase::Gap => self.send(now),
-            Phase::Farewell(_) => self.bid_farewell(now),
-            Phase::Turnaround { until } if now < *until => Step::Wait(*until),
-            Phase::Turnaround { .. } => self.finish(Ok(Answer::Broadcast)),
+            Phase::Gap(since) => {
+                let (free, last) = job.slot(*since, self.ready_at, self.orphan.as_ref().map(|orphan| orphan.deadline));
+                match now < free {
+                    true if now < last => Step::Wait(free.min(last)),
+                    true => self.give_up(now),
+                    false => self.send(now),
+                }
+            }
+            Phase::Farewell(_, by) if now < self.ready_at.min(*by) => Step::Wait(self.ready_at.min(*by)),
+            Phase::Farewell(..) => self.bid_farewell(now),
+            Phase::Turnaround(until) if now < *until => Step::Wait(*until),
+            Phase::Turnaround(_) => self.finish(Ok(Answer::Broadcast)),
             Phase::Reply(waiting) => {
-                let pause = self.dialect.straggle(&waiting.came);
-                let until = if waiting.came.is_empty() { waiting.deadline } else { waiting.last + pause };
-                if now < until { Step::Wait(until) } else { self.look(now) }
+                let over = waiting.over(self.dialect.straggle(&waiting.came));
+                if now < over { Step::Wait(over) } else { self.look(now) }
             }
             Phase::Done(outcome) => {
                 let outcome = outcome.clone();
                 self.finish(outcome)
             }
         }
+    }
+
+    /// The line is never silent, or nothing that came proves anything: the question is over.
+    fn give_up(&mut self, now: Tick) -> Step<Outcome> {
+        let Some(job) = &self.job else { return Step::Wait(now) };
+        let error = match job.phase {
+            Phase::Gap(_) => ExchangeError::NeverSilent { asked: job.asked },
+            _ => ExchangeError::Unproven { asked: job.asked },
+        };
+        self.tally.garbled += 1;
+        self.abandon(now);
+        Step::Done(Err(error))
     }
 
     fn send(&mut self, now: Tick) -> Step<Outcome> {
@@ -298,42 +274,43 @@ impl Master {
         if let Some(replied_at) = replied_at.filter(|_| job.wanted < self.ready_at) {
             self.pauses.note(now.since(replied_at));
         }
-        let fence = matches!(job.parting, Parting::Fence(..));
+        let fence = job.is_fenced();
+        if let Phase::Gap(since) = job.phase {
+            let (_, last) = job.slot(since, self.ready_at, None);
+            job.patience = job.patience.min(last.since(now));
+        }
+        if matches!(job.parting, Parting::Until(until) if now >= until) {
+            self.debts.settle(job.station);
+            job.parting = Parting::None;
+        }
         let verdict = if fence { Verdict::Fence } else { Verdict::Request };
         let bytes = self.dialect.encode(job.station, &job.asks().clone());
         let sent_end = now + self.dialect.duration(self.line, bytes.len());
         job.asked += 1;
+        job.same_fence = if fence { job.same_fence + 1 } else { 0 };
         self.tally.sent += 1;
         self.tally.repeats += u64::from(job.asked > 1 && !fence);
         self.tally.fences += u64::from(fence);
         let silence = self.dialect.silence(self.line);
+        let timeout = if job.patient { LATEST_OF_ALL } else { job.limits.reply_timeout };
         job.phase = if job.station == BROADCAST {
-            Phase::Turnaround { until: sent_end + self.limits.turnaround.longer(silence) }
+            Phase::Turnaround(sent_end + job.limits.turnaround.longer(silence))
         } else {
-            Phase::Reply(Waiting {
-                sent: bytes.clone(),
-                sent_end,
-                deadline: sent_end + self.limits.reply_timeout,
-                came: Vec::new(),
-                last: sent_end,
-                echoed: false,
-                stray: None,
-                garbage: Vec::new(),
-            })
+            Phase::Reply(Waiting::new(bytes.clone(), sent_end, timeout))
         };
         self.ready_at = sent_end + silence;
-        self.records.push(Record { at: now, verdict, bytes: bytes.clone() });
+        self.record(Record { at: now, verdict, bytes: bytes.clone() });
         Step::Send(bytes)
     }
 
     /// Ends the exchange, where the protocol wants that.
     fn bid_farewell(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Wait(now) };
-        let Phase::Farewell(outcome) = &job.phase else { return Step::Wait(now) };
+        let Phase::Farewell(outcome, _) = &job.phase else { return Step::Wait(now) };
         job.phase = Phase::Done(outcome.clone());
         let bytes = self.dialect.farewell().to_vec();
         self.ready_at = now + self.dialect.duration(self.line, bytes.len());
-        self.records.push(Record { at: now, verdict: Verdict::Farewell, bytes: bytes.clone() });
+        self.record(Record { at: now, verdict: Verdict::Farewell, bytes: bytes.clone() });
         Step::Send(bytes)
     }
 
@@ -351,7 +328,10 @@ impl Master {
             _ => return self.feed_loose(at, bytes),
         }
         if let Some((end, said)) = self.found(at) {
-            self.take(at, end, said);
+            return self.take(at, end, said);
+        }
+        if let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job {
+            keep(&mut waiting.came, &[]);
         }
     }
 
@@ -363,7 +343,7 @@ impl Master {
         let found = loop {
             let found = self.dialect.find(waiting.came.get(from..)?, *station, job.asks())?;
             from += found.start;
-            if !self.is_echo(waiting, from) && self.proves(job, &found.said, at) {
+            if !self.is_echo(waiting, from) && self.proves(job, &found.said) {
                 break found;
             }
             from += 1;
@@ -377,7 +357,7 @@ impl Master {
         let record = Record { at, verdict: Verdict::Reply, bytes: reply };
         self.last_reply = Some(record.clone());
         self.replied_at = Some(at);
-        self.records.push(record);
+        self.record(record);
         Some((sent_end, found.said))
     }
 
@@ -390,21 +370,21 @@ impl Master {
     }
 
     /// Whether this answer can be no older one; that matters for a fence only.
-    fn proves(&self, job: &Job, said: &Said, at: Tick) -> bool {
+    fn proves(&self, job: &Job, said: &Said) -> bool {
         match &job.parting {
-            Parting::Fence(fence, _) => self.dialect.settles(fence, said, self.debts.missing(job.station, at)),
+            Parting::Fence(fence, _) => self.dialect.settles(fence, said, self.debts.missing(job.station)),
             Parting::None | Parting::Until(_) => true,
         }
     }
 
     /// Whether this answer could be a late one to something else.
-    fn may_be_old(&self, said: &Said, at: Tick) -> bool {
-        let Some(job) = self.job.as_ref().filter(|job| !matches!(job.parting, Parting::Fence(..))) else {
-            return false;
-        };
-        let missing = self.debts.missing(job.station, at);
+    fn may_be_old(&self, said: &Said) -> bool {
+        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
+        // What was answered by a value before is not refused.
+        let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
+        let missing = self.debts.missing(job.station);
         missing.iter().any(|missing| match said.is_refusal() {
-            true => self.dialect.refuses_alike(missing, &job.question),
+            true => refusable(missing) && self.dialect.refuses_alike(missing, &job.question),
             false => self.dialect.confuses(missing, &job.question),
         })
     }
@@ -415,17 +395,21 @@ impl Master {
             return;
         };
         self.debts.owes(station, question.clone(), sent_end + LATEST_REPLY, at);
-        let parting = self.part(station, &question, at);
-        if let Some(job) = &mut self.job {
-            *job = Job { station, question, parting, wanted: at, asked: 0, echoed: false, phase: Phase::Gap };
-        }
+        let parting = self.part(station, &question);
+        let Some(job) = &mut self.job else { return };
+        job.phase = match job.rounds {
+            ROUNDS.. => Phase::Done(Err(ExchangeError::Unproven { asked: job.asked })),
+            _ => Phase::Gap(at),
+        };
+        (job.parting, job.rounds, job.wanted) = (parting, job.rounds.saturating_add(1), at);
+        (job.asked, job.same_fence, job.echoed, job.patient) = (0, 0, false, false);
     }
 
     /// The answer has come: to the fence, then the question goes out; or to the question, then it is over.
     fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
-        if self.may_be_old(&said, at) {
+        if self.may_be_old(&said) {
             return self.ask_behind_fence(at, sent_end);
         }
         let Some(job) = &mut self.job else { return };
@@ -433,11 +417,11 @@ impl Master {
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
             // Everything older has come; of a fence that was asked more than once further replies may.
             self.debts.settle(job.station);
-            for _ in 1..job.asked {
+            for _ in 1..job.same_fence {
                 self.debts.owes(job.station, fence.clone(), sent_end + LATEST_REPLY, at);
             }
-            job.asked = 0;
-            job.phase = Phase::Gap;
+            (job.asked, job.patient) = (0, false);
+            job.phase = Phase::Gap(at);
             return;
         }
         if said.is_unreached() {
@@ -446,16 +430,22 @@ impl Master {
             return;
         }
         if !said.is_refusal() && job.question.is_harmless() {
-            self.known.insert(job.station, job.question.clone());
+            let known = self.known.entry(job.station).or_default();
+            known.retain(|known| *known != job.question);
+            known.truncate(MOST_KNOWN - 1);
+            known.push_front(job.question.clone());
         }
         let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
-        job.phase = if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome) };
+        let by = at + self.dialect.gap(self.line, job.limits.pause).times(2);
+        job.phase =
+            if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome, by) };
     }
 
-    /// The line has been silent for long enough: name what came, then wait on, repeat or end.
+    /// The line has been silent for long enough, or the time is over: name what came, then wait on, repeat or end.
     fn look(&mut self, now: Tick) -> Step<Outcome> {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
+        let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
         let (verdict, rest) = self.judge(now, &came, &sent);
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         waiting.echoed |= came.starts_with(&sent);
@@ -471,10 +461,16 @@ impl Master {
         let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
         // Garbage as long as a reply most likely was the reply.
         let due = if matches!(verdict, Came::Garbage) { now } else { waiting.sent_end + LATEST_REPLY };
-        if let Some(job) = &mut self.job {
-            job.echoed |= echoed;
-        }
-        self.miss(now, due, stray, garbage)
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        job.echoed |= echoed;
+        let asked = job.asked;
+        let error = match stray {
+            _ if restless => ExchangeError::NeverSilent { asked },
+            _ if !garbage.is_empty() => ExchangeError::Garbled { asked, bytes: garbage },
+            Some(station) => ExchangeError::Stray { station },
+            None => ExchangeError::Silence { timeout: job.limits.reply_timeout, asked },
+        };
+        self.miss(now, due, error)
     }
 
     /// Says what bytes are that hold no answer, and notes them.
@@ -497,30 +493,48 @@ impl Master {
     }
 
     /// No answer came: repeat, or end.
-    fn miss(&mut self, now: Tick, due: Tick, stray: Option<u8>, garbage: Vec<u8>) -> Step<Outcome> {
-        let Some(job) = &mut self.job else { return Step::Wait(now) };
-        let (station, missing, asked) = (job.station, job.asks().clone(), job.asked);
-        self.debts.owes(station, missing, due, now);
-        let error = match stray {
-            _ if !garbage.is_empty() => ExchangeError::Garbled { asked, bytes: garbage },
-            Some(station) => ExchangeError::Stray { station },
-            None => ExchangeError::Silence { timeout: self.limits.reply_timeout, asked },
-        };
+    fn miss(&mut self, now: Tick, due: Tick, error: ExchangeError) -> Step<Outcome> {
+        let Some(job) = &self.job else { return Step::Wait(now) };
+        let station = job.station;
+        let old = self.debts.due(station).map_or(now + LATEST_OF_ALL, |(_, end)| end);
+        match job.is_fenced() {
+            true => self.debts.owes_fence(station, job.asks().clone()),
+            false => self.debts.owes(station, job.asks().clone(), due, now),
+        }
         match error {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
-        if asked <= self.limits.retries {
-            job.phase = Phase::Gap;
+        let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
+        let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        job.phase = Phase::Gap(now);
+        if let Some(another) = another {
+            // Another fence each time: its answer is told from those that are late.
+            (job.parting, job.same_fence) = (Parting::Fence(another, now), 0);
+        }
+        if job.asked <= job.limits.retries {
             return self.step(now);
         }
-        if matches!(job.parting, Parting::Fence(..)) && job.echoed {
-            // A station whose counters do not count cannot be parted by them; time does it.
-            job.parting = Parting::Until(self.debts.due(station).map_or(now, |(_, end)| end));
-            (job.asked, job.phase) = (0, Phase::Gap);
+        if !job.is_fenced() {
+            return self.finish(Err(error));
+        }
+        if job.heard && !job.echoed && !job.patient && job.limits.insist.is_none() {
+            job.patient = true; // it is there, and late
+            return self.step(now);
+        }
+        if job.echoed || now >= old {
+            // A station that cannot be parted by fences; time does it.
+            (job.parting, job.asked) = (Parting::Until(old), 0);
             return self.step(now);
         }
         self.finish(Err(error))
+    }
+
+    fn record(&mut self, record: Record) {
+        if self.records.len() < MOST_RECORDS {
+            self.records.push(record);
+        }
     }
 
     fn finish(&mut self, outcome: Outcome) -> Step<Outcome> {
@@ -533,6 +547,7 @@ impl Master {
         let Some(orphan) = &mut self.orphan else { return false };
         orphan.came.extend_from_slice(bytes);
         if self.dialect.find(&orphan.came, orphan.station, &orphan.question).is_none() {
+            keep(&mut orphan.came, &[]);
             return true;
         }
         let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
@@ -552,7 +567,7 @@ impl Master {
         }
         self.loose.last = at;
         self.loose.bytes.extend_from_slice(bytes);
-        if self.dialect.sender(&self.loose.bytes).is_some() {
+        if self.loose.bytes.len() > MOST_BYTES || self.dialect.sender(&self.loose.bytes).is_some() {
             self.flush_loose();
         }
     }
@@ -577,7 +592,7 @@ impl Master {
 
     fn note_echo(&mut self, at: Tick, sent: &[u8]) {
         self.tally.echoes += 1;
-        self.records.push(Record { at, verdict: Verdict::Echo, bytes: sent.to_vec() });
+        self.record(Record { at, verdict: Verdict::Echo, bytes: sent.to_vec() });
     }
 
     /// Counts bytes that are nobody's answer.
@@ -585,6 +600,9 @@ impl Master {
         let verdict = match self.dialect.sender(bytes) {
             Some((station, said)) => {
                 self.debts.hears(station);
+                if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
+                    job.heard = true;
+                }
                 let doubled = self.last_reply.as_ref().is_some_and(|last| last.is_doubled_by(at, bytes));
                 if let Some(said) = said.filter(|_| !doubled) {
                     self.debts.pays(station, &said);
@@ -594,7 +612,7 @@ impl Master {
             }
             None => Verdict::Garbage,
         };
-        self.records.push(Record { at, verdict, bytes: bytes.to_vec() });
+        self.record(Record { at, verdict, bytes: bytes.to_vec() });
     }
 }
 

@@ -7,10 +7,13 @@
 mod debt;
 pub mod dialect;
 mod echo;
+mod job;
+mod limits;
 pub mod master;
 pub mod survey;
 
 pub use dialect::{Question, Said};
+pub use limits::{INSIST, Limits};
 pub use master::Master;
 pub use survey::{News, Survey};
 
@@ -56,6 +59,12 @@ impl Record {
         self.bytes == bytes && at.since(self.at) < DOUBLED_WITHIN
     }
 }
+
+/// Bytes that are kept of what is no telegram yet: more than any telegram has (Modbus ASCII: 513, MODBUS over Serial Line
+/// V1.02, 2.5.2.1).
+const MOST_BYTES: usize = 1_024;
+/// Telegrams that are kept until somebody takes them.
+const MOST_RECORDS: usize = 4_096;
 
 /// A telegram that comes twice comes twice in a row; a late reply comes when it likes.
 const DOUBLED_WITHIN: Span = Span::from_millis(20);
@@ -126,30 +135,6 @@ impl Pauses {
     }
 }
 
-/// Time limits of a conversation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
-    /// From the end of the request until its reply is given up.
-    pub reply_timeout: Span,
-    /// How often a question is repeated.
-    pub retries: u8,
-    /// Pause after a reply, so that the drive can switch off its transmitter.
-    pub pause: Span,
-    /// Pause after a broadcast, so that everybody can obey.
-    pub turnaround: Span,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Limits {
-            reply_timeout: Span::from_millis(500), // CM-485 manual 6.8
-            retries: 2,
-            pause: Span::from_millis(2),        // CM-485 manual 6.8
-            turnaround: Span::from_millis(100), // MODBUS over Serial Line V1.02, 2.4.1: typically 100-200 ms
-        }
-    }
-}
-
 /// How a question ended well.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
@@ -192,6 +177,18 @@ pub enum ExchangeError {
     /// A gateway says that the station did not answer it.
     #[error("the gateway got no answer from the station")]
     Unreached,
+    /// Somebody speaks all the time.
+    #[error("the line is never silent, asked {asked} times")]
+    NeverSilent {
+        /// How often it was asked; 0 if there was no pause to ask in.
+        asked: u8,
+    },
+    /// Answers came, but each of them may be the answer to something older.
+    #[error("no answer that is certainly none to an older question, asked {asked} times")]
+    Unproven {
+        /// How often it was asked.
+        asked: u8,
+    },
     /// A broadcast that asks for a reply.
     #[error("a broadcast can only write")]
     BroadcastRead,

@@ -10,7 +10,7 @@
 //!   line ([`Survey::resume`]); what he overhears is handed in ([`Survey::overhear`]).
 
 use super::dialect::{Dialect, Question, Said};
-use super::{Conversation, Record, Step, Verdict};
+use super::{Conversation, MOST_RECORDS, Record, Step, Verdict};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::tick::{Span, Tick};
@@ -51,6 +51,10 @@ const MOST_BYTES: usize = 128;
 const LONGEST_REPLY: usize = 32;
 /// From so many questions on it can be told that the line itself makes the garbage.
 const NOISE_SAMPLE: u32 = 8;
+/// Times around: windows double from one to the next, so by then every station has been asked by the book, and often enough.
+const MOST_ROUNDS: u32 = 16;
+/// Replies that are kept of one station; more tell nothing new.
+const MOST_REPLIES: usize = 64;
 
 impl Patience {
     /// The window is just long enough for a typical drive: its reply is over by then, so the next question does not
@@ -144,6 +148,8 @@ pub struct Survey {
     window: Option<(u8, Tick)>,
     /// The line is free for the next telegram from then on.
     ready_at: Tick,
+    /// Since when the line is waited for.
+    held: Option<Tick>,
     /// An exchange must be ended on the line, where the protocol wants that.
     farewell: bool,
     /// Who is being asked, until that is told.
@@ -219,6 +225,7 @@ impl Survey {
             sent: Vec::new(),
             window: None,
             ready_at: now + dialect.silence(line),
+            held: None,
             farewell: false,
             asking: None,
             signs: VecDeque::new(),
@@ -291,8 +298,12 @@ impl Survey {
             return self.end();
         }
         if now < self.ready_at {
-            return Step::Wait(self.ready_at);
+            let held = *self.held.get_or_insert(now);
+            // Whole telegrams without a pause between them are babble too.
+            self.occupied = now.since(held) >= BABBLE;
+            return if self.occupied { self.end() } else { Step::Wait(self.ready_at.min(held + BABBLE)) };
         }
+        self.held = None;
         if std::mem::take(&mut self.farewell) {
             return self.send(now, self.dialect.farewell().to_vec(), Verdict::Farewell);
         }
@@ -338,7 +349,7 @@ impl Survey {
     fn send(&mut self, now: Tick, bytes: Vec<u8>, verdict: Verdict) -> Step<News> {
         let end = now + self.dialect.duration(self.line, bytes.len());
         self.ready_at = end + self.dialect.silence(self.line);
-        self.records.push(Record { at: now, verdict, bytes: bytes.clone() });
+        self.record(Record { at: now, verdict, bytes: bytes.clone() });
         Step::Send(bytes)
     }
 
@@ -369,7 +380,8 @@ impl Survey {
         suspects.sort_by_key(|suspect| suspect.1);
         let usual = self.round.asked >= NOISE_SAMPLE && self.round.garbage > self.round.asked / 2;
         self.noisy |= usual;
-        if suspects.is_empty() || usual || !self.patience.thorough {
+        let enough = self.round.number >= MOST_ROUNDS;
+        if suspects.is_empty() || usual || enough || !self.patience.thorough {
             return false;
         }
         let window = match self.round.number {
@@ -417,7 +429,7 @@ impl Survey {
         if let Some(start) = echo {
             self.came.drain(start..start + self.sent.len());
             let bytes = std::mem::take(&mut self.sent);
-            self.records.push(Record { at, verdict: Verdict::Echo, bytes });
+            self.record(Record { at, verdict: Verdict::Echo, bytes });
         }
         while let Some(found) = self.find() {
             let bytes: Vec<u8> = self.came.drain(..found.end).collect();
@@ -447,13 +459,15 @@ impl Survey {
     fn credit(&mut self, at: Tick, station: u8, said: Said, bytes: &[u8]) {
         let asked = self.window.is_some_and(|(asked, _)| asked == station);
         let verdict = if asked { Verdict::Reply } else { Verdict::Stray { station } };
-        self.records.push(Record { at, verdict, bytes: bytes.to_vec() });
+        self.record(Record { at, verdict, bytes: bytes.to_vec() });
         if asked {
             self.window = None;
             self.farewell = !self.dialect.farewell().is_empty();
         }
         let Some(attendance) = self.stations.get_mut(&station).filter(|_| !said.is_unreached()) else { return };
-        attendance.replies.push(said.clone());
+        if attendance.replies.len() < MOST_REPLIES {
+            attendance.replies.push(said.clone());
+        }
         let after = at.since(attendance.end);
         if !std::mem::replace(&mut attendance.heard, true) {
             self.signs.push_back(Sign { station, said: Some(said), after });
@@ -469,10 +483,10 @@ impl Survey {
     /// Says what bytes are that are no reply: a telegram all the same, or garbage, which has its suspects.
     fn note(&mut self, at: Tick, bytes: &[u8]) {
         let Some((station, _)) = self.dialect.sender(bytes) else {
-            self.records.push(Record { at, verdict: Verdict::Garbage, bytes: bytes.to_vec() });
+            self.record(Record { at, verdict: Verdict::Garbage, bytes: bytes.to_vec() });
             return self.suspect();
         };
-        self.records.push(Record { at, verdict: Verdict::Stray { station }, bytes: bytes.to_vec() });
+        self.record(Record { at, verdict: Verdict::Stray { station }, bytes: bytes.to_vec() });
         let Some(known) = self.stations.get_mut(&station) else {
             self.strangers.insert(station);
             return self.suspect();
@@ -498,6 +512,12 @@ impl Survey {
         for (station, delay) in suspects {
             let shortest = self.suspects.entry(station).or_insert(delay);
             *shortest = delay.min(*shortest);
+        }
+    }
+
+    fn record(&mut self, record: Record) {
+        if self.records.len() < MOST_RECORDS {
+            self.records.push(record);
         }
     }
 

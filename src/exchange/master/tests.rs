@@ -222,11 +222,11 @@ fn the_echo_of_a_fence_settles_nothing() {
 fn a_station_that_counts_nothing_is_parted_by_time() {
     let mut line = Line::new(Framing::Rtu);
     assert!(line.ask(1, READ, &[]).is_err());
-    let zero = [(10, frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 }))];
+    let zero = |sub| [(10, frame(1, &Reply::Diagnostics { sub, data: 0 }))];
     let begun = line.now;
-    let outcome = line.ask(1, OTHER, &[&zero, &zero, &zero, &[(10, value(7))]]);
+    let outcome = line.ask(1, OTHER, &[&zero(0x0B), &zero(0x0E), &zero(0x0E), &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
-    assert!(line.now.since(begun) > Span::from_secs(2));
+    assert!(line.now.since(begun) > Span::from_secs(6));
 }
 
 #[test]
@@ -311,17 +311,134 @@ fn vabus_ends_its_exchanges_and_parts_replies_by_what_was_answered_before() {
 }
 
 #[test]
-fn a_fence_that_was_asked_twice_is_itself_in_doubt() {
+fn another_fence_each_time_tells_its_answer_from_a_late_one() {
     let mut line = Line::new(Framing::Rtu);
     line.master.set_limits(Limits { retries: 1, ..Limits::default() });
     assert!(line.ask(1, READ, &[]).is_err());
-    // The first fence is answered only after it was repeated; the reply to the repeat comes later still.
-    let outcome = line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, fence_reply())], &[(10, value(7))]]);
+    // The first fence is answered only after the second was sent; the reply to the second comes later still.
+    let second = frame(1, &Reply::Diagnostics { sub: 0x0E, data: 9 });
+    let outcome = line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, second)], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
-    assert!(line.master.owes_until(line.now).is_some(), "the second fence's reply is still to come");
-    let (at, late) = line.coming.remove(0);
-    line.master.feed(at, &late);
-    assert_eq!(line.master.owes_until(at), None);
+    assert_eq!(line.master.owes_until(line.now), None);
+}
+
+/// What an adversary sends: the next bytes, so long after the last ones.
+type Babble = fn(u64) -> (u64, Vec<u8>);
+
+/// Asks while somebody speaks all the time; tells how it ends, and when.
+fn beside(master: &mut Master, mut now: Tick, question: impl Into<Question>, babble: Babble) -> (Outcome, Span) {
+    let (begun, mut count) = (now, 0);
+    let mut next = babble(0);
+    let mut at = now + Span::from_micros(next.0);
+    master.ask(1, question, now);
+    loop {
+        match master.step(now) {
+            Step::Done(outcome) => return (outcome, now.since(begun)),
+            Step::Send(_) => {}
+            Step::Wait(until) if at <= until => {
+                now = at.max(now);
+                master.feed(now, &next.1);
+                count += 1;
+                next = babble(count);
+                at = now + Span::from_micros(next.0);
+            }
+            Step::Wait(until) => now = until,
+        }
+        assert!(now.since(begun) < Span::from_secs(120), "no end");
+    }
+}
+
+#[test]
+fn a_line_that_is_never_silent_fails_in_time_whatever_is_spoken_on_it() {
+    let drip: Babble = |_| (20_000, vec![0x55]);
+    let flood: Babble = |_| (500, vec![0x55]);
+    let poll: Babble = |n| (if n % 2 == 0 { 12_000 } else { 25_000 }, rtu::encode(7, &[3, 0, n as u8, 0, 1]));
+    let replies: Babble = |n| (1_000, value(n as u16));
+    let digits: Babble = |_| (900, b"4".to_vec());
+    let babbles: [Babble; 5] = [drip, flood, poll, replies, digits];
+    for protocol in Protocol::ALL {
+        for (index, babble) in babbles.into_iter().enumerate() {
+            let line = protocol.line(19_200, Parity::Even);
+            let mut master = Master::new(protocol, line, Limits::default());
+            let question = match protocol {
+                Protocol::Vabus => {
+                    let header = Header { number: ParamNumber::new(411).unwrap(), ..Header::default() };
+                    vabus::Request::Enquiry { address: Address::drive(1).unwrap(), header }.into()
+                }
+                Protocol::Modbus(_) => Question::from(Request::ReadLong { address: 210 }),
+            };
+            let (outcome, took) = beside(&mut master, Tick::ZERO, question, babble);
+            assert!(took <= master.limits().longest(protocol, line), "{protocol}, {index}: {took}");
+            assert!(took < Span::from_secs(6), "{protocol}, {index}: {took}");
+            let never = matches!(outcome, Err(ExchangeError::NeverSilent { .. }));
+            let spaced = protocol == Protocol::Modbus(Framing::Tcp) || index == 2;
+            assert!(never || spaced && outcome.is_err(), "{protocol}, {index}: {outcome:?}");
+        }
+    }
+}
+
+#[test]
+fn what_insists_goes_out_into_a_busy_line() {
+    let mut master = Master::new(Framing::Rtu.into(), LineSetting::rtu(19_200, Parity::Even), Limits::default());
+    let limits = Limits { insist: Some(crate::exchange::INSIST), ..Limits::default() };
+    let stop = Request::WriteRegister { address: 410, value: 2 };
+    master.ask_within(1, stop, limits, Tick::ZERO);
+    let (mut now, mut sent) = (Tick::ZERO, Vec::new());
+    let outcome = loop {
+        match master.step(now) {
+            Step::Done(outcome) => break outcome,
+            Step::Send(_) => sent.push(now),
+            Step::Wait(until) => {
+                now = until.min(now + Span::from_micros(500));
+                master.feed(now, &[0x55]);
+            }
+        }
+    };
+    assert_eq!(outcome, Err(ExchangeError::NeverSilent { asked: 3 }));
+    assert!(sent.first().is_some_and(|at| at.since(Tick::ZERO) <= Span::from_millis(100)), "{sent:?}");
+    assert_eq!(sent.len(), 3);
+}
+
+#[test]
+fn a_vabus_drive_that_always_answers_after_600_ms_is_understood() {
+    let mut line = Line::vabus();
+    let address = Address::drive(1).unwrap();
+    let header = |number| Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
+    let enquiry = |number| vabus::Request::Enquiry { address, header: header(number) };
+    let told = |number| vabus::Reply::Value { address, header: header(number), data: Data::word(7) }.encode();
+    let nak = || vabus::Reply::Nak { address }.encode();
+    let late = |bytes: Vec<u8>| [(600, bytes)];
+    let rows = [(411, false), (484, true), (412, true), (372, false), (484, true)];
+    for (number, refused) in rows {
+        let begun = (line.now, line.sent.len());
+        line.master.ask(1, enquiry(number), line.now);
+        let outcome = loop {
+            match line.master.step(line.now) {
+                Step::Done(outcome) => break outcome,
+                Step::Send(bytes) => {
+                    let end = line.now + line.master.line.chars(bytes.len() as u64);
+                    if let Ok(vabus::Request::Enquiry { header, .. }) = vabus::Request::decode(&bytes) {
+                        let number = header.number.get();
+                        let reply = if rows.contains(&(number, true)) { nak() } else { told(number) };
+                        line.coming.extend(late(reply).map(|(ms, bytes)| (end + Span::from_millis(ms), bytes)));
+                    }
+                    line.sent.push(bytes);
+                }
+                Step::Wait(until) => match line.coming.first() {
+                    Some((at, _)) if *at <= until => {
+                        let (at, bytes) = line.coming.remove(0);
+                        line.now = at.max(line.now);
+                        line.master.feed(line.now, &bytes);
+                    }
+                    _ => line.now = until,
+                },
+            }
+        };
+        let Ok(Answer::Reply { said, .. }) = outcome else { panic!("{number}: {outcome:?}") };
+        assert_eq!(said.is_refusal(), refused, "{number}: {said:?}");
+        assert!(line.now.since(begun.0) < Span::from_secs(10), "{number}: {}", line.now.since(begun.0));
+        assert!(line.sent.len() - begun.1 < 14, "{number}: {}", line.sent.len() - begun.1);
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Telegrams out of a stream of bytes that may hold anything.
 
 use super::telegram::Stop;
-use super::{EOT, Reply, Request, Telegram, TelegramError};
+use super::{EOT, MAX_TELEGRAM, Reply, Request, Telegram, TelegramError};
 
 /// What the bytes that have come so far are to a master who waits for a reply.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,6 +94,9 @@ impl Receiver {
     fn cut(&mut self, over: bool) -> Vec<Heard> {
         let mut heard = Vec::new();
         while !self.open.is_empty() {
+            if self.noise.len() >= MAX_TELEGRAM {
+                heard.extend(self.take_noise());
+            }
             match Telegram::parse(&self.open) {
                 Ok((telegram, len)) => self.take(telegram, len, &mut heard),
                 Err(Stop::Short) if !over => break,

@@ -1,0 +1,151 @@
+//! A question on its way: what is asked now, what it waits for, and when it is over at the latest.
+
+use super::dialect::Question;
+use super::master::Outcome;
+use super::{Limits, MOST_BYTES};
+use crate::tick::{Span, Tick};
+
+/// A question that was given up before its time, and whose reply may be on its way.
+#[derive(Debug)]
+pub(super) struct Orphan {
+    pub(super) station: u8,
+    pub(super) question: Question,
+    pub(super) deadline: Tick,
+    pub(super) came: Vec<u8>,
+}
+
+/// Bytes that nobody waits for, until they make a telegram or pause.
+#[derive(Debug, Default)]
+pub(super) struct Loose {
+    pub(super) last: Tick,
+    pub(super) bytes: Vec<u8>,
+}
+
+/// A question, from the moment at which somebody wanted to know until he is told.
+#[derive(Debug)]
+pub(super) struct Job {
+    pub(super) station: u8,
+    pub(super) question: Question,
+    pub(super) parting: Parting,
+    pub(super) limits: Limits,
+    /// When somebody wanted to know.
+    pub(super) wanted: Tick,
+    /// It is over then, whatever comes.
+    pub(super) until: Tick,
+    /// How long its telegrams may still wait for a silent line.
+    pub(super) patience: Span,
+    /// How often what is asked now was asked.
+    pub(super) asked: u8,
+    /// How often the same fence was asked; others are told apart by their answers.
+    pub(super) same_fence: u8,
+    /// How often it was asked anew because its answer may have been an older one.
+    pub(super) rounds: u8,
+    /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
+    pub(super) echoed: bool,
+    /// The station sent something valid meanwhile: it is there, and late.
+    pub(super) heard: bool,
+    /// The last fence is waited for as long as any reply may take.
+    pub(super) patient: bool,
+    pub(super) phase: Phase,
+}
+
+/// What keeps old replies from the question.
+#[derive(Clone, Debug)]
+pub(super) enum Parting {
+    /// Nothing old can come that could be confused.
+    None,
+    /// This is asked first, but not before the time.
+    Fence(Question, Tick),
+    /// Nothing is sent before the time.
+    Until(Tick),
+}
+
+#[derive(Debug)]
+pub(super) enum Phase {
+    /// Waiting for a silent line, since then.
+    Gap(Tick),
+    Reply(Waiting),
+    Turnaround(Tick),
+    /// The exchange is to be ended on the line, at the latest by then.
+    Farewell(Outcome, Tick),
+    Done(Outcome),
+}
+
+/// Waiting for the reply to a telegram.
+#[derive(Debug)]
+pub(super) struct Waiting {
+    pub(super) sent: Vec<u8>,
+    pub(super) sent_end: Tick,
+    pub(super) deadline: Tick,
+    pub(super) came: Vec<u8>,
+    pub(super) last: Tick,
+    /// The echo of the telegram has been taken away already.
+    pub(super) echoed: bool,
+    pub(super) stray: Option<u8>,
+    pub(super) garbage: Vec<u8>,
+}
+
+/// What has come when the line fell silent, or the time was over.
+pub(super) enum Came {
+    Nothing,
+    Stray(u8),
+    /// Too little for a reply, which may still come.
+    Noise,
+    Garbage,
+}
+
+impl Job {
+    /// What is asked now: the fence, if there is one, then the question.
+    pub(super) fn asks(&self) -> &Question {
+        match &self.parting {
+            Parting::Fence(fence, _) => fence,
+            Parting::None | Parting::Until(_) => &self.question,
+        }
+    }
+
+    pub(super) fn is_fenced(&self) -> bool {
+        matches!(self.parting, Parting::Fence(..))
+    }
+
+    /// The times between which its next telegram may go out: not before the first, which bytes put off; at the second it
+    /// goes out nevertheless, or never.
+    pub(super) fn slot(&self, since: Tick, ready_at: Tick, orphan: Option<Tick>) -> (Tick, Tick) {
+        let parted = match self.parting {
+            Parting::Fence(_, until) | Parting::Until(until) => until,
+            Parting::None => since,
+        };
+        let due = parted.max(orphan.unwrap_or(since)).max(since);
+        match self.limits.insist {
+            Some(insist) => (ready_at.max(due).min(since + insist), since + insist),
+            None => (ready_at.max(due), due + self.patience),
+        }
+    }
+}
+
+impl Waiting {
+    pub(super) fn new(sent: Vec<u8>, sent_end: Tick, timeout: Span) -> Self {
+        Waiting {
+            sent,
+            sent_end,
+            deadline: sent_end + timeout,
+            came: Vec::new(),
+            last: sent_end,
+            echoed: false,
+            stray: None,
+            garbage: Vec::new(),
+        }
+    }
+
+    /// When what has come is looked at, if a telegram straggles for so long: when the line falls silent, but soon after the
+    /// deadline in any case.
+    pub(super) fn over(&self, straggle: Span) -> Tick {
+        if self.came.is_empty() { self.deadline } else { self.last.min(self.deadline) + straggle }
+    }
+}
+
+/// Adds bytes of which the last are kept.
+pub(super) fn keep(came: &mut Vec<u8>, bytes: &[u8]) {
+    came.extend_from_slice(bytes);
+    let surplus = came.len().saturating_sub(MOST_BYTES);
+    came.drain(..surplus);
+}

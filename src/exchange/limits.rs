@@ -1,0 +1,63 @@
+//! Time limits of a conversation, and the end that no byte can put off.
+
+use super::dialect::Dialect;
+use crate::protocol::Protocol;
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::rtu;
+use crate::tick::Span;
+
+/// Time limits of a conversation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// From the end of the request until its reply is given up.
+    pub reply_timeout: Span,
+    /// How often a question is repeated.
+    pub retries: u8,
+    /// Pause after a reply, so that the drive can switch off its transmitter.
+    pub pause: Span,
+    /// Pause after a broadcast, so that everybody can obey.
+    pub turnaround: Span,
+    /// The longest that a telegram waits for a silent line, or for what a station still owes; then it goes out even into a
+    /// busy line. `None`: it waits for its turn, and a line that is never silent fails the question.
+    pub insist: Option<Span>,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            reply_timeout: Span::from_millis(500), // CM-485 manual 6.8
+            retries: 2,
+            pause: Span::from_millis(2),        // CM-485 manual 6.8
+            turnaround: Span::from_millis(100), // MODBUS over Serial Line V1.02, 2.4.1: typically 100-200 ms
+            insist: None,
+        }
+    }
+}
+
+/// What must not wait for a busy line waits so long: a tenth of the shortest watchdog that a drive can be given (P.413: 1 s,
+/// CM-485 manual 11.2), and as long as a broadcast gives everybody to obey (MODBUS over Serial Line V1.02, 2.4.1).
+pub const INSIST: Span = Span::from_millis(100);
+/// A line that is not silent for so long, beside one longest telegram, belongs to somebody else.
+pub(super) const BUSY: Span = Span::from_secs(1);
+/// Later than this no reply comes: 6 s were seen behind gateways, and a second for whoever is slower.
+pub(super) const LATEST_OF_ALL: Span = Span::from_secs(7);
+/// How often a question is asked anew because its answer may be an older one.
+pub(super) const ROUNDS: u8 = 2;
+
+impl Limits {
+    /// The longest that one question takes, whatever comes over the line. It is asked, and in the worst case asked again
+    /// twice behind a fence, every time as often as it is repeated; once the line must become silent, once a reply that is
+    /// still owed is waited for, and once more the answer to a fence.
+    pub fn longest(&self, protocol: Protocol, line: LineSetting) -> Span {
+        let dialect = Dialect::new(protocol);
+        let telegram = dialect.duration(line, rtu::MAX_FRAME);
+        let one_try = telegram + self.reply_timeout + dialect.longest_straggle();
+        let tries = (u64::from(self.retries) + 1) * (1 + 2 * u64::from(ROUNDS));
+        one_try.times(tries) + self.patience(protocol, line) + LATEST_OF_ALL.times(2) + self.turnaround
+    }
+
+    /// How long all telegrams of a question together wait for a silent line.
+    pub(super) fn patience(&self, protocol: Protocol, line: LineSetting) -> Span {
+        BUSY + Dialect::new(protocol).duration(line, rtu::MAX_FRAME)
+    }
+}
