@@ -74,7 +74,7 @@ fn after_help() -> String {
 /// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
 /// name, and the port.
 pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
-    let Streams { mut out, err, mut input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
+    let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
     let cli = match parse(arguments) {
         Ok(cli) => cli,
         Err(error) => return clap_exit(&error, arguments, out.as_mut(), err),
@@ -119,7 +119,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         let outcome = settings.and_then(|settings| {
             let present = input_is_terminal && err_is_terminal;
             let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
-            let mut ask = Terminal { console: console.clone(), input: input.as_mut(), present, yes, quiet, lang };
+            let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
             work(&cli.verb, &settings, &mut ask, &console, stream)
         });
         outcome.unwrap_or_else(Outcome::from)
@@ -265,7 +265,7 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
 fn work(
     verb: &Verb,
     settings: &Settings,
-    ask: &mut Terminal<'_>,
+    ask: &mut Terminal,
     console: &Console,
     stream: Option<&RefCell<Stream<'_>>>,
 ) -> Result<Outcome, Failure> {
@@ -289,6 +289,8 @@ fn work(
         let turns = matches!(verb, Verb::Statemachine(_) | Verb::Sollwert(_));
         let pipe = turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
         let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
+        // From the first moment on a signal is heard, and does not just kill us.
+        tokio::task::yield_now().await;
         let outcome = tokio::select! {
             outcome = dispatch(verb, &mut context) => outcome,
             () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
@@ -365,7 +367,7 @@ async fn raise_on_closed_output(interrupt: Interrupt) {
     interrupt.raise();
 }
 
-/// Raises the interrupt on Ctrl-C, SIGTERM and SIGHUP.
+/// Hands every Ctrl-C and SIGTERM on, so that a second one counts too, and a SIGHUP.
 #[cfg(unix)]
 async fn raise_on_signal(interrupt: Interrupt) {
     use tokio::signal::unix::{SignalKind, signal};
@@ -374,18 +376,21 @@ async fn raise_on_signal(interrupt: Interrupt) {
     };
     loop {
         tokio::select! {
-            pressed = tokio::signal::ctrl_c() => if pressed.is_err() { return },
-            _ = term.recv() => {}
-            _ = hangup.recv() => {}
+            pressed = tokio::signal::ctrl_c() => match pressed {
+                Ok(()) => interrupt.press(),
+                Err(_) => return,
+            },
+            _ = term.recv() => interrupt.press(),
+            // The terminal is gone, and with it stdout: that is one wish, not two.
+            _ = hangup.recv() => interrupt.raise(),
         }
-        interrupt.raise();
     }
 }
 
 #[cfg(not(unix))]
 async fn raise_on_signal(interrupt: Interrupt) {
     while tokio::signal::ctrl_c().await.is_ok() {
-        interrupt.raise();
+        interrupt.press();
     }
 }
 

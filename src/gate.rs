@@ -25,6 +25,8 @@
 //! }
 //! ```
 
+use std::pin::Pin;
+
 /// What can happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hazard {
@@ -68,10 +70,13 @@ pub enum Answer {
     Nobody,
 }
 
+/// An answer that is waited for. Whoever no longer wants it drops it; nothing that is typed afterwards counts.
+pub type Reply<'a> = Pin<Box<dyn Future<Output = Answer> + 'a>>;
+
 /// Somebody who can be asked: the terminal, `--yes`, or a test.
 pub trait Ask {
-    /// Puts the question and waits for the answer.
-    fn ask(&mut self, question: &Question) -> Answer;
+    /// Puts the question and waits for the answer, without holding up the line or a signal.
+    fn ask<'a>(&'a mut self, question: &'a Question) -> Reply<'a>;
 
     /// Whether anybody can answer; if not, nothing needs to be opened to find that out.
     fn is_there(&self) -> bool;
@@ -92,8 +97,8 @@ pub fn somebody(ask: &dyn Ask) -> Result<(), Denied> {
 }
 
 /// Asks, and hands out the key if the answer is yes.
-pub fn ask(somebody: &mut dyn Ask, question: &Question) -> Result<Permit, Denied> {
-    match somebody.ask(question) {
+pub async fn ask(somebody: &mut dyn Ask, question: &Question) -> Result<Permit, Denied> {
+    match somebody.ask(question).await {
         Answer::Yes => Ok(Permit { _private: () }),
         Answer::No => Err(Denied::Refused),
         Answer::Nobody => Err(Denied::Nobody),

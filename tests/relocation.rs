@@ -5,19 +5,21 @@
 use antrieb::drive::relocate::{Wish, course};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::{Class, Failure};
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
+use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
 use antrieb::outcome::{Event, Relocation, RelocationResult, StepResult};
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 
 struct Agreeable;
 
 impl Ask for Agreeable {
-    fn ask(&mut self, _: &Question) -> Answer {
-        Answer::Yes
+    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
+        Box::pin(async { Answer::Yes })
     }
     fn is_there(&self) -> bool {
         true
@@ -26,7 +28,12 @@ impl Ask for Agreeable {
 
 fn permit() -> Permit {
     let question = Question { hazards: vec![Hazard::Line], title: String::new(), details: Vec::new() };
-    gate::ask(&mut Agreeable, &question).unwrap()
+    let mut agreeable = Agreeable;
+    let mut asked = pin!(gate::ask(&mut agreeable, &question));
+    let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
+        unreachable!("the answer is there at once")
+    };
+    permit.unwrap()
 }
 
 const RTU: Protocol = Protocol::Modbus(Framing::Rtu);

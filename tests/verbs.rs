@@ -24,6 +24,8 @@ mod matrix;
 mod motion;
 #[path = "verbs/output.rs"]
 mod output;
+#[path = "verbs/question.rs"]
+mod question;
 #[path = "verbs/reading.rs"]
 mod reading;
 #[path = "verbs/regressions.rs"]

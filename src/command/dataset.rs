@@ -319,7 +319,7 @@ impl Work<'_> {
         let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
         let mut failures = Vec::new();
         let jobs = [job];
-        let permit = permit(ask, &jobs, self.settings.lang)?;
+        let permit = permit(session, ask, &jobs, self.settings.lang).await?;
         [job] = jobs;
         if let Some(permit) = permit {
             carry_out(session, &mut job, self.settings, &permit, &mut failures).await;

@@ -4,7 +4,7 @@ use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, targ
 use crate::args::Settings;
 use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Hazard, Permit, Question};
+use crate::gate::{Hazard, Permit, Question};
 use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Event, Outcome, Value};
 use crate::profile::{Cause, DataSets, Family, Lang, Registry};
 use clap::Args as ClapArgs;
@@ -50,7 +50,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let family = super::offline_family(context.settings, context.registry)?;
         return plan(context, &family, &questions(args, &family));
     }
-    let permit = if args.clear { Some(ask_to_clear(context)?) } else { None };
+    let permit = if args.clear { Some(ask_to_clear(context).await?) } else { None };
     let (drives, failures, succeeded) = each_drive(
         context,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
@@ -83,13 +83,13 @@ fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
     questions
 }
 
-fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit, Failure> {
+async fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit, Failure> {
     let question = Question {
         hazards: vec![Hazard::Write],
         title: "set the diagnostic counters of the drive to zero".to_owned(),
         details: vec!["what they counted so far is lost in the drive; this command shows it first".to_owned()],
     };
-    gate::ask(context.ask, &question).map_err(super::write::denied)
+    super::asking::off_line(&context.interrupt, context.ask, &question, context.settings.lang).await
 }
 
 fn blank(address: u8) -> Diagnosis {

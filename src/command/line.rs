@@ -1,6 +1,6 @@
 //! `line`: speed, parity and address of a drive. What `protocol` shares with it is here too.
 
-use super::write::denied;
+use super::asking::denied;
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
 use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
@@ -92,7 +92,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
-    gate::somebody(*ask).map_err(denied)?;
+    gate::somebody(*ask).map_err(|why| denied(why, lang))?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let course = relocate::course(&mut session, &mut target, &wish, lang).await?;
@@ -100,7 +100,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         return Ok(Outcome::of(Data::Relocation(course.told(&target, lang))));
     }
     course.check_free(&mut session, &mut target, lang).await?;
-    let permit = gate::ask(*ask, &question(&course, lang)).map_err(denied)?;
+    let permit = super::asking::on_line(&mut session, *ask, &question(&course, lang), lang).await?;
     let (relocation, failure) = course.go(&mut session, &mut target, &permit, lang).await;
     Ok(Outcome { data: Some(Data::Relocation(relocation)), warnings: Vec::new(), failure })
 }

@@ -1,5 +1,6 @@
 //! One file per verb: its arguments and its `run`. Nothing here prints, nothing here knows bytes.
 
+mod asking;
 pub mod dataset;
 pub mod decode;
 pub mod diag;

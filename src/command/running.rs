@@ -47,15 +47,15 @@ pub(super) async fn run<'p, C>(
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
     // Nothing is opened if there is nobody to ask: not one byte goes over the line.
-    gate::somebody(context.ask).map_err(super::write::denied)?;
+    gate::somebody(context.ask).map_err(|why| super::asking::denied(why, context.settings.lang))?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let before = look(&mut session, &mut target, lang).await?;
     let checked = check(&mut session, &mut target, &before, &mut plan).await?;
-    let permit =
-        gate::ask(*ask, &question(&plan, &target, settings.node, &before, lang)).map_err(super::write::denied)?;
+    let question = question(&plan, &target, settings.node, &before, lang);
+    let permit = super::asking::on_line(&mut session, *ask, &question, lang).await?;
     let from = describe::state(&target.family, before.status, lang);
     if plan.args.hold {
         session.pace();

@@ -5,7 +5,7 @@ use super::{Context, Reader, addresses_to_write, connect, is_over, offline, summ
 use crate::args::Settings;
 use crate::drive::{Cell, Inquiry, Order, Session, Target, WriteFate, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Denied, Hazard, Permit, Question};
+use crate::gate::{self, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Selector, Store, Type};
@@ -67,7 +67,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let Some(permit) = permit(*ask, &jobs, settings.lang)? else { return Ok(done(jobs, Vec::new(), settings)) };
+    let Some(permit) = permit(&mut session, *ask, &jobs, settings.lang).await? else {
+        return Ok(done(jobs, Vec::new(), settings));
+    };
     let mut failures = Vec::new();
     for job in &mut jobs {
         if carry_out(&mut session, job, settings, &permit, &mut failures).await {
@@ -235,7 +237,12 @@ fn wire_sets(set: u8) -> DataSets {
 }
 
 /// Asks for permission for everything that is left to do; `None` if that is nothing.
-pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job], lang: Lang) -> Result<Option<Permit>, Failure> {
+pub(super) async fn permit(
+    session: &mut Session<'_>,
+    ask: &mut dyn gate::Ask,
+    jobs: &[Job],
+    lang: Lang,
+) -> Result<Option<Permit>, Failure> {
     let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows).map(move |pair| (job, pair)));
     let todo: Vec<_> = todo.filter(|(_, (_, row))| row.result == WriteResult::Planned).collect();
     if todo.is_empty() {
@@ -256,20 +263,7 @@ pub(super) fn permit(ask: &mut dyn gate::Ask, jobs: &[Job], lang: Lang) -> Resul
         (count, Lang::En) => format!("write {count} values"),
         (count, Lang::De) => format!("{count} Werte schreiben"),
     };
-    gate::ask(ask, &Question { hazards, title, details }).map(Some).map_err(denied)
-}
-
-/// The failure to show when there is no permit.
-pub(super) fn denied(denied: Denied) -> Failure {
-    match denied {
-        Denied::Refused => Failure::new(Class::Forbidden, "forbidden.not_confirmed", "not confirmed, nothing was sent"),
-        Denied::Nobody => Failure::new(
-            Class::Forbidden,
-            "forbidden.no_terminal",
-            "there is no terminal to ask for confirmation, nothing was sent",
-        )
-        .hint("--yes answers the question; --dry-run shows what would be sent"),
-    }
+    super::asking::on_line(session, ask, &Question { hazards, title, details }, lang).await.map(Some)
 }
 
 fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {

@@ -8,6 +8,7 @@ pub mod decode;
 pub mod describe;
 mod diag;
 mod family;
+mod interrupt;
 mod line_check;
 pub mod motion;
 mod pump;
@@ -21,8 +22,8 @@ mod trouble;
 
 pub use diag::{clear_counters, counters, last_refusal, link_test};
 pub use family::{Finding, recognise};
+pub use interrupt::Interrupt;
 pub use line_check::check_line;
-pub use pump::Interrupt;
 pub use route::{Cell, Inquiry, No, Route};
 pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, scan};
 pub use session::{AccessError, Opening, Refusal, Session, open_port};

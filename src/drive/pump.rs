@@ -1,38 +1,9 @@
 //! Carries out a conversation on a link: the only loop between `exchange` and `transport`.
 
+use super::interrupt::Interrupt;
 use crate::exchange::{Conversation, Master, Step};
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, LinkError, Wake};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use tokio::sync::Notify;
-
-/// A request to stop, from Ctrl-C or another signal, that every wait on the line listens to.
-#[derive(Clone, Debug, Default)]
-pub struct Interrupt {
-    inner: Arc<(AtomicBool, Notify)>,
-}
-
-impl Interrupt {
-    /// Asks everything that waits on the line to stop.
-    pub fn raise(&self) {
-        self.inner.0.store(true, Ordering::Relaxed);
-        self.inner.1.notify_waiters();
-    }
-
-    /// Whether somebody asked to stop.
-    pub fn is_raised(&self) -> bool {
-        self.inner.0.load(Ordering::Relaxed)
-    }
-
-    /// Resolves when somebody asks to stop.
-    pub async fn raised(&self) {
-        let notified = self.inner.1.notified();
-        if !self.is_raised() {
-            notified.await;
-        }
-    }
-}
 
 /// Why a conversation did not come to its end.
 #[derive(Debug, thiserror::Error)]

@@ -1,6 +1,7 @@
 //! An open line: asks questions, tells what goes over it, and turns what goes wrong into failures with a hint.
 
-use super::pump::{self, Interrupt, PumpError};
+use super::interrupt::Interrupt;
+use super::pump::{self, PumpError};
 use super::route::{No, Route, no};
 use super::{decode, trouble};
 use crate::exchange::{
@@ -295,9 +296,40 @@ impl<'a> Session<'a> {
         Ok(pump::hear(&mut self.link, &self.interrupt, until).await?)
     }
 
-    /// From now on the line is used whether somebody interrupts or not: for the stop that must still go out.
+    /// Waits for something that is not on the line, such as the answer to a question, and keeps the line meanwhile: what
+    /// comes is nobody's answer. Ends early with an error if somebody interrupts, also in the same moment, or if the port
+    /// is lost. The time of the bench stands still.
+    pub async fn during<T>(&mut self, wait: impl Future<Output = T>) -> Result<T, AccessError> {
+        let interrupt = self.interrupt.clone();
+        let virtual_time = self.bench().is_some();
+        let keep = async {
+            loop {
+                match virtual_time {
+                    true => interrupt.raised().await,
+                    false => self.rest(Span::from_secs(60)).await?,
+                }
+                if interrupt.is_raised() {
+                    return Err(AccessError::Interrupted);
+                }
+            }
+        };
+        let waited = tokio::select! {
+            biased;
+            waited = wait => waited,
+            failed = keep => failed?,
+        };
+        if self.interrupt.is_raised() { Err(AccessError::Interrupted) } else { Ok(waited) }
+    }
+
+    /// From now on the line is used whether somebody interrupts or not: for what must not be left half done.
     pub fn ignore_interrupts(&mut self) {
         self.interrupt = Interrupt::default();
+    }
+
+    /// Takes note of who interrupted so far: the line is used on, for the stop that must still go out, until somebody
+    /// does so again.
+    pub fn note_interrupts(&mut self) {
+        self.interrupt.note();
     }
 
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what

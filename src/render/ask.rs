@@ -1,16 +1,21 @@
 //! Puts the safety question on the terminal.
 
 use super::{Console, clean};
-use crate::gate::{Answer, Ask, Question};
+use crate::gate::{Answer, Ask, Question, Reply};
 use crate::profile::Lang;
 use std::io::BufRead;
+use std::thread;
+use tokio::sync::oneshot;
+
+/// Where answers are typed.
+pub type Input = Box<dyn BufRead + Send>;
 
 /// Somebody at the terminal, or `--yes`.
-pub struct Terminal<'a> {
+pub struct Terminal {
     /// Where the question is shown.
     pub console: Console,
-    /// Where the answer comes from.
-    pub input: &'a mut dyn BufRead,
+    /// Where the answer comes from; nowhere, while somebody still waits there for an answer that nobody wants any more.
+    pub input: Option<Input>,
     /// There is somebody who can answer: stdin and stderr are terminals.
     pub present: bool,
     /// The answer was given on the command line.
@@ -21,14 +26,24 @@ pub struct Terminal<'a> {
     pub lang: Lang,
 }
 
-impl std::fmt::Debug for Terminal<'_> {
+impl std::fmt::Debug for Terminal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Terminal").field("present", &self.present).field("yes", &self.yes).finish_non_exhaustive()
     }
 }
 
-impl Ask for Terminal<'_> {
-    fn ask(&mut self, question: &Question) -> Answer {
+impl Ask for Terminal {
+    fn ask<'a>(&'a mut self, question: &'a Question) -> Reply<'a> {
+        Box::pin(self.put(question))
+    }
+
+    fn is_there(&self) -> bool {
+        self.yes || self.present
+    }
+}
+
+impl Terminal {
+    async fn put(&mut self, question: &Question) -> Answer {
         self.console.finish();
         if !(self.yes && self.quiet) {
             self.console.line(&question.title);
@@ -39,22 +54,45 @@ impl Ask for Terminal<'_> {
         if self.yes {
             return Answer::Yes;
         }
-        if !self.present {
-            return Answer::Nobody;
-        }
+        let Some(input) = self.input.take().filter(|_| self.present) else { return Answer::Nobody };
         let (prompt, yes) = match self.lang {
             Lang::En => ("go on? [y/N] ", ["y", "yes"]),
             Lang::De => ("fortfahren? [j/N] ", ["j", "ja"]),
         };
         self.console.prompt(prompt);
-        let mut answer = String::new();
-        match self.input.read_line(&mut answer) {
-            Ok(_) if yes.contains(&answer.trim().to_lowercase().as_str()) => Answer::Yes,
+        let mut open = OpenPrompt { console: &self.console, is_open: true };
+        let (typed, input) = read_line(input).await;
+        open.is_open = false;
+        self.input = input;
+        match typed {
+            Some(line) if yes.contains(&line.trim().to_lowercase().as_str()) => Answer::Yes,
             _ => Answer::No,
         }
     }
+}
 
-    fn is_there(&self) -> bool {
-        self.yes || self.present
+/// Reads a line in a thread of its own, so that nothing else waits for it. The thread of a question that nobody waits for
+/// any more ends with the program, and what is typed then is read by nobody.
+async fn read_line(mut input: Input) -> (Option<String>, Option<Input>) {
+    let (done, typed) = oneshot::channel();
+    thread::spawn(move || {
+        let mut line = String::new();
+        let line = input.read_line(&mut line).ok().map(|_| line);
+        let _nobody_waits = done.send((line, input));
+    });
+    typed.await.map_or((None, None), |(line, input)| (line, Some(input)))
+}
+
+/// A question on the terminal; what is said next begins a line of its own if it was never answered.
+struct OpenPrompt<'c> {
+    console: &'c Console,
+    is_open: bool,
+}
+
+impl Drop for OpenPrompt<'_> {
+    fn drop(&mut self) {
+        if self.is_open {
+            self.console.line("");
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::outcome::{Event, FoundDrive};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::io::{BufRead, Write};
+use std::io::Write;
 use std::rc::Rc;
 
 /// Where a run reads and writes; real for the program, made up for tests.
@@ -15,7 +15,7 @@ pub struct Streams {
     /// Everything else.
     pub err: Box<dyn Write>,
     /// Answers to questions.
-    pub input: Box<dyn BufRead>,
+    pub input: super::Input,
     /// stdout is a terminal.
     pub out_is_terminal: bool,
     /// stderr is a terminal.

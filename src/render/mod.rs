@@ -8,7 +8,7 @@ mod stream;
 mod table;
 mod words;
 
-pub use ask::Terminal;
+pub use ask::{Input, Terminal};
 pub use console::{Console, Streams};
 pub use document::{Envelope, print, print_failure, schema};
 pub use rows::Row;

@@ -4,19 +4,21 @@ use antrieb::drive::{
     Interrupt, Manner, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test,
     recognise, scan,
 };
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
+use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
 use antrieb::outcome::Event;
 use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 use tempfile::TempDir;
 
 struct Agreeable;
 
 impl Ask for Agreeable {
-    fn ask(&mut self, _: &Question) -> Answer {
-        Answer::Yes
+    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
+        Box::pin(async { Answer::Yes })
     }
     fn is_there(&self) -> bool {
         true
@@ -25,7 +27,12 @@ impl Ask for Agreeable {
 
 fn permit() -> Permit {
     let question = Question { hazards: vec![Hazard::Write], title: String::new(), details: Vec::new() };
-    gate::ask(&mut Agreeable, &question).unwrap()
+    let mut agreeable = Agreeable;
+    let mut asked = pin!(gate::ask(&mut agreeable, &question));
+    let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
+        unreachable!("the answer is there at once")
+    };
+    permit.unwrap()
 }
 
 /// A bench from a text, or the standard one, and everything that a session on it needs.

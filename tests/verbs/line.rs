@@ -5,7 +5,7 @@ use antrieb::args::{Addresses, Globals, Settings};
 use antrieb::command::{Context, scan};
 use antrieb::drive::Interrupt;
 use antrieb::failure::Class;
-use antrieb::gate::{Answer, Ask, Question};
+use antrieb::gate::{Ask, Question, Reply};
 use antrieb::outcome::{Data, Event};
 use antrieb::profile::Registry;
 use serde_json::json;
@@ -103,7 +103,7 @@ fn nobody_on_the_line_is_a_no_with_what_to_check() {
 fn an_interrupted_scan_leaves_an_honest_part() {
     struct NobodyAsked;
     impl Ask for NobodyAsked {
-        fn ask(&mut self, _: &Question) -> Answer {
+        fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
             unreachable!("a scan asks nobody")
         }
         fn is_there(&self) -> bool {

@@ -3,13 +3,15 @@
 use super::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question};
+use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
 use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
 use serde_json::json;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 
 /// A drive that obeys the control word, with everything that it needs to run.
 const READY: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2 }\n";
@@ -148,8 +150,8 @@ fn the_question_names_drive_state_and_what_will_happen() {
 struct Agreeable;
 
 impl Ask for Agreeable {
-    fn ask(&mut self, _: &Question) -> Answer {
-        Answer::Yes
+    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
+        Box::pin(async { Answer::Yes })
     }
     fn is_there(&self) -> bool {
         true
@@ -158,7 +160,12 @@ impl Ask for Agreeable {
 
 fn permit() -> Permit {
     let question = Question { hazards: vec![Hazard::Motion], title: String::new(), details: Vec::new() };
-    gate::ask(&mut Agreeable, &question).unwrap()
+    let mut agreeable = Agreeable;
+    let mut asked = pin!(gate::ask(&mut agreeable, &question));
+    let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
+        unreachable!("the answer is there at once")
+    };
+    permit.unwrap()
 }
 
 /// Runs `work` on the drive at address 1 of a bench, in virtual time, and hands out the bench afterwards.

@@ -1,0 +1,69 @@
+//! The wish to stop, from Ctrl-C and other signals.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use tokio::sync::Notify;
+
+/// A wish to stop that every wait on the line listens to. All clones hear of the same wishes; each may have taken note
+/// of some of them already.
+#[derive(Clone, Debug, Default)]
+pub struct Interrupt {
+    inner: Arc<(AtomicU32, Notify)>,
+    /// Wishes that were taken note of and no longer count here.
+    noted: u32,
+}
+
+impl Interrupt {
+    /// Wishes that everything ends, where nobody has wished that before: for what comes of itself and perhaps more than
+    /// once, such as a hang-up and the closed pipe behind it.
+    pub fn raise(&self) {
+        let _was_raised = self.inner.0.compare_exchange(0, 1, Ordering::Relaxed, Ordering::Relaxed);
+        self.inner.1.notify_waiters();
+    }
+
+    /// Wishes it once more, as somebody does who presses Ctrl-C again.
+    pub fn press(&self) {
+        self.inner.0.fetch_add(1, Ordering::Relaxed);
+        self.inner.1.notify_waiters();
+    }
+
+    /// Whether somebody asked to stop.
+    pub fn is_raised(&self) -> bool {
+        self.inner.0.load(Ordering::Relaxed) > self.noted
+    }
+
+    /// Resolves when somebody asks to stop.
+    pub async fn raised(&self) {
+        loop {
+            let notified = self.inner.1.notified();
+            if self.is_raised() {
+                return;
+            }
+            notified.await;
+        }
+    }
+
+    /// Takes note of every wish so far: only the next one counts from now on.
+    pub fn note(&mut self) {
+        self.noted = self.inner.0.load(Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_who_presses_again_is_heard_again() {
+        let signals = Interrupt::default();
+        let mut here = signals.clone();
+        signals.raise();
+        assert!(here.is_raised());
+        here.note();
+        signals.raise();
+        assert!(!here.is_raised(), "a hang-up and a closed pipe are one wish");
+        signals.press();
+        assert!(here.is_raised());
+        assert!(signals.is_raised(), "what one has noted the others still hear");
+    }
+}
