@@ -7,7 +7,7 @@ use antrieb::failure::Class;
 use antrieb::gate::{Answer, Ask, Question, Reply};
 use antrieb::outcome::{Event, Outcome};
 use antrieb::profile::Registry;
-use clap::{Args, Command, FromArgMatches};
+use clap::{Args, Command};
 
 /// Interrupts when asked, and then says yes, or nothing for ever.
 struct Interrupting {
