@@ -542,12 +542,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -582,12 +582,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -622,12 +622,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -662,12 +662,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -702,12 +702,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -742,12 +742,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -782,12 +782,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -822,12 +822,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -862,12 +862,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -974,12 +974,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1014,12 +1014,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1054,12 +1054,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1094,12 +1094,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1134,12 +1134,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1174,12 +1174,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1214,12 +1214,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1254,12 +1254,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1294,12 +1294,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1342,12 +1342,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l ramp -d 'Le
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l jog -d 'Enable, run for this time, stop: the same as --enable --hold --duration TIME' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r
@@ -1392,12 +1392,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l ramp -d 'Le
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l jog -d 'Enable, run for this time, stop: the same as --enable --hold --duration TIME' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l on-exit -d 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l watchdog -d 'Set the drive\'s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l wait -d 'How long to wait for a state beyond what ramps and holding times need [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l wait -d 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s b -l baud -d 'Speed in baud; `auto`: scan finds it [default: 19200]' -r

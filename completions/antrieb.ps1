@@ -714,9 +714,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -757,9 +757,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -800,9 +800,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -843,9 +843,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -886,9 +886,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -929,9 +929,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -972,9 +972,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1015,9 +1015,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1058,9 +1058,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1101,9 +1101,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1144,9 +1144,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1187,9 +1187,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1230,9 +1230,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1273,9 +1273,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1316,9 +1316,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1359,9 +1359,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1402,9 +1402,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1445,9 +1445,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1496,9 +1496,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop: the same as --enable --hold --duration TIME')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')
@@ -1549,9 +1549,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop: the same as --enable --hold --duration TIME')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast, keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog (P.413, MBnode_guard) to this time for the run, in RAM, and restore it afterwards')
-            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need [default: 3s]')
+            [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer; and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody')

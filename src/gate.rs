@@ -1,6 +1,7 @@
 //! The gate before everything that can move a shaft, wear the EEPROM, or cut the line.
 //!
-//! Functions that do such things take a [`Permit`]; only [`ask`] makes one, so forgetting to ask does not compile:
+//! Functions that do such things take a [`Permit`]; only [`ask`] makes one, and a [`Relief`], which can only take motion
+//! away. So forgetting to ask does not compile:
 //!
 //! ```compile_fail
 //! let permit = antrieb::gate::Permit { _private: () };
@@ -42,10 +43,31 @@ pub enum Hazard {
     Reset,
 }
 
-/// Proof that the user agreed to something. Cannot be made but by [`ask`].
+/// Proof that the user agreed to something, or that nobody needs to. Cannot be made but by [`ask`] and by a [`Relief`].
 #[derive(Debug)]
 pub struct Permit {
     _private: (),
+}
+
+/// An act that can only take motion away. It needs nobody's word: its permit comes from what it is. Functions that take
+/// one do nothing else with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relief {
+    /// Disable operation: the drive stops as its settings say, and is without power then.
+    Disable,
+    /// Quick stop.
+    QuickStop,
+    /// Disable voltage: without power at once.
+    DisableVoltage,
+    /// The setpoint goes to a zero at which the shaft stands, in the mode in which the drive works.
+    Zero,
+}
+
+impl Relief {
+    /// The permit for this act.
+    pub fn permit(self) -> Permit {
+        Permit { _private: () }
+    }
 }
 
 /// What the user is asked.

@@ -38,6 +38,8 @@ mod scanning;
 mod settings;
 #[path = "verbs/sniffing.rs"]
 mod sniffing;
+#[path = "verbs/stopping.rs"]
+mod stopping;
 #[path = "verbs/tape.rs"]
 mod tape;
 #[path = "verbs/vabus.rs"]

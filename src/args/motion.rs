@@ -15,7 +15,7 @@ pub struct MotionArgs {
     #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Safety")]
     pub duration: Option<Span>,
 
-    /// How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in
+    /// How to stop at the end, on Ctrl-C, on an error; another Ctrl-C takes the next stronger way: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in
     /// modes that it does not stop), quick-stop, coast, keep
     #[arg(long, value_name = "STOP", default_value = "ramp", help_heading = "Safety")]
     pub on_exit: StopArg,
@@ -28,7 +28,8 @@ pub struct MotionArgs {
     #[arg(long, help_heading = "Safety")]
     pub take_control: bool,
 
-    /// How long to wait for a state beyond what ramps and holding times need [default: 3s]
+    /// How long to wait for a state beyond what ramps and holding times need, at most 10 min in all unless this is longer;
+    /// and how long missing answers are borne where the drive has no watchdog (with one: half of its time) [default: 3s]
     #[arg(long, value_name = "TIME", value_parser = parse_span, help_heading = "Safety")]
     pub wait: Option<Span>,
 }

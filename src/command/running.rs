@@ -1,13 +1,15 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
-use super::{Context, addresses_to_write, connect, target};
+use super::{Context, addresses_to_write, asking, connect, target};
 use crate::args::{MotionArgs, StopArg};
-use crate::drive::motion::{Motor, Situation, StopChoice, look, watchdog_raw, watchdog_seconds, watchdog_words};
+use crate::drive::motion::{Ended, Motor, Situation, StopChoice, look, watchdog_raw, watchdog_words};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Hazard, Question};
+use crate::gate::{self, Hazard, Question, Relief};
 use crate::outcome::{Data, Motion, Outcome};
-use crate::profile::Lang;
+use crate::profile::{Family, Lang};
+
+mod verdict;
 
 /// What is to be done, and what the user is told about it.
 pub(super) struct Plan<'p> {
@@ -21,6 +23,21 @@ pub(super) struct Plan<'p> {
     pub(super) args: &'p MotionArgs,
     /// The control word is needed, so it must be obeyed.
     pub(super) needs_control: bool,
+    /// It can only take motion away, so nobody is asked. The check may find out otherwise.
+    pub(super) relief: Option<Relief>,
+    /// The drive is to run when it is done, unless the run is bounded.
+    pub(super) runs: bool,
+}
+
+impl Plan<'_> {
+    /// What takes control or changes a setting does more than take motion away; what is held is a run.
+    pub(super) fn only_relieves(args: &MotionArgs) -> bool {
+        !(args.hold || args.take_control || args.watchdog.is_some())
+    }
+
+    fn choice(&self) -> StopChoice {
+        self.relief.map_or_else(|| choice(self.args.on_exit), StopChoice::beyond)
+    }
 }
 
 /// The only drive that is meant; several at once are not moved by one command.
@@ -46,105 +63,119 @@ pub(super) async fn run<'p, C>(
     work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
-    // Nothing is opened if there is nobody to ask: not one byte goes over the line.
-    gate::somebody(context.ask).map_err(|why| super::asking::denied(why, context.settings.lang))?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
+    if plan.relief.is_none() {
+        // Nothing is opened if there is nobody to ask: not one byte goes over the line.
+        gate::somebody(*ask).map_err(|why| asking::denied(why, lang))?;
+    }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
-    let before = look(&mut session, &mut target, lang).await?;
-    let checked = check(&mut session, &mut target, &before, &mut plan).await?;
-    let question = question(&plan, &target, settings.node, &before, lang);
-    let permit = super::asking::on_line(&mut session, *ask, &question, lang).await?;
-    let from = describe::state(&target.family, before.status, lang);
+    // A command that relieves looks for itself, and goes out even where little can be seen.
+    let before = match look(&mut session, &mut target, lang).await {
+        Err(failure) if plan.relief.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => {
+            return Err(failure);
+        }
+        seen => seen.ok(),
+    };
+    let blind = Situation::default();
+    let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await?;
+    let permit = match plan.relief {
+        Some(act) => act.permit(),
+        None => {
+            let question = question(&plan, &target, settings.node, before.as_ref().unwrap_or(&blind), lang);
+            asking::on_line(&mut session, *ask, &question, lang).await?
+        }
+    };
     if plan.args.hold {
         session.pace();
     }
     let family = target.family.clone();
     let mut motor = Motor::new(&mut session, &mut target, &permit, lang, plan.args.wait);
-    motor.controls(&before);
+    if let Some(before) = &before {
+        motor.controls(before);
+    }
     let ended = motor
-        .run(plan.args.hold, choice(plan.args.on_exit), async |motor: &mut Motor<'_, '_>| {
-            if let Some(watchdog) = plan.args.watchdog {
-                motor.change("watchdog", watchdog_raw(&family, watchdog)).await?;
-            }
-            if let Some(control) = family.motion.control.filter(|_| plan.args.take_control && plan.needs_control) {
-                motor.change("control-mode", control.obeys).await?;
-            }
+        .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
+            prepare(motor, &plan, &family).await?;
             work(motor, checked).await
         })
         .await;
-    let (steps, changed, setpoint) =
-        (std::mem::take(&mut motor.steps), std::mem::take(&mut motor.changes), motor.setpoint.take());
-    let mut notes = std::mem::take(&mut motor.notes);
-    let mode = motor.mode.take().map(|mode| mode.slug);
+    let done = Done {
+        steps: std::mem::take(&mut motor.steps),
+        changed: std::mem::take(&mut motor.changes),
+        setpoint: motor.setpoint.take(),
+        notes: std::mem::take(&mut motor.notes),
+        mode: motor.mode.take().map(|mode| mode.slug),
+    };
     let after = look(&mut session, &mut target, lang).await.ok();
-    let to = after.as_ref().map(|after| describe::state(&target.family, after.status, lang));
+    Ok(report(&plan, &target, Seen { before, after }, done, ended, lang))
+}
+
+/// Changes for the run what the user wants changed.
+async fn prepare(motor: &mut Motor<'_, '_>, plan: &Plan<'_>, family: &Family) -> Result<(), Failure> {
+    if let Some(watchdog) = plan.args.watchdog {
+        motor.change("watchdog", watchdog_raw(family, watchdog)).await?;
+    }
+    if let Some(control) = family.motion.control.filter(|_| plan.args.take_control && plan.needs_control) {
+        motor.change("control-mode", control.obeys).await?;
+    }
+    Ok(())
+}
+
+/// What a run leaves in its motor.
+struct Done {
+    steps: Vec<crate::outcome::Step>,
+    changed: Vec<crate::outcome::Change>,
+    setpoint: Option<crate::outcome::Setpoint>,
+    notes: Vec<String>,
+    mode: Option<String>,
+}
+
+/// What the drive said before and afterwards.
+struct Seen {
+    before: Option<Situation>,
+    after: Option<Situation>,
+}
+
+fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended<()>, lang: Lang) -> Outcome {
+    let family = &target.family;
+    let state = |situation: &Situation| describe::state(family, situation.status, lang);
+    let to = seen.after.as_ref().map(state);
     let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
+    let mut notes = done.notes;
     if running == Some(true) {
         notes.push(lang.pick("the drive keeps running", "der Antrieb läuft weiter").to_owned());
     }
-    let watchdog_s = before.watchdog_s;
+    let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
     if is_off && plan.args.watchdog.is_none() && running != Some(false) {
         let danger = lang.pick(
             "if the line breaks, nothing stops it; --watchdog 2s sets it",
             "bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
         );
-        notes.push(format!("{}: {danger}", watchdog_words(&family, watchdog_s, lang)));
+        notes.push(format!("{}: {danger}", watchdog_words(family, watchdog_s, lang)));
     }
-    let set = plan.args.watchdog.map(|span| watchdog_seconds(&family, watchdog_raw(&family, span)));
-    let watching = set.filter(|_| !plan.args.hold).or(watchdog_s);
-    if watching.is_some_and(|seconds| seconds.raw > 0) {
-        notes.push(watchdog_words(&family, watching, lang));
+    if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
+        notes.push(watchdog_words(family, watchdog_s, lang));
     }
+    let failure = verdict::of(plan, family, &seen, &ended, running, done.setpoint.as_ref(), lang);
     let data = Motion {
-        address,
-        drive: target.family.drive.clone(),
+        address: target.address,
+        drive: family.drive.clone(),
         action: plan.action.to_owned(),
-        mode,
-        from: Some(from),
+        mode: done.mode,
+        from: seen.before.as_ref().map(state),
         to,
-        steps,
-        setpoint,
-        changed,
+        steps: done.steps,
+        setpoint: done.setpoint,
+        changed: done.changed,
         watchdog_s,
         stop: ended.stop,
         running,
         notes,
     };
-    let failure = match (ended.result.err(), &data.stop) {
-        (Some(mut failure), Some(stop)) => {
-            let proof = if stop.acknowledged {
-                lang.pick("the stop was acknowledged", "der Halt wurde bestätigt")
-            } else {
-                lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt")
-            };
-            failure.message = format!("{}; {}: {proof}", failure.message, stop.choice);
-            Some(failure)
-        }
-        (None, Some(stop)) if !stop.acknowledged && stop.choice != "keep" => {
-            let text = lang.pick("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt");
-            let failure = Failure::new(Class::Silence, "silence.stop", text);
-            Some(match &stop.note {
-                Some(note) => failure.hint(note.clone()),
-                None => failure,
-            })
-        }
-        // A run that was to end must have ended, whatever was acknowledged on the way.
-        (None, _) if plan.args.hold && plan.args.on_exit != StopArg::Keep && running != Some(false) => {
-            let text = lang.pick(
-                "the drive is running at the end of a run that was to stop it",
-                "der Antrieb läuft am Ende eines Laufs, der ihn anhalten sollte",
-            );
-            Some(Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(lang.pick(
-                "stop it with `statemachine quick-stop`, or by its contacts",
-                "anhalten mit `statemachine quick-stop` oder über seine Kontakte",
-            )))
-        }
-        (failure, _) => failure,
-    };
-    Ok(Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure })
+    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
 }
 
 /// Names address, family, present state and what will happen.

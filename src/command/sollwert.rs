@@ -2,6 +2,7 @@
 
 mod check;
 mod wanted;
+mod zero;
 
 use super::running::{self, Plan};
 use super::{
@@ -11,6 +12,7 @@ use crate::args::{MotionArgs, Settings, parse_span};
 use crate::drive::motion::Motor;
 use crate::drive::{Cell, Inquiry, Session};
 use crate::failure::{Class, Failure};
+use crate::gate::Relief;
 use crate::outcome::{self, Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
 use crate::profile::{DataSets, Family, Lang, Param, Registry, Type};
 use crate::tick::Span;
@@ -22,7 +24,8 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// Shows setpoints and actual values side by side, or gives a setpoint.
 ///
 /// Without a value it only reads: setpoints, actual values, and what decides how the setpoint is formed. With a value it
-/// asks, and then writes it. Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
+/// asks, and then writes it; a plain 0 only takes motion away and asks nobody, unless it changed the operating mode or
+/// left another setpoint that turns the shaft the other way. Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
 #[derive(Clone, Debug, ClapArgs)]
@@ -94,32 +97,56 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if context.settings.dry_run {
         return dry_run(&family, &wanted, context);
     }
-    give(args, &spoken, context).await
+    let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
+    give(args, &spoken, relief, context).await
 }
 
-async fn give(args: &Args, spoken: &Spoken, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+async fn give(
+    args: &Args,
+    spoken: &Spoken,
+    relief: Option<Relief>,
+    context: &mut Context<'_>,
+) -> Result<Outcome, Failure> {
     let lang = context.settings.lang;
     let mut motion = args.motion.clone();
     if args.jog.is_some() {
         (motion.hold, motion.duration) = (true, args.jog);
     }
     let enable = args.enable || args.jog.is_some();
-    let plan =
-        Plan { action: "sollwert", announce: String::new(), details: Vec::new(), args: &motion, needs_control: enable };
+    let plan = Plan {
+        action: "sollwert",
+        announce: String::new(),
+        details: Vec::new(),
+        args: &motion,
+        needs_control: enable,
+        relief,
+        runs: enable,
+    };
     running::run(
         context,
         plan,
         async |session, target, before, plan| {
-            let wanted = understand(args, spoken, &target.family, lang)?;
+            let mut wanted = understand(args, spoken, &target.family, lang)?;
+            if spoken.is_bare_zero() && args.mode.is_none() {
+                let present = zero::present_mode(session, target, lang).await?;
+                wanted = present.map_or_else(|| wanted.clone(), |mode| wanted.clone().in_mode(&mode, &target.family));
+            }
+            plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
+                Some(_) => zero::relief(session, target, before, &wanted, lang).await?,
+                None => None,
+            };
             plan.announce = announce(&wanted, &target.family, enable, lang);
             plan.details.extend(
                 wanted.start.as_ref().and_then(|start| start.note.as_ref()).map(|note| note.get(lang).to_owned()),
             );
             let needs_control = enable && !motion.take_control;
             let mut check = Check { args, session, target, before, lang };
-            check.run(wanted, enable, needs_control).await
+            Ok((check.run(wanted, enable, needs_control).await?, plan.relief))
         },
-        async |motor, wanted| carry_out(motor, &wanted, enable, args.until.is_some(), &motion).await,
+        async |motor, (wanted, relief)| match relief {
+            Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
+            None => carry_out(motor, &wanted, enable, args.until.is_some(), &motion).await,
+        },
     )
     .await
 }
@@ -179,8 +206,8 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<
         .hold(Some(Span::from_micros(end)), async |motor: &mut Motor<'_, '_>, gone| {
             let value = wanted.schedule.at(gone.as_micros());
             if value != last {
-                last = value;
                 motor.give(&wanted.param, value, unit).await?;
+                last = value;
             }
             Ok(())
         })

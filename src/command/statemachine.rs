@@ -3,9 +3,10 @@
 use super::running::{self, Plan};
 use super::{Context, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target, telegram_reader};
 use crate::args::{MotionArgs, Settings};
-use crate::drive::motion::{Motor, look, missing};
-use crate::drive::{Cell, Inquiry, Session, describe};
+use crate::drive::motion::{Motor, Situation, look, missing, no_control};
+use crate::drive::{Cell, Inquiry, Session, Target, describe};
 use crate::failure::{Class, Failure};
+use crate::gate::Relief;
 use crate::outcome::{self, Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
 use crate::profile::{Family, Lang, Param, Registry, Type};
 use clap::{Args as ClapArgs, Subcommand};
@@ -13,7 +14,8 @@ use clap::{Args as ClapArgs, Subcommand};
 /// Shows the state of the drive, and walks it through its state machine.
 ///
 /// `show` (the default) reads only: the state, status and control word bit by bit, who controls the drive, what is
-/// missing to run, and where each state leads. Everything else can turn the shaft and asks first. An ACTIVE obeys the
+/// missing to run, and where each state leads. `disable`, `disable-voltage` and `quick-stop` only take motion away and act
+/// at once; everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
@@ -79,24 +81,31 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if context.settings.dry_run {
         return dry_run(context, &family, command.word);
     }
+    let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
     let plan = Plan {
         action: slug,
         announce: command.name(lang).to_owned(),
         details: Vec::new(),
         args: motion,
         needs_control: true,
+        relief,
+        runs: slug == "enable",
     };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
         context,
         plan,
-        async |_, _, _, _| Ok(()),
+        async |_, target, before, plan| match plan.relief {
+            Some(_) => Ok(()),
+            None => obeyed(target, before, plan, lang),
+        },
         async |motor, ()| {
-            match slug {
-                "enable" => motor.walk("operation-enabled").await?,
-                "switch-on" => motor.walk("switched-on").await?,
-                "reset" => motor.reset().await?,
-                stop => motor.command(stop).await?,
+            match (slug, relief_of(slug)) {
+                (_, Some(act)) => motor.relieve(act).await?,
+                ("enable", _) => motor.walk("operation-enabled").await?,
+                ("switch-on", _) => motor.walk("switched-on").await?,
+                ("reset", _) => motor.reset().await?,
+                (other, _) => motor.command(other).await?,
             }
             if let (Some(duration), "enable") = (hold, slug) {
                 motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
@@ -105,6 +114,29 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         },
     )
     .await
+}
+
+/// Commands that can only take motion away.
+fn relief_of(slug: &str) -> Option<Relief> {
+    match slug {
+        "disable" => Some(Relief::Disable),
+        "disable-voltage" => Some(Relief::DisableVoltage),
+        "quick-stop" => Some(Relief::QuickStop),
+        _ => None,
+    }
+}
+
+/// Refuses at once, before anybody is asked, what the drive would not obey. Of a reset there are other ways.
+fn obeyed(target: &Target, before: &Situation, plan: &Plan<'_>, lang: Lang) -> Result<(), Failure> {
+    let refused = no_control(before, target, lang).filter(|_| !plan.args.take_control);
+    match (refused, &target.family.motion.other_resets) {
+        (None, _) => Ok(()),
+        (Some(failure), Some(ways)) if plan.action == "reset" => {
+            let hint = failure.hint.clone().unwrap_or_default();
+            Err(failure.hint(format!("{}; {hint}", ways.get(lang))))
+        }
+        (Some(failure), _) => Err(failure),
+    }
 }
 
 async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> Result<Outcome, Failure> {
@@ -122,12 +154,13 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         );
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
-    let plan = Plan { action: "goto", announce, details: Vec::new(), args: motion, needs_control: true };
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
+    let plan =
+        Plan { action: "goto", announce, details: Vec::new(), args: motion, needs_control: true, relief: None, runs };
     running::run(
         context,
         plan,
-        async |_, _, _, _| Ok(()),
+        async |_, target, before, plan| obeyed(target, before, plan, lang),
         async |motor, ()| {
             motor.walk(state).await?;
             if let (Some(duration), true) = (hold, runs) {
@@ -152,7 +185,15 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         "{}: {shown}",
         lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen")
     );
-    let plan = Plan { action: "contacts", announce, details: Vec::new(), args: motion, needs_control: false };
+    let plan = Plan {
+        action: "contacts",
+        announce,
+        details: Vec::new(),
+        args: motion,
+        needs_control: false,
+        relief: None,
+        runs: false,
+    };
     let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(
         context,
@@ -188,7 +229,7 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
             }
             motor.contacts(word).await?;
             if let Some(duration) = hold {
-                motor.hold_contacts(duration).await?;
+                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
             }
             Ok(())
         },

@@ -25,7 +25,7 @@ pub struct Motion {
     pub setpoint: Option<Setpoint>,
     /// Settings that were changed for the run, and given back.
     pub changed: Vec<Change>,
-    /// The drive's own watchdog in seconds; 0 is off, null could not be read.
+    /// The drive's own watchdog in seconds as it is in force now that the program leaves; 0 is off, null could not be read.
     pub watchdog_s: Option<Decimal>,
     /// The stop at the end, if one was needed.
     pub stop: Option<Stop>,
@@ -89,10 +89,15 @@ pub struct Change {
 pub struct Stop {
     /// `ramp`, `quick-stop`, `coast`, `keep`.
     pub choice: &'static str,
+    /// The stronger way that was taken in the end, because somebody interrupted again or the drive did not obey; null if
+    /// none was.
+    pub escalated: Option<&'static str>,
     /// Why: `end`, `interrupted`, `error`.
     pub because: &'static str,
-    /// Whether the drive's state proves that it was obeyed.
+    /// Whether the drive's state, and its shaft where that is waited for, prove that it was obeyed.
     pub acknowledged: bool,
+    /// Whether the shaft was seen to stand; null if nothing told.
+    pub standing: Option<bool>,
     /// State that was seen last.
     pub state: Option<State>,
     /// What stops the drive if the line is dead.

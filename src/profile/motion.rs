@@ -33,6 +33,8 @@ pub struct Motion {
     pub watchdog: Text,
     /// What `sollwert` shows.
     pub show: Show,
+    /// Ways to reset a fault without the control word.
+    pub other_resets: Option<Text>,
     /// What can keep the drive from its setpoint.
     pub not_reached: Text,
 }
@@ -206,6 +208,9 @@ pub struct Mode {
     /// The setpoint 0 stands still: it is written before the drive is enabled, and is how a ramp stop begins.
     #[serde(default)]
     pub zero: bool,
+    /// The setpoint 0 leaves the shaft without torque, or acts on something else than its speed: a load may move it.
+    #[serde(default)]
+    pub slack: bool,
     /// Parameter that bounds the setpoint's magnitude.
     pub limit: Option<u32>,
     /// A setting that decides whether the setpoint counts.

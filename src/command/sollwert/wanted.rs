@@ -1,6 +1,6 @@
 //! What was typed, and what it means in the words of a family.
 
-use super::Args;
+use super::{Args, zero};
 use crate::args::parse_span;
 use crate::failure::{Class, Failure};
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
@@ -14,6 +14,13 @@ pub(super) struct Spoken {
     points: Vec<Point>,
     /// A file leads the setpoint in steps.
     file: Option<PathBuf>,
+}
+
+impl Spoken {
+    /// Just a zero, without a unit.
+    pub(super) fn is_bare_zero(&self) -> bool {
+        self.file.is_none() && matches!(self.points.as_slice(), [only] if zero::is_bare(&only.text))
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -92,6 +99,11 @@ pub(super) struct Wanted {
 }
 
 impl Wanted {
+    /// The same setpoint in another mode.
+    pub(super) fn in_mode(self, mode: &Mode, family: &Family) -> Self {
+        Wanted { mode: mode.clone(), param: family.param_or_unknown(mode.setpoint), ..self }
+    }
+
     /// A value with its unit, as people write it.
     pub(super) fn shown(&self, raw: i64, family: &Family, lang: Lang) -> String {
         if let Some(text) = family.text_of(&self.param, raw) {
@@ -116,6 +128,11 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
     let mode = named_mode(args, family, lang)?;
     let mode = match mode {
         Some(mode) => mode,
+        None if spoken.is_bare_zero() => zero::usual(family).ok_or_else(|| {
+            bad(lang
+                .pick("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still")
+                .to_owned())
+        })?,
         None => unit_mode(&first.text, family, lang)
             .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
     };

@@ -65,7 +65,7 @@ impl Situation {
 /// What the drive says that matters for moving it.
 pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Situation, Failure> {
     let status = role_raw(session, target, "status-word", lang).await?.unwrap_or(0) as u32;
-    let watchdog = role_raw(session, target, "watchdog", lang).await?;
+    let watchdog = working_raw(session, target, "watchdog", lang).await?;
     target.known_watchdog = watchdog;
     let mut situation = Situation {
         status,
@@ -146,7 +146,19 @@ pub fn no_control(situation: &Situation, target: &Target, lang: Lang) -> Option<
     )))
 }
 
-pub(super) fn no_plan(why: &NoPlan, family: &Family, lang: Lang) -> Failure {
+/// The failure to show where the drive has tripped.
+pub fn tripped(family: &Family, code: u32, lang: Lang) -> Failure {
+    let fault = describe::fault(family, code, lang);
+    let told = fault.as_ref().map_or_else(String::new, |fault| format!(": {} {}", fault.key, fault.name));
+    let text = lang.pick("the drive has tripped", "der Antrieb hat abgeschaltet");
+    let failure = Failure::new(Class::Forbidden, "forbidden.fault", format!("{text}{told}"));
+    match fault.and_then(|fault| fault.remedy) {
+        Some(remedy) => failure.hint(remedy),
+        None => failure,
+    }
+}
+
+pub(super) fn no_plan(why: &NoPlan, situation: &Situation, family: &Family, lang: Lang) -> Failure {
     match why {
         NoPlan::Unreachable { from, goal } => {
             let (from, goal) = (state_name(family, from, lang), state_name(family, goal, lang));
@@ -158,7 +170,9 @@ pub(super) fn no_plan(why: &NoPlan, family: &Family, lang: Lang) -> Failure {
         }
         NoPlan::Missing(needs) => {
             let rows = needs.iter().filter_map(|need| family.motion.interlock(*need));
-            let words: Vec<_> = rows.map(|row| row.what.get(lang)).collect();
+            // The inputs tell which part of it is missing.
+            let words: Vec<_> =
+                rows.map(|row| situation.told(row, lang).unwrap_or_else(|| row.what.get(lang).to_owned())).collect();
             let text = format!(
                 "{}: {}",
                 lang.pick("the drive cannot be enabled, missing", "der Antrieb ist nicht freizugeben, es fehlt"),

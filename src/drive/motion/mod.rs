@@ -6,11 +6,15 @@
 
 use super::describe;
 mod look;
+mod patience;
+mod relief;
 mod setpoint;
 mod shaft;
 mod stop;
 
-pub use look::{Situation, look, missing, no_control, role_raw, watchdog_raw, watchdog_seconds, working, working_raw};
+pub use look::{
+    Situation, look, missing, no_control, role_raw, tripped, watchdog_raw, watchdog_seconds, working, working_raw,
+};
 pub use stop::{StopChoice, watchdog_words};
 
 use super::session::{AccessError, Session};
@@ -18,19 +22,13 @@ use super::transfer::{Order, Target, WriteFate};
 use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Event, Setpoint, State, Step, Stop};
-use crate::profile::{Command, Lang, Mode, Need, Param, Takes, Transition};
+use crate::profile::{Command, Lang, Mode, Need, Param, Transition};
 use crate::tick::Span;
 use look::{no_plan, state_name};
-use shaft::Watch;
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::pin;
 use std::task::Poll;
-
-/// How often the state is looked at while waiting.
-const POLL: Span = Span::from_millis(50);
-/// How long a state may take that needs no ramp.
-const PATIENCE: Span = Span::from_secs(3);
 
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,11 +52,15 @@ pub struct Motor<'a, 's> {
     patience: Span,
     /// A command or setpoint went out, so there is something to stop.
     touched: bool,
+    /// The drive was seen to be enabled, so anything else ends the run.
+    enabled: bool,
+    /// The stop is under way: every telegram of it is tried anew as a whole.
+    stopping: bool,
     lever: Lever,
     /// What is set, once that is known.
     pub mode: Option<Mode>,
-    /// Pause between looks: short enough for the drive's watchdog.
-    beat: Span,
+    /// The drive's watchdog, if it is on.
+    guard: Option<Span>,
     /// Transitions that were walked.
     pub steps: Vec<Step>,
     /// Settings that were changed.
@@ -87,10 +89,10 @@ impl<'a, 's> Motor<'a, 's> {
         lang: Lang,
         patience: Option<Span>,
     ) -> Self {
-        let patience = patience.unwrap_or(PATIENCE);
+        let patience = patience.unwrap_or(patience::USUAL);
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
-        let beat = beat(target, target.known_watchdog);
+        let guard = guard(target, target.known_watchdog);
         Motor {
             session,
             target,
@@ -98,9 +100,11 @@ impl<'a, 's> Motor<'a, 's> {
             lang,
             patience,
             touched: false,
+            enabled: false,
+            stopping: false,
             lever,
             mode: None,
-            beat,
+            guard,
             steps,
             changes,
             setpoint: None,
@@ -108,15 +112,17 @@ impl<'a, 's> Motor<'a, 's> {
         }
     }
 
-    /// Takes the state machine as what the stop acts on, if the drive is controlled by it already.
+    /// Takes the state machine as what the stop acts on, if the drive is controlled by it already; and notes whether it is
+    /// enabled.
     pub fn controls(&mut self, situation: &Situation) {
+        self.enabled = situation.state == "operation-enabled";
         if situation.obeys(&self.target.family) {
             self.lever = Lever::ControlWord;
         }
     }
 
-    /// Does `work`, then stops the drive as chosen if `hold` bounds the run or the work failed, and gives back what was
-    /// changed. The stop goes out whatever ended the work, a panic included.
+    /// Does `work`, then stops the drive as chosen if `hold` bounds the run, also one in which nothing had to be done, or
+    /// if the work failed; and gives back what was changed. The stop goes out whatever ended the work, a panic included.
     pub async fn run<T>(
         &mut self,
         hold: bool,
@@ -131,9 +137,12 @@ impl<'a, 's> Motor<'a, 's> {
             Err(failure) if failure.class == Class::Interrupted => "interrupted",
             Err(_) => "error",
         };
-        self.session.ignore_interrupts();
-        let must_stop = self.touched && (hold || result.is_err());
+        self.session.note_interrupts();
+        let has_hand_on = self.touched || (hold && self.lever == Lever::ControlWord);
+        let must_stop = has_hand_on && (hold || result.is_err());
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
+        self.session.ignore_interrupts();
+        self.session.insist(false);
         if hold || result.is_err() {
             let proven = stop.as_ref().is_none_or(|stop| stop.acknowledged && choice != StopChoice::Keep);
             self.give_back(proven).await;
@@ -148,6 +157,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// Walks to a state, step by step, each proven. A fault is never reset on the way.
     pub async fn walk(&mut self, goal: &str) -> Result<(), Failure> {
+        self.enabled = false;
         let situation = self.look().await?;
         self.demand_control(&situation)?;
         if situation.state.starts_with("fault") {
@@ -160,10 +170,12 @@ impl<'a, 's> Motor<'a, 's> {
             from = self.begin(&from).await?;
         }
         let facts = situation.facts(&family);
-        let way = family.machine.plan(&from, goal, &facts).map_err(|why| no_plan(&why, &family, self.lang))?;
+        let way = family.machine.plan(&from, goal, &facts);
+        let way = way.map_err(|why| no_plan(&why, &situation, &family, self.lang))?;
         for transition in way {
             self.pass(transition).await?;
         }
+        self.enabled = goal == "operation-enabled";
         Ok(())
     }
 
@@ -184,27 +196,9 @@ impl<'a, 's> Motor<'a, 's> {
         }
     }
 
-    /// Sends one command, whatever the state, and waits for where it leads from the present state.
-    pub async fn command(&mut self, slug: &str) -> Result<(), Failure> {
-        let situation = self.look().await?;
-        self.demand_control(&situation)?;
-        let machine = self.target.family.machine.clone();
-        match machine.transition(&situation.state, slug).cloned() {
-            Some(transition) => {
-                self.pass(&transition).await?;
-                if transition.to == "quick-stop-active" { self.end_quick_stop().await } else { Ok(()) }
-            }
-            None => {
-                // A stop is never refused: it goes out even if the state says that there is nothing to stop.
-                let command = machine.command(slug).cloned();
-                let command = command.ok_or_else(|| Failure::new(Class::Usage, "usage.command", slug.to_owned()))?;
-                self.write_control(command.word).await
-            }
-        }
-    }
-
     /// Resets a fault: once, by a rising edge, after the drive's lock has passed.
     pub async fn reset(&mut self) -> Result<(), Failure> {
+        self.enabled = false;
         let situation = self.look().await?;
         if situation.state != "fault" {
             let text = self.lang.pick("there is no fault to reset", "es steht keine Störung an");
@@ -240,10 +234,12 @@ impl<'a, 's> Motor<'a, 's> {
             self.trigger(command).await?;
         }
         let leaves_fault = transition.from == "fault";
-        let state = self.until(&transition.to, transition.takes, leaves_fault).await?;
+        let came = self.until(&[&transition.to], transition.takes, leaves_fault).await;
         if let Some(command) = command.as_ref().filter(|command| command.edge) {
+            // Also where it led nowhere: an edge that stands is none the next time.
             self.write_control(command.word & !command.mask).await?;
         }
+        let state = came?;
         self.steps.push(Step {
             transition: transition.number.clone(),
             control: command.as_ref().map(|command| format!("0x{:04X}", command.word)),
@@ -252,19 +248,6 @@ impl<'a, 's> Motor<'a, 's> {
             took_ms: self.session.now().since(begun).as_millis(),
         });
         Ok(())
-    }
-
-    /// Waits for the end of a quick stop. A drive that does not leave it by itself is led out once its shaft stands.
-    async fn end_quick_stop(&mut self) -> Result<(), Failure> {
-        let family = self.target.family.clone();
-        let from_here = |row: &&Transition| row.from == "quick-stop-active";
-        let by_itself = family.machine.transitions.iter().filter(from_here).find(|row| row.command.is_none());
-        let way = by_itself.or_else(|| family.machine.transitions.iter().find(from_here));
-        let Some(way) = way else { return Ok(()) };
-        if way.command.is_some() {
-            self.until_still().await?;
-        }
-        self.pass(way).await
     }
 
     async fn trigger(&mut self, command: &Command) -> Result<(), Failure> {
@@ -287,52 +270,6 @@ impl<'a, 's> Motor<'a, 's> {
         Ok(())
     }
 
-    /// Looks at the state until it is `goal`. What ramps or holds gets the time that it needs: patience begins anew
-    /// while the shaft still slows down.
-    async fn until(&mut self, goal: &str, takes: Option<Takes>, fault_is_fine: bool) -> Result<State, Failure> {
-        let patience = self.patience + self.braking(takes).await?;
-        let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut seen = 0;
-        let mut since = self.session.now();
-        loop {
-            let status = self.status().await?;
-            let state = describe::state(&self.target.family, status, self.lang);
-            if state.slug == goal {
-                return Ok(state);
-            }
-            if state.slug.starts_with("fault") && !fault_is_fine {
-                return Err(self.fault_failure().await);
-            }
-            let changed = takes.is_some() && {
-                let raw = self.movement().await?;
-                watch.see(self.session.now(), raw)
-            };
-            if changed || seen != status {
-                seen = status;
-                since = self.session.now();
-            }
-            if self.session.now().since(since) > patience {
-                return Err(self.stuck(&state, goal).await);
-            }
-            self.rest(self.beat).await?;
-        }
-    }
-
-    /// How long the drive may hold or brake besides its ramp.
-    async fn braking(&mut self, takes: Option<Takes>) -> Result<Span, Failure> {
-        let mut sum = Span::ZERO;
-        if !matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
-            return Ok(sum);
-        }
-        let family = self.target.family.clone();
-        for param in family.motion.patience.iter().filter_map(|role| family.role(role)) {
-            let raw = look::raw(self.session, self.target, param, 0, self.lang).await?.unwrap_or(0);
-            let ms = raw * 1_000 / 10i64.pow(param.decimals_or_zero().into());
-            sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
-        }
-        Ok(sum)
-    }
-
     fn demand_control(&mut self, situation: &Situation) -> Result<(), Failure> {
         match no_control(situation, self.target, self.lang) {
             Some(failure) => Err(failure),
@@ -350,33 +287,37 @@ impl<'a, 's> Motor<'a, 's> {
             Lang::En => format!("the drive stays in '{}' and does not go to '{goal}'", state.name),
             Lang::De => format!("der Antrieb bleibt in '{}' und geht nicht nach '{goal}'", state.name),
         };
-        let missing = match self.look().await {
-            Ok(situation) => missing(&situation, self.target, self.lang),
-            Err(_) => Vec::new(),
-        };
+        let missing = self.missing_now().await;
         let failure = Failure::new(Class::Forbidden, "forbidden.interlock", text);
         if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
     }
 
-    async fn fault_failure(&mut self) -> Failure {
-        let code = self.role_raw("fault").await.ok().flatten().unwrap_or(0);
-        let fault = describe::fault(&self.target.family, code as u32, self.lang);
-        let told = fault.as_ref().map_or_else(String::new, |fault| format!(": {} {}", fault.key, fault.name));
-        let text = self.lang.pick("the drive has tripped", "der Antrieb hat abgeschaltet");
-        let failure = Failure::new(Class::Forbidden, "forbidden.fault", format!("{text}{told}"));
-        match fault.and_then(|fault| fault.remedy) {
-            Some(remedy) => failure.hint(remedy),
-            None => failure,
+    /// What keeps the drive from running, as far as it can be asked.
+    async fn missing_now(&mut self) -> Vec<String> {
+        match self.look().await {
+            Ok(situation) => missing(&situation, self.target, self.lang),
+            Err(_) => Vec::new(),
         }
     }
 
+    async fn fault_failure(&mut self) -> Failure {
+        let code = self.role_raw("fault").await.ok().flatten().unwrap_or(0);
+        tripped(&self.target.family, code as u32, self.lang)
+    }
+
     async fn status(&mut self) -> Result<u32, Failure> {
-        Ok(self.role_raw("status-word").await?.unwrap_or(0) as u32)
+        let status = self.bear(async |motor: &mut Self| motor.role_raw("status-word").await).await?;
+        Ok(status.unwrap_or(0) as u32)
+    }
+
+    async fn state(&mut self) -> Result<State, Failure> {
+        let status = self.status().await?;
+        Ok(describe::state(&self.target.family, status, self.lang))
     }
 
     /// What tells whether the shaft moves.
     async fn movement(&mut self) -> Result<Option<i64>, Failure> {
-        self.role_raw("movement").await
+        self.bear(async |motor: &mut Self| motor.role_raw("movement").await).await
     }
 
     async fn role_raw(&mut self, role: &str) -> Result<Option<i64>, Failure> {
@@ -384,15 +325,23 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
-        let Some(param) = self.target.family.role("control-word").cloned() else {
-            return Err(Failure::new(Class::Data, "data.role", "this drive has no control word"));
-        };
+        let param = self.control_word()?;
         self.touched = true;
         self.write(&param, 0, word.into()).await
     }
 
-    /// Writes to RAM, where nothing wears out. What is not echoed is not done.
+    fn control_word(&self) -> Result<Param, Failure> {
+        let param = self.target.family.role("control-word").cloned();
+        param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))
+    }
+
+    /// Writes to RAM, where nothing wears out. What is not echoed is written again, which changes nothing, as long as
+    /// that can be borne.
     async fn write(&mut self, param: &Param, set: u8, raw: i64) -> Result<(), Failure> {
+        self.bear(async |motor: &mut Self| motor.write_once(param, set, raw).await).await
+    }
+
+    async fn write_once(&mut self, param: &Param, set: u8, raw: i64) -> Result<(), Failure> {
         let kind = match param.kind {
             Some(kind) => kind,
             None => self.target.width(self.session, param, set).await.map_err(|error| self.failure(&error))?,
@@ -414,14 +363,10 @@ impl<'a, 's> Motor<'a, 's> {
     }
 }
 
-/// A round of holding a run, in looks.
-const ROUND: u64 = 5;
-
-/// A pause between looks that leaves the drive's watchdog room for the telegrams between.
-fn beat(target: &Target, watchdog: Option<i64>) -> Span {
-    let watchdog = watchdog.map(|raw| watchdog_seconds(&target.family, raw)).filter(|span| span.raw > 0);
-    let ms = watchdog.map(|span| span.raw.unsigned_abs() * 1_000 / 10u64.pow(span.decimals.into()));
-    ms.map_or(POLL, |ms| Span::from_millis((ms / 10).clamp(1, POLL.as_millis())))
+/// The drive's watchdog as a time, if it is on.
+fn guard(target: &Target, watchdog: Option<i64>) -> Option<Span> {
+    let watchdog = watchdog.map(|raw| watchdog_seconds(&target.family, raw)).filter(|span| span.raw > 0)?;
+    Some(Span::from_millis(watchdog.raw.unsigned_abs() * 1_000 / 10u64.pow(watchdog.decimals.into())))
 }
 
 /// Runs a future; `None` if it panics.

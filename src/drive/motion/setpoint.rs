@@ -1,11 +1,12 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
 use super::look::raw;
+use super::patience::ROUND;
 use super::shaft::Watch;
-use super::{Lever, Motor, ROUND, state_name};
+use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Decimal, Setpoint, State};
+use crate::outcome::{Decimal, Setpoint};
 use crate::profile::{Mode, Movement, Param, Start};
 use crate::tick::Span;
 
@@ -33,13 +34,14 @@ impl Motor<'_, '_> {
     }
 
     async fn until_mode(&mut self, shows: &Param, value: i64, name: &str) -> Result<(), Failure> {
-        let since = self.session.now();
+        let wait = self.wait();
         loop {
+            self.look_on().await?;
             let active = raw(self.session, self.target, shows, 0, self.lang).await?;
             if active == Some(value) {
                 return Ok(());
             }
-            if self.session.now().since(since) > self.patience {
+            if wait.is_over(self.session.now()) {
                 let text =
                     self.lang.pick("the drive does not take the mode", "der Antrieb übernimmt die Betriebsart nicht:");
                 let failure = Failure::new(Class::Forbidden, "forbidden.mode", format!("{text} '{name}'"));
@@ -48,7 +50,7 @@ impl Motor<'_, '_> {
                     crate::profile::Lang::De => format!("{} muss {value} zeigen", shows.label()),
                 }));
             }
-            self.rest(self.beat).await?;
+            self.rest(self.beat()).await?;
         }
     }
 
@@ -75,7 +77,9 @@ impl Motor<'_, '_> {
 
     /// Starts the movement to the setpoint, waits for its end, and takes the start back.
     pub async fn travel(&mut self, start: &Start) -> Result<(), Failure> {
-        self.write_control(start.word).await?;
+        // Once only: the second time could be another movement.
+        self.touched = true;
+        self.write_once(&self.control_word()?, 0, start.word.into()).await?;
         self.until_reached().await?;
         let enable = self.target.family.machine.command("enable").map_or(0, |command| command.word);
         self.write_control(enable).await
@@ -90,9 +94,9 @@ impl Motor<'_, '_> {
         let looks = if family.motion.movement == Movement::Position { 2 } else { 1 };
         let mut watch = Watch::new(family.motion.movement);
         let (mut seen, mut told) = (None, 0);
-        let mut since = self.session.now();
+        let mut wait = self.wait();
         loop {
-            let status = self.status().await?;
+            let status = self.look_on().await?;
             let movement = self.movement().await?;
             let changed = watch.see(self.session.now(), movement);
             let reached = status >> bit & 1 == 1;
@@ -101,15 +105,12 @@ impl Motor<'_, '_> {
             if told == looks {
                 return Ok(());
             }
-            if describe::state(&family, status, self.lang).slug.starts_with("fault") {
-                return Err(self.fault_failure().await);
-            }
             // On its way to a target a shaft may turn evenly for long.
             if changed || seen != Some(status) || (travels && !watch.stands()) {
                 seen = Some(status);
-                since = self.session.now();
+                wait.renew(self.session.now());
             }
-            if self.session.now().since(since) > self.patience {
+            if wait.is_over(self.session.now()) {
                 let text = self.lang.pick(
                     "the setpoint is not reached and the actual value does not move any more",
                     "der Sollwert wird nicht erreicht und der Istwert bewegt sich nicht mehr",
@@ -117,7 +118,7 @@ impl Motor<'_, '_> {
                 let hint = family.motion.not_reached.get(self.lang);
                 return Err(Failure::new(Class::No, "no.not_reached", text).hint(hint));
             }
-            self.rest(self.beat).await?;
+            self.rest(self.beat()).await?;
         }
     }
 
@@ -133,36 +134,48 @@ impl Motor<'_, '_> {
     }
 
     /// Keeps the run alive for a time, or until something ends it: looks at the state, which also feeds the drive's
-    /// watchdog, and ends with an error if the drive trips or, having been enabled, is so no longer. `each` is called in every round.
+    /// watchdog, and ends with an error if the drive trips or, having been enabled, is so no longer. `each` is called in
+    /// every round; it may be called twice in one, where no valid answer came.
     pub async fn hold(
         &mut self,
         duration: Option<Span>,
         mut each: impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
+        // Whoever else talks on the line puts off neither the refresh nor the end.
+        self.session.insist(true);
         let begun = self.session.now();
-        let mut was_enabled = false;
         loop {
             let gone = self.session.now().since(begun);
             if duration.is_some_and(|duration| gone >= duration) {
                 return Ok(());
             }
-            each(self, gone).await?;
-            let state = self.state().await?;
-            match state.slug.as_str() {
-                "operation-enabled" => was_enabled = true,
-                _ if !was_enabled && !state.slug.starts_with("fault") => {}
-                slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
-                slug => {
-                    let text = self.lang.pick(
-                        "the drive left the run by itself; it is now",
-                        "der Antrieb ist von selbst ausgestiegen, jetzt:",
-                    );
-                    let name = state_name(&self.target.family, slug, self.lang);
-                    return Err(Failure::new(Class::Forbidden, "forbidden.left_run", format!("{text} {name}")));
-                }
-            }
+            self.bear(async |motor: &mut Self| each(motor, gone).await).await?;
+            self.look_on().await?;
+            let gone = self.session.now().since(begun);
             self.rest(self.round(duration, gone)).await?;
         }
+    }
+
+    /// The status of a drive that runs or is about to; an error if it tripped or, having been enabled, is so no longer:
+    /// then the run is over, before the enable comes back and the shaft runs up by itself.
+    async fn look_on(&mut self) -> Result<u32, Failure> {
+        let status = self.status().await?;
+        let state = describe::state(&self.target.family, status, self.lang);
+        match state.slug.as_str() {
+            "operation-enabled" => self.enabled = true,
+            slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
+            _ if !self.enabled => {}
+            _ => {
+                let text = self.lang.pick(
+                    "the drive left the run by itself; it is now",
+                    "der Antrieb ist von selbst ausgestiegen, jetzt:",
+                );
+                let missing = self.missing_now().await;
+                let failure = Failure::new(Class::Forbidden, "forbidden.left_run", format!("{text} {}", state.name));
+                return Err(if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) });
+            }
+        }
+        Ok(status)
     }
 
     /// Writes virtual contacts.
@@ -171,29 +184,9 @@ impl Motor<'_, '_> {
         self.write_control(word).await
     }
 
-    /// Keeps virtual contacts closed for a time; ends with an error if the drive trips.
-    pub async fn hold_contacts(&mut self, duration: Option<Span>) -> Result<(), Failure> {
-        let begun = self.session.now();
-        loop {
-            let gone = self.session.now().since(begun);
-            if duration.is_some_and(|duration| gone >= duration) {
-                return Ok(());
-            }
-            if self.state().await?.slug.starts_with("fault") {
-                return Err(self.fault_failure().await);
-            }
-            self.rest(self.round(duration, gone)).await?;
-        }
-    }
-
-    async fn state(&mut self) -> Result<State, Failure> {
-        let status = self.status().await?;
-        Ok(describe::state(&self.target.family, status, self.lang))
-    }
-
     /// The pause before the next round of a run that is held.
     fn round(&self, duration: Option<Span>, gone: Span) -> Span {
-        let round = self.beat.times(ROUND);
-        duration.map_or(round, |duration| round.min(duration - gone)).max(self.beat)
+        let round = self.beat().times(ROUND);
+        duration.map_or(round, |duration| round.min(if duration > gone { duration - gone } else { Span::ZERO }))
     }
 }

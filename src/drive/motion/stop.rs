@@ -2,10 +2,10 @@
 
 use super::look::{ram_set, watchdog_seconds};
 use super::shaft::Watch;
-use super::{Lever, Motor, beat};
+use super::{Lever, Motor, guard};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Change, Decimal, State, Stop};
+use crate::outcome::{Change, Decimal, Event, State, Stop};
 use crate::profile::value::format_decimal;
 use crate::profile::{DataSets, Family, Lang, Need, Param, StopRow, Takes};
 
@@ -35,6 +35,24 @@ impl StopChoice {
             StopChoice::Keep => "keep",
         }
     }
+
+    /// What is left where this one does not do, or somebody cannot wait for it.
+    pub(super) fn stronger(self) -> Option<StopChoice> {
+        match self {
+            StopChoice::Ramp => Some(StopChoice::QuickStop),
+            StopChoice::QuickStop => Some(StopChoice::Coast),
+            StopChoice::Coast | StopChoice::Keep => None,
+        }
+    }
+}
+
+/// What proves a stop.
+struct Proof {
+    state: State,
+    /// Whether the shaft stands; `None` if nothing tells.
+    standing: Option<bool>,
+    /// That was waited for, so it belongs to the proof.
+    waited: bool,
 }
 
 impl Motor<'_, '_> {
@@ -43,7 +61,7 @@ impl Motor<'_, '_> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(()) };
         self.change_param(&param, new).await?;
         if role == "watchdog" {
-            self.beat = beat(self.target, Some(new));
+            self.guard = guard(self.target, Some(new));
         }
         Ok(())
     }
@@ -124,34 +142,82 @@ impl Motor<'_, '_> {
         false
     }
 
-    /// Sends the stop and waits for the state that proves it. Never fails: it reports.
+    /// Sends the stop and waits for the state and the standstill that prove it. Somebody who interrupts again gets a
+    /// stronger one, and so does a drive that does not obey. Never fails: it reports.
     pub(super) async fn stop(&mut self, choice: StopChoice, because: &'static str) -> Stop {
-        let mut stop = Stop { choice: choice.slug(), because, acknowledged: false, state: None, note: None };
-        let Some(row) = self.way_to_stop(choice) else {
+        let (escalated, state, note) = (None, None, None);
+        let mut stop =
+            Stop { choice: choice.slug(), escalated, because, acknowledged: false, standing: None, state, note };
+        if choice == StopChoice::Keep {
             let text =
                 self.lang.pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt");
             stop.note = Some(text.to_owned());
             return stop;
-        };
-        for _ in 0..STOP_TRIES {
-            match self.try_stop(&row).await {
-                Ok(state) => {
-                    stop.acknowledged = true;
-                    stop.state = Some(state);
-                    return stop;
-                }
-                Err(failure) if failure.class == Class::Port => break,
-                Err(_) => {}
-            }
         }
-        if let (Ok(status), true) = (self.status().await, self.lever != Lever::Setpoint) {
-            let state = describe::state(&self.target.family, status, self.lang);
-            stop.acknowledged = stopped_states(&row.goal).contains(&state.slug.as_str());
+        self.stopping = true;
+        self.session.insist(true);
+        let (mut way, mut tries, mut hurry) = (choice, 1, false);
+        loop {
+            let failure = match self.try_stop(way, hurry, tries == STOP_TRIES).await {
+                Ok(proof) => return self.proven(stop, proof),
+                Err(failure) => failure,
+            };
+            let stronger = way.stronger().filter(|_| self.lever == Lever::ControlWord);
+            match (failure.class, stronger) {
+                (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {
+                    hurry |= failure.class == Class::Interrupted;
+                    self.session.note_interrupts();
+                    self.tell_stronger(way, next, failure.class == Class::Interrupted);
+                    (way, tries) = (next, 0);
+                    stop.escalated = Some(next.slug());
+                }
+                (Class::Interrupted | Class::Port, _) => break,
+                _ if tries == STOP_TRIES => break,
+                _ => {}
+            }
+            tries += 1;
+        }
+        // Whoever waits no longer is told what the drive says now.
+        self.session.note_interrupts();
+        self.last_look(stop).await
+    }
+
+    fn tell_stronger(&mut self, way: StopChoice, next: StopChoice, interrupted: bool) {
+        let (way, next) = (way.slug(), next.slug());
+        let text = match (interrupted, self.lang) {
+            (true, Lang::En) => format!("interrupted again: {next} in place of {way}"),
+            (true, Lang::De) => format!("erneut unterbrochen: {next} statt {way}"),
+            (false, Lang::En) => format!("{way} is not obeyed: {next} in its place"),
+            (false, Lang::De) => format!("{way} wird nicht befolgt: stattdessen {next}"),
+        };
+        self.session.tell(Event::Note(text.clone()));
+        self.notes.push(text);
+    }
+
+    /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it.
+    fn proven(&self, mut stop: Stop, proof: Proof) -> Stop {
+        stop.acknowledged = proof.standing != Some(false) || !proof.waited;
+        if proof.standing == Some(false) {
+            let text = self.lang.pick(
+                "without power, but the shaft still turns by itself",
+                "ohne Strom, aber die Welle dreht noch von selbst",
+            );
+            stop.note = Some(text.to_owned());
+        }
+        (stop.state, stop.standing) = (Some(proof.state), proof.standing);
+        stop
+    }
+
+    /// The stop was not proven: what does the drive say now?
+    async fn last_look(&mut self, mut stop: Stop) -> Stop {
+        if let (Ok(state), true) = (self.state().await, self.lever != Lever::Setpoint) {
+            if STOPPED.contains(&state.slug.as_str()) {
+                let standing = self.stands_now().await.ok().flatten();
+                return self.proven(stop, Proof { state, standing, waited: false });
+            }
             stop.state = Some(state);
         }
-        if !stop.acknowledged {
-            stop.note = Some(self.watchdog_note().await);
-        }
+        stop.note = Some(self.watchdog_note().await);
         stop
     }
 
@@ -164,73 +230,83 @@ impl Motor<'_, '_> {
         other.map_or(Some(row), |slug| motion.stop(slug)).cloned()
     }
 
-    async fn try_stop(&mut self, row: &StopRow) -> Result<State, Failure> {
-        match self.lever {
-            Lever::ControlWord => self.stop_by_commands(row).await,
+    /// Sends a stop once and waits for what proves it. `hurry`: the state must do, the shaft is not waited for.
+    async fn try_stop(&mut self, way: StopChoice, hurry: bool, last: bool) -> Result<Proof, Failure> {
+        let Some(row) = self.way_to_stop(way) else {
+            return Err(Failure::new(Class::Data, "data.stop", format!("no stop '{}'", way.slug())));
+        };
+        let state = match self.lever {
+            Lever::ControlWord => self.stop_by_commands(&row, last).await?,
             Lever::Contacts => {
                 self.write_control(0).await?;
-                self.until_stopped("switched-on", Some(Takes::Transition5)).await
+                self.until(STOPPED, Some(Takes::Transition5), true).await?
             }
             Lever::Setpoint => {
                 self.zero().await?;
-                self.until_still().await
+                self.until_still().await?
             }
+        };
+        let waits = !hurry && way != StopChoice::Coast;
+        let standing = if waits { self.standstill().await } else { self.stands_now().await };
+        match standing {
+            Ok(standing) => Ok(Proof { state, standing, waited: waits }),
+            // Without power it is already; nothing stronger makes it stand sooner.
+            Err(failure) if failure.class == Class::Interrupted => {
+                Ok(Proof { state, standing: Some(false), waited: false })
+            }
+            Err(failure) => Err(failure),
         }
     }
 
-    async fn stop_by_commands(&mut self, row: &StopRow) -> Result<State, Failure> {
+    /// Waits for a state without power, whichever it is.
+    pub(super) async fn until_without_power(&mut self) -> Result<State, Failure> {
+        self.until(STOPPED, Some(Takes::Transition5), true).await
+    }
+
+    /// Whether the shaft stands now; `None` if the drive does not tell.
+    async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        // Of a position two looks tell.
+        for _ in 0..2 {
+            let Some(raw) = self.movement().await? else { return Ok(None) };
+            watch.see(self.session.now(), Some(raw));
+            if watch.stands() {
+                break;
+            }
+            self.rest(self.beat()).await?;
+        }
+        Ok(Some(watch.stands()))
+    }
+
+    async fn stop_by_commands(&mut self, row: &StopRow, last: bool) -> Result<State, Failure> {
         if row.zero && self.setpoint.is_some() {
-            self.zero().await?;
-            // If it does not stand then, the commands stop it all the same.
-            let _proven_below = self.until_still().await;
+            match self.ramp_down().await {
+                // On a line without answers the commands must go out all the same, in the end.
+                Err(failure) if last && matches!(failure.class, Class::Silence | Class::Garbled) => {}
+                ramped => ramped?,
+            }
         }
         let family = self.target.family.clone();
         let words = row.commands.iter().filter_map(|slug| family.machine.command(slug)).map(|command| command.word);
         for (index, word) in words.enumerate() {
             if index > 0 {
-                let _proven_below = self.until_still().await;
+                self.until_still().await?;
             }
             self.write_control(word).await?;
         }
-        self.until_stopped(&row.goal, row.takes).await
+        // A drive that tripped, or that lies in a state below the goal, has no power either.
+        self.until(STOPPED, row.takes, true).await
+    }
+
+    async fn ramp_down(&mut self) -> Result<(), Failure> {
+        self.zero().await?;
+        self.until_still().await.map(|_| ())
     }
 
     async fn zero(&mut self) -> Result<(), Failure> {
         let Some(param) = self.setpoint.as_ref().map(|setpoint| setpoint.param) else { return Ok(()) };
         let param = self.target.family.param_or_unknown(param);
         self.write(&param, 0, 0).await
-    }
-
-    /// A drive that tripped, or that lies in a state below the goal, does not turn either.
-    async fn until_stopped(&mut self, goal: &str, takes: Option<Takes>) -> Result<State, Failure> {
-        let status = self.status().await?;
-        let state = describe::state(&self.target.family, status, self.lang);
-        if stopped_states(goal).contains(&state.slug.as_str()) {
-            return Ok(state);
-        }
-        self.until(goal, takes, true).await
-    }
-
-    /// Waits until the shaft stands; patience begins anew while it still slows down.
-    pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
-        let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut since = self.session.now();
-        loop {
-            let status = self.status().await?;
-            let state = describe::state(&self.target.family, status, self.lang);
-            let movement = self.movement().await?;
-            let changed = watch.see(self.session.now(), movement);
-            if watch.stands() || !["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()) {
-                return Ok(state);
-            }
-            if changed {
-                since = self.session.now();
-            }
-            if self.session.now().since(since) > self.patience {
-                return Err(self.stuck(&state, "switched-on").await);
-            }
-            self.rest(self.beat).await?;
-        }
     }
 
     async fn watchdog_note(&mut self) -> String {
@@ -270,10 +346,5 @@ pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> 
     }
 }
 
-/// States in which a stop that leads to `goal` has done its work.
-fn stopped_states(goal: &str) -> &'static [&'static str] {
-    match goal {
-        "switched-on" => &["switched-on", "ready-to-switch-on", "switch-on-disabled", "fault", "not-ready"],
-        _ => &["switch-on-disabled", "ready-to-switch-on", "switched-on", "fault", "not-ready"],
-    }
-}
+/// States without power: a stop has done its work.
+const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];

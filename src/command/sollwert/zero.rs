@@ -1,0 +1,86 @@
+//! A setpoint of zero, which only takes motion away; and when it does more than that.
+
+use super::Args;
+use super::wanted::Wanted;
+use crate::command::running::Plan;
+use crate::drive::motion::{Situation, role_raw, working};
+use crate::drive::{Session, Target};
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::profile::value::parse_decimal;
+use crate::profile::{Family, Lang, Mode};
+
+/// A zero without a unit: it means the mode in which the drive works.
+pub(super) fn is_bare(text: &str) -> bool {
+    parse_decimal(text.trim(), 9).is_ok_and(|raw| raw == 0)
+}
+
+/// The mode that a zero without a unit means, before the drive is asked.
+pub(super) fn usual(family: &Family) -> Option<&Mode> {
+    family.modes.iter().find(|mode| mode.zero && !mode.slack)
+}
+
+/// Whether nothing but a setpoint of zero is wanted, as far as the words tell.
+pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
+    let plain = !(args.enable || args.until.is_some() || args.source.is_some()) && args.options.is_empty();
+    let mode = &wanted.mode;
+    plain
+        && args.jog.is_none()
+        && args.ramp.is_none()
+        && args.profile.is_none()
+        && Plan::only_relieves(&args.motion)
+        && mode.zero
+        && !mode.slack
+        && mode.starts.is_empty()
+        && wanted.schedule.values().all(|raw| raw == 0)
+}
+
+/// What a zero is on this drive, as it works now: a relief, unless it would change the mode, or something else would then
+/// turn the shaft another way.
+pub(super) async fn relief(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    before: &Situation,
+    wanted: &Wanted,
+    lang: Lang,
+) -> Result<Option<Relief>, Failure> {
+    let active = role_raw(session, target, "mode-active", lang).await?;
+    if wanted.mode.value.is_some() && active != wanted.mode.value {
+        return Ok(None);
+    }
+    let Some(source) = wanted.mode.source.as_ref().filter(|_| before.state == "operation-enabled") else {
+        return Ok(Some(Relief::Zero));
+    };
+    let family = target.family.clone();
+    let present = working(session, target, &family.param_or_unknown(source.param), lang).await?;
+    let adds = source.choices.iter().any(|choice| choice.slug == "sum" && Some(choice.value) == present);
+    if !adds {
+        return Ok(Some(Relief::Zero));
+    }
+    // Without the line setpoint the internal one remains. It must not turn the shaft the other way.
+    let internal = role_raw(session, target, "setpoint-internal", lang).await?;
+    let line = role_raw(session, target, "setpoint-bus", lang).await?;
+    let only_slows = internal.zip(line).is_some_and(|(internal, line)| internal.signum() * line.signum() >= 0);
+    Ok(only_slows.then_some(Relief::Zero))
+}
+
+/// The mode in which the drive works, for a zero without a unit.
+pub(super) async fn present_mode(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    lang: Lang,
+) -> Result<Option<Mode>, Failure> {
+    let Some(active) = role_raw(session, target, "mode-active", lang).await? else { return Ok(None) };
+    let mode = target.family.modes.iter().find(|mode| mode.value == Some(active)).cloned();
+    match mode {
+        Some(mode) if !mode.zero => {
+            let text = lang.pick(
+                "a setpoint of 0 does not stop the drive in this mode",
+                "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an",
+            );
+            let failure = Failure::new(Class::Forbidden, "forbidden.mode", format!("{text}: {}", mode.name(lang)));
+            Err(failure.hint(lang.pick("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an")))
+        }
+        mode => Ok(mode),
+    }
+}

@@ -1,0 +1,165 @@
+//! How long something may take: looks and their pauses, what a bad line may cost, and when waiting ends.
+
+use super::shaft::Watch;
+use super::{Motor, look};
+use crate::failure::{Class, Failure};
+use crate::outcome::State;
+use crate::profile::Takes;
+use crate::tick::{Span, Tick};
+
+/// How long a state may take that needs no ramp, and how long a line without answers is borne where the drive has no
+/// watchdog.
+pub(super) const USUAL: Span = Span::from_secs(3);
+/// Nothing is waited for longer, however evenly the shaft still changes, unless `--wait` itself is longer.
+const LONGEST: Span = Span::from_secs(600);
+/// How often the state is looked at while waiting.
+const POLL: Span = Span::from_millis(50);
+/// A round of holding a run, in looks.
+pub(super) const ROUND: u64 = 5;
+
+/// A wait that begins anew while something still changes, but not for ever.
+#[derive(Debug)]
+pub(super) struct Wait {
+    patience: Span,
+    begun: Tick,
+    since: Tick,
+}
+
+impl Wait {
+    pub(super) fn new(now: Tick, patience: Span) -> Self {
+        Wait { patience, begun: now, since: now }
+    }
+
+    /// Something has changed.
+    pub(super) fn renew(&mut self, now: Tick) {
+        self.since = now;
+    }
+
+    pub(super) fn is_over(&self, now: Tick) -> bool {
+        now.since(self.since) > self.patience || now.since(self.begun) > LONGEST.longer(self.patience)
+    }
+}
+
+impl Motor<'_, '_> {
+    /// A wait that begins now.
+    pub(super) fn wait(&self) -> Wait {
+        Wait::new(self.session.now(), self.patience)
+    }
+
+    /// Pause between looks that leaves the drive's watchdog room for the telegrams between.
+    pub(super) fn beat(&self) -> Span {
+        self.guard.map_or(POLL, |guard| Span::from_millis((guard.as_millis() / 10).clamp(1, POLL.as_millis())))
+    }
+
+    /// How long an answer may be missing: half of the drive's watchdog, so that the stop still comes before it does, or
+    /// without one our patience. The stop itself is tried anew as a whole.
+    fn margin(&self) -> Span {
+        match self.guard {
+            _ if self.stopping => Span::ZERO,
+            Some(guard) => Span::from_millis(guard.as_millis() / 2),
+            None => self.patience,
+        }
+    }
+
+    /// Asks, and asks again where no valid answer comes, as long as that can be borne. Only for what can be said twice:
+    /// questions, and writes of the same value.
+    pub(super) async fn bear<T>(
+        &mut self,
+        mut ask: impl AsyncFnMut(&mut Self) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let begun = self.session.now();
+        loop {
+            let failure = match ask(self).await {
+                Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) => failure,
+                done => return done,
+            };
+            if self.session.now().since(begun) >= self.margin() {
+                return Err(failure);
+            }
+            self.rest(self.beat()).await?;
+        }
+    }
+
+    /// Looks at the state until it is one of `goals`. What ramps or holds gets the time that it needs: patience begins
+    /// anew while the shaft still slows down.
+    pub(super) async fn until(
+        &mut self,
+        goals: &[&str],
+        takes: Option<Takes>,
+        fault_is_fine: bool,
+    ) -> Result<State, Failure> {
+        let patience = self.patience + self.braking(takes).await?;
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        let mut wait = Wait::new(self.session.now(), patience);
+        let mut seen = None;
+        loop {
+            let state = self.state().await?;
+            if goals.contains(&state.slug.as_str()) {
+                return Ok(state);
+            }
+            if state.slug.starts_with("fault") && !fault_is_fine {
+                return Err(self.fault_failure().await);
+            }
+            let slows = takes.is_some() && {
+                let raw = self.movement().await?;
+                watch.see(self.session.now(), raw)
+            };
+            if slows || seen.as_ref() != Some(&state.slug) {
+                seen = Some(state.slug.clone());
+                wait.renew(self.session.now());
+            }
+            if wait.is_over(self.session.now()) {
+                return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await);
+            }
+            self.rest(self.beat()).await?;
+        }
+    }
+
+    /// How long the drive may hold or brake besides its ramp.
+    async fn braking(&mut self, takes: Option<Takes>) -> Result<Span, Failure> {
+        let mut sum = Span::ZERO;
+        if !matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
+            return Ok(sum);
+        }
+        let family = self.target.family.clone();
+        for param in family.motion.patience.iter().filter_map(|role| family.role(role)) {
+            let raw = look::raw(self.session, self.target, param, 0, self.lang).await?.unwrap_or(0);
+            let ms = raw.saturating_mul(1_000) / 10i64.pow(param.decimals_or_zero().into());
+            sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
+        }
+        Ok(sum)
+    }
+
+    /// Whether the shaft stands: waits for it as long as it still slows down. `None` if the drive does not tell.
+    pub(super) async fn standstill(&mut self) -> Result<Option<bool>, Failure> {
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        let mut wait = self.wait();
+        loop {
+            let Some(raw) = self.movement().await? else { return Ok(None) };
+            if watch.see(self.session.now(), Some(raw)) {
+                wait.renew(self.session.now());
+            }
+            if watch.stands() || wait.is_over(self.session.now()) {
+                return Ok(Some(watch.stands()));
+            }
+            self.rest(self.beat()).await?;
+        }
+    }
+
+    /// Waits until the shaft stands, with the drive's power on or not.
+    pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
+        let still = self.standstill().await?;
+        let state = self.state().await?;
+        match still {
+            Some(false) => Err(self.still_turning(&state)),
+            _ => Ok(state),
+        }
+    }
+
+    /// The failure to show where the shaft does not come to rest.
+    fn still_turning(&self, state: &State) -> Failure {
+        let text =
+            self.lang.pick("the shaft does not come to rest; state", "die Welle kommt nicht zum Stillstand; Zustand");
+        Failure::new(Class::Forbidden, "forbidden.still_turning", format!("{text}: {}", state.name))
+    }
+}

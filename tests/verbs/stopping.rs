@@ -1,0 +1,303 @@
+//! What takes motion away: it asks nobody, it goes out whatever happens, and what is said of it is so.
+
+use super::run::{Document, antrieb};
+use antrieb::drive::motion::{Ended, Motor, StopChoice, look};
+use antrieb::drive::{Interrupt, Opening, Session, Target};
+use antrieb::failure::Failure;
+use antrieb::gate::Relief;
+use antrieb::outcome::Event;
+use antrieb::profile::{Lang, Registry};
+use antrieb::protocol::line::{LineSetting, Parity};
+use antrieb::protocol::modbus::Framing;
+use antrieb::simulator::Bench;
+use antrieb::tick::Span;
+use antrieb::transport::{Port, Rs485};
+use serde_json::json;
+use std::cell::RefCell;
+
+/// A drive that runs from the first moment on, and obeys the control word.
+const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
+
+fn drive(set: &str, rest: &str) -> String {
+    format!("[[drive]]\nmodel = \"acu\"\nbaud = 115200\nreply_delay = \"1ms\"\nset = {{ {set} }}\n{rest}\n")
+}
+
+/// Without a terminal and without `--yes`.
+fn alone(verb: &str, bench: &str) -> Document {
+    antrieb(&format!("-v -b 115200 -a 1 {verb}")).on(bench).json()
+}
+
+#[test]
+fn what_can_only_take_motion_away_asks_nobody() {
+    for verb in ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage"] {
+        let run = alone(verb, &drive(RUNNING, "")).exits(0);
+        assert_eq!(
+            (run.data("/from/slug"), run.data("/running")),
+            (&json!("operation-enabled"), &json!(false)),
+            "{verb}"
+        );
+        assert!(!run.err.contains("MOTION"), "{}", run.err);
+    }
+    for zero in ["0", "0Hz", "-0", "0,00 Hz", "0rpm", "+0.0"] {
+        let run = alone(&format!("sollwert '{zero}'"), &drive(RUNNING, "")).exits(0);
+        assert_eq!((run.data("/setpoint/value"), run.data("/setpoint/reached")), (&json!(0.0), &json!(true)), "{zero}");
+        assert!(!run.err.contains("MOTION"), "{}", run.err);
+    }
+}
+
+#[test]
+fn a_zero_that_does_more_than_stop_asks() {
+    // Alone, the internal setpoint would turn the shaft the other way.
+    let against = drive("\"410\" = 15, \"412\" = 1, \"434\" = 3, \"484\" = 10, \"228\" = -10, \"418\" = 0", "");
+    let with = drive("\"410\" = 15, \"412\" = 1, \"434\" = 3, \"484\" = 10, \"228\" = 0, \"418\" = 0", "");
+    alone("sollwert 0Hz", &against).exits(8);
+    alone("sollwert 0Hz", &with).exits(0);
+    for more in ["--enable", "--hold --duration 1s", "--take-control", "--watchdog 2s", "--source line"] {
+        alone(&format!("sollwert 0Hz {more}"), &drive(RUNNING, "")).exits(8);
+    }
+    alone("sollwert 0%", &drive(RUNNING, "")).exits(8);
+    let servo = "[[drive]]\nmodel = \"lxm05\"\n";
+    for verb in ["sollwert 0usr", "sollwert 0A", "sollwert 17 --mode homing"] {
+        antrieb(&format!("-a 1 --drive lxm05 {verb}")).on(servo).json().exits(8);
+    }
+}
+
+#[test]
+fn a_zero_that_the_least_frequency_lifts_is_no_standstill() {
+    let lifted = drive("\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = \"3.5\"", "");
+    let run = alone("sollwert 0", &lifted).exits(1);
+    assert_eq!(run.error()["code"], "no.not_standing");
+}
+
+#[test]
+fn under_virtual_contacts_a_stop_opens_them_all_and_closes_none() {
+    for verb in ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage"] {
+        let contacts = drive("\"410\" = 3, \"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0", "");
+        let run = alone(verb, &contacts).exits(0);
+        assert_eq!(run.data("/running"), &json!(false), "{verb}");
+        let words: Vec<_> = run.err.lines().filter(|line| line.contains("> 01 06 01 9A")).collect();
+        assert!(!words.is_empty() && words.iter().all(|line| line.contains("01 06 01 9A 00 00")), "{words:?}");
+    }
+}
+
+#[test]
+fn a_bounded_run_ends_with_its_stop_also_where_nothing_had_to_be_done() {
+    for verb in ["statemachine enable", "statemachine goto operation-enabled"] {
+        let run = antrieb(&format!("-b 115200 -a 1 --yes {verb} --hold --duration 50ms --on-exit quick-stop"));
+        let run = run.on(&drive(RUNNING, "")).json().exits(0);
+        assert_eq!(run.data("/steps").as_array().unwrap().len(), 0, "{verb}");
+        assert_eq!((run.data("/stop/acknowledged"), run.data("/running")), (&json!(true), &json!(false)), "{verb}");
+        assert_eq!(run.data("/stop/standing"), &json!(true));
+    }
+}
+
+#[test]
+fn a_reset_that_is_not_obeyed_is_refused_before_anything_is_sent() {
+    let tripped = drive("\"412\" = 0", "[[drive.event]]\nat = \"1ms\"\nfault = \"F0500\"");
+    let run = antrieb("-v -b 115200 -a 1 --yes statemachine reset").on(&tripped).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.control_mode");
+    let hint = run.error()["hint"].as_str().unwrap();
+    assert!(["P.34", "P.103", "--take-control"].iter().all(|way| hint.contains(way)), "{hint}");
+    assert!(!run.err.contains("> 01 06 01 9A"), "{}", run.err);
+}
+
+#[test]
+fn a_missing_enable_and_a_missing_start_contact_are_told_apart() {
+    for (missing, says, silent) in [("enable", "STOA", "start contact"), ("start_right", "start contact", "STOA")] {
+        let bench = drive("\"412\" = 1", "").replace("model", &format!("{missing} = false\nmodel"));
+        let run = antrieb("-b 115200 -a 1 --yes statemachine enable").on(&bench).json().exits(8);
+        let message = run.error()["message"].as_str().unwrap();
+        assert!(message.contains(says) && !message.contains(silent), "{missing}: {message}");
+    }
+}
+
+#[test]
+fn the_watchdog_that_is_reported_is_the_one_in_force() {
+    let bench = drive("\"412\" = 1, \"434\" = 2, \"413\" = 7", "");
+    let kept = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s").on(&bench).json().exits(0);
+    assert_eq!(kept.data("/watchdog_s"), &json!(2));
+    let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms");
+    assert_eq!(held.on(&bench).json().exits(0).data("/watchdog_s"), &json!(7));
+}
+
+/// What came of a run of a motor, on a bench of its own in virtual time.
+struct Came {
+    ended: Ended<()>,
+    notes: Vec<String>,
+    turning: u64,
+    energised: u64,
+    /// Telegrams that went out, in hex.
+    sent: Vec<String>,
+}
+
+impl Came {
+    fn stop(&self) -> &antrieb::outcome::Stop {
+        self.ended.stop.as_ref().unwrap()
+    }
+}
+
+/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out, and then lets `rest` pass.
+fn held(
+    bench: &str,
+    presses: &[&str],
+    choice: StopChoice,
+    rest: Span,
+    work: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
+) -> Came {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, bench).unwrap();
+    let registry = Registry::open(&[]).unwrap();
+    let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
+    let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
+    let mut left: Vec<&str> = presses.to_vec();
+    let mut observe = |event: Event| {
+        if let Event::Telegram { direction: '>', hex, .. } = event {
+            if left.first().is_some_and(|next| hex.starts_with(next)) {
+                left.remove(0);
+                signals.press();
+            }
+            sent.borrow_mut().push(hex);
+        }
+    };
+    let opening = Opening {
+        port: &port,
+        line: LineSetting::rtu(115_200, Parity::Even),
+        rs485: Rs485::default(),
+        protocol: Framing::Rtu.into(),
+        timeout: None,
+        retries: None,
+        trace: None,
+        verbose: true,
+        lang: Lang::En,
+    };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let mut session = runtime.block_on(Session::open(opening, &registry, interrupt, &mut observe)).unwrap();
+    let mut target = Target::new(1, registry.family("acu").unwrap());
+    // Any permit will do; what a motor does with it is the work's business.
+    let permit = Relief::QuickStop.permit();
+    let (ended, notes) = runtime.block_on(async {
+        let before = look(&mut session, &mut target, Lang::En).await.unwrap();
+        let mut motor = Motor::new(&mut session, &mut target, &permit, Lang::En, None);
+        motor.controls(&before);
+        let ended = motor.run(true, choice, work).await;
+        let notes = motor.notes.clone();
+        session.rest(rest).await.unwrap();
+        (ended, notes)
+    });
+    let totals = session.bench().map(|bench: &mut Bench| bench.totals()).unwrap();
+    drop(session);
+    let sent = sent.into_inner();
+    Came { ended, notes, turning: totals.turning, energised: totals.energised, sent }
+}
+
+const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
+
+/// Enables, runs at 20 Hz, holds.
+async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Result<(), Failure> {
+    let setpoint = Registry::open(&[]).unwrap().family("acu").unwrap().role("setpoint-frequency").unwrap().clone();
+    motor.walk("operation-enabled").await?;
+    motor.give(&setpoint, 2_000, "Hz").await?;
+    motor.until_reached().await?;
+    motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&setpoint, 2_000).await).await
+}
+
+const DISABLE: &str = "01 06 01 9A 00 07";
+const QUICK_STOP: &str = "01 06 01 9A 00 02";
+const COAST: &str = "01 06 01 9A 00 00";
+const REFRESH: &str = "01 65 01 E4";
+
+#[test]
+fn whoever_interrupts_again_gets_a_stronger_stop() {
+    let bench = drive(READY, "ramps = { up_right = 50, down_right = 1, up_left = 50, down_left = 1 }");
+    let bench = bench.replace("\"418\" = 0", "\"418\" = 0, \"424\" = 1, \"425\" = 1");
+    for (presses, way, escalated) in [
+        (&[REFRESH][..], "ramp", None),
+        (&[REFRESH, DISABLE], "ramp", Some("quick-stop")),
+        (&[REFRESH, DISABLE, QUICK_STOP], "ramp", Some("coast")),
+    ] {
+        let came =
+            held(&bench, presses, StopChoice::Ramp, Span::from_secs(30), async |motor| run_at_20_hz(motor, None).await);
+        let stop = came.stop();
+        assert_eq!((stop.choice, stop.escalated, stop.because), (way, escalated, "interrupted"));
+        assert!(stop.acknowledged, "{stop:?}");
+        assert_eq!((came.turning, came.energised), (0, 0));
+        assert_eq!(came.sent.iter().any(|hex| hex.starts_with(COAST)), escalated == Some("coast"));
+        let said = escalated.is_none_or(|way| came.notes.iter().any(|note| note.contains(way)));
+        assert!(said, "{:?}", came.notes);
+    }
+}
+
+#[test]
+fn an_enable_that_is_lost_at_any_step_ends_the_run_and_does_not_start_it_again() {
+    for writes in 1..9 {
+        let lost = format!(
+            "[[drive.event]]\nafter_writes = {writes}\nenable = false\n[[drive.event]]\nat = \"9s\"\nenable = true"
+        );
+        let came = held(&drive(READY, &lost), &[], StopChoice::QuickStop, Span::from_secs(60), async |motor| {
+            run_at_20_hz(motor, Some(Span::from_secs(5))).await
+        });
+        assert!(came.ended.result.is_err(), "{writes}");
+        assert_eq!((came.turning, came.energised), (0, 0), "write {writes}: {:?}", came.ended);
+    }
+}
+
+#[test]
+fn a_held_run_outlives_what_is_lost_late_or_garbled() {
+    for watchdog in [0, 2] {
+        for kind in ["lost", "garbled", "noise", "late"] {
+            let by = if kind == "late" { "by = \"700ms\"" } else { "" };
+            let bench = drive(&format!("{READY}, \"413\" = {watchdog}"), "");
+            let bench = format!("{bench}[[disturb]]\nevery = 7\nkind = \"{kind}\"\n{by}\n");
+            let came = held(&bench, &[], StopChoice::QuickStop, Span::ZERO, async |motor| {
+                run_at_20_hz(motor, Some(Span::from_secs(20))).await
+            });
+            assert!(came.ended.result.is_ok(), "{kind}, watchdog {watchdog}: {:?}", came.ended);
+            assert!(came.stop().acknowledged, "{kind}, watchdog {watchdog}: {:?}", came.ended);
+            assert_eq!((came.turning, came.energised), (0, 0));
+        }
+    }
+}
+
+#[test]
+fn a_held_run_on_a_dead_line_stops_within_the_margin_of_the_watchdog() {
+    let dies = "[[drive.event]]\nwhen = \"above 19Hz\"\nsilent = \"600s\"";
+    let bench = drive(&format!("{READY}, \"413\" = 4"), dies);
+    let came = held(&bench, &[], StopChoice::QuickStop, Span::ZERO, async |motor| run_at_20_hz(motor, None).await);
+    assert!(!came.stop().acknowledged);
+    assert!(came.sent.iter().any(|hex| hex.starts_with(QUICK_STOP)), "the stop went out");
+}
+
+#[test]
+fn a_fault_at_any_step_is_named_and_never_a_success() {
+    for writes in 1..7 {
+        let trips = format!("[[drive.event]]\nafter_writes = {writes}\nfault = \"F0500\"");
+        let run = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --enable --hold --duration 10ms --on-exit quick-stop");
+        let run = run.on(&drive(READY, &trips)).json();
+        if run.exit == 0 {
+            // So many writes there were not.
+            assert_ne!(run.data("/to/slug"), "fault", "write {writes}");
+            continue;
+        }
+        assert!(run.error()["message"].as_str().unwrap().contains("F0500"), "write {writes}: {}", run.error());
+    }
+    for at in (0..600).step_by(40) {
+        let trips = format!("[[drive.event]]\nat = \"{at}ms\"\nfault = \"F0500\"");
+        let run =
+            antrieb("-b 115200 -a 1 --yes statemachine enable --hold --duration 10ms").on(&drive(READY, &trips)).json();
+        assert_eq!(run.exit == 0, run.data("/to/slug") != "fault", "{at} ms: {:#}", run.value);
+    }
+}
+
+#[test]
+fn a_shaft_that_may_still_turn_is_the_first_thing_that_is_said() {
+    let dies = "[[drive.event]]\nwhen = \"running\"\nsilent = \"600s\"";
+    let line = "-b 115200 --timeout 50ms -a 1 --yes sollwert 5Hz --enable --hold --duration 9s --wait 100ms";
+    let run = antrieb(line).on(&drive(READY, dies)).run();
+    assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{}", run.err);
+    assert!(run.err.contains("hint: what stops it now: external enable STOA"), "{}", run.err);
+    assert!(run.err.contains("NOT acknowledged"), "{}", run.err);
+    let kept = antrieb(&format!("{line} --on-exit keep --lang de")).on(&drive(READY, dies)).run();
+    assert!(!kept.err.contains("NICHT bestätigt") && kept.err.contains("keep"), "{}", kept.err);
+    assert_ne!((run.exit, kept.exit), (0, 0));
+}
