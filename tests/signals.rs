@@ -97,3 +97,29 @@ fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
         assert!(!run.seen.contains("> 01 65"), "{signal}: {}", run.seen);
     }
 }
+
+#[test]
+fn every_further_signal_shortens_the_stop() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    let bench = "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
+                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n";
+    std::fs::write(&file, bench).unwrap();
+    let path = file.display();
+    let mut run =
+        AtTerminal::start(&format!("-v -p sim:{path} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
+    run.shows("> 01 65 01 E4 00 00 0F A0");
+    // Held once it is given again.
+    thread::sleep(Duration::from_millis(1_500));
+    let begun = Instant::now();
+    for (signal, sends) in
+        [("-INT", "> 01 06 01 9A 00 07"), ("-TERM", "> 01 06 01 9A 00 02"), ("-INT", "> 01 06 01 9A 00 00")]
+    {
+        run.signal(signal);
+        run.shows(sends);
+    }
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    assert!(begun.elapsed() < Duration::from_secs(8), "the ramp would take 40 s: {:?}", begun.elapsed());
+    run.shows("ramp -> coast: the stop was acknowledged");
+    assert!(run.seen.contains("quick-stop in place of ramp") && run.seen.contains("coast in place of quick-stop"));
+}

@@ -145,7 +145,13 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
     let mut notes = done.notes;
     if running == Some(true) {
-        notes.push(lang.pick("the drive keeps running", "der Antrieb läuft weiter").to_owned());
+        let keeps = match plan.relief {
+            Some(Relief::Zero) => {
+                lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
+            }
+            _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
+        };
+        notes.push(keeps.to_owned());
     }
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
