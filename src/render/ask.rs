@@ -5,6 +5,7 @@ use crate::gate::{Answer, Ask, Question, Reply};
 use crate::profile::Lang;
 use std::io::BufRead;
 use std::thread;
+use std::time::Duration;
 use tokio::sync::oneshot;
 
 /// Where answers are typed.
@@ -73,6 +74,7 @@ impl Terminal {
 
 /// Reads a line in a thread of its own, so that nothing else waits for it. The thread of a question that nobody waits for
 /// any more ends with the program, and what is typed then is read by nobody.
+#[expect(clippy::disallowed_methods, reason = "a person has typed; no telegram depends on this time")]
 async fn read_line(mut input: Input) -> (Option<String>, Option<Input>) {
     let (done, typed) = oneshot::channel();
     thread::spawn(move || {
@@ -80,8 +82,13 @@ async fn read_line(mut input: Input) -> (Option<String>, Option<Input>) {
         let line = input.read_line(&mut line).ok().map(|_| line);
         let _nobody_waits = done.send((line, input));
     });
-    typed.await.map_or((None, None), |(line, input)| (line, Some(input)))
+    let answer = typed.await.map_or((None, None), |(line, input)| (line, Some(input)));
+    tokio::time::sleep(GRACE).await;
+    answer
 }
+
+/// A signal that came a moment before the answer is heard before it.
+const GRACE: Duration = Duration::from_millis(100);
 
 /// A question on the terminal; what is said next begins a line of its own if it was never answered.
 struct OpenPrompt<'c> {

@@ -752,6 +752,8 @@ DOUBLES = [
     (QUICK, SIGINT, KILL, range(1, 9), (1,)),
     (QUICK, SIGINT, PULL, range(1, 9, 2), (2,)),
     (QUICK, SIGINT, STORM, range(1, 9, 2), (1,)),
+    (RAMP, SIGINT, SIGINT, range(1, 9, 2), (2,)),
+    (RAMP, SIGTERM, SIGINT, range(2, 9, 3), ()),
     (RAMP, SIGTERM, PULL, range(1, 9, 2), ()),
     (QUICK, SIGINT, STDOUT, range(1, 9, 3), ()),
     (QUICK, STDOUT, STORM, range(1, 9, 3), (1,)),
@@ -796,6 +798,61 @@ def measure(setup):
             for one in (run, bench):
                 if one:
                     one.close()
+
+
+# The question ------------------------------------------------------------------------------------------------------
+
+
+def at_the_question(number):
+    """A signal while the program waits for a yes: it ends at once, and the yes that is typed behind it does nothing."""
+    with tempfile.TemporaryDirectory(prefix="antrieb-breaks-") as name:
+        bench = Bench(Path(name), QUICK.toml(SLOW), False)
+        keyboard, terminal = pty.openpty()
+        words = [word for word in QUICK.command(SLOW) if word != "--yes"]
+        words = [str(BINARY), "--no-config", "--lang", "en", "-v", "-b", "115200", "-p", bench.port, *words]
+        process = subprocess.Popen(
+            words, stdin=terminal, stdout=subprocess.DEVNULL, stderr=terminal, env=environment()
+        )
+        try:
+            shown, deadline = b"", time.monotonic() + LIMIT_S
+            while b"go on? [y/N]" not in shown:
+                demand(time.monotonic() < deadline, f"no question: {shown.decode(errors='replace')}")
+                if select.select([keyboard], [], [], 0.1)[0]:
+                    shown += os.read(keyboard, 4096)
+            asked = time.monotonic()
+            process.send_signal(number)
+            os.write(keyboard, b"y\n")
+            code = process.wait(LIMIT_S)
+            took = time.monotonic() - asked
+            demand(code == 130, f"exit {code}")
+            demand(took < PROMPT_S, f"{took:.1f} s until it ended")
+            while select.select([keyboard], [], [], 0.1)[0]:
+                shown += os.read(keyboard, 4096)
+            written = [line for line in shown.splitlines() if b"> 01 06" in line or b"> 01 65" in line]
+            demand(not written, f"written all the same: {written}")
+            truth = ask(bench.port, QUICK)
+            demand(not (truth.driven or truth.output or truth.speed), f"the shaft turns: {truth}")
+        finally:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+            os.close(keyboard)
+            os.close(terminal)
+            bench.close()
+
+
+def questions():
+    """The group of these; returns how many passed and failed."""
+    passed = failed = 0
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        try:
+            at_the_question(number)
+            passed += 1
+        except Exception as error:  # as in a case of the table
+            failed += 1
+            print(f"      {number.name} at the question: {type(error).__name__}: {error}", flush=True)
+    print(f"{'FAIL' if failed else 'ok':<4}  {'signals at the question':<60}  {passed}/{passed + failed}", flush=True)
+    return passed, failed
 
 
 SHAFTS = ("tool", "watchdog", "never", "gone", "kept", "TURNING")
@@ -847,6 +904,9 @@ def main(words):
                 print(f"      {verdict.case.title()}: {verdict.failure}", flush=True)
                 if number < 2:
                     print(textwrap.indent("\n".join(verdict.story), " " * 10), flush=True)
+    if not words or any(word in "signals at the question" for word in words):
+        more, bad = questions()
+        passed, failed = passed + more, failed + bad
     seconds = time.monotonic() - started
     print(f"motion breaks: {passed + failed} cases in {seconds:.0f} s: {counted(shafts)}; {missed} steps not reached")
     print(f"shafts left turning: {shafts['TURNING']}")
