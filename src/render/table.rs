@@ -660,7 +660,8 @@ impl Page {
         if let Some(stop) = &motion.stop {
             let proof = if stop.acknowledged { "acknowledged" } else { "NOT acknowledged" };
             let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
-            rows.push(("stop", format!("{} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));
+            let by = stop.escalated.map_or_else(String::new, |by| format!(" -> {by}"));
+            rows.push(("stop", format!("{}{by} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));
         }
         if let Some(running) = motion.running {
             rows.push(("running", self.word(if running { "yes" } else { "no" }).to_owned()));

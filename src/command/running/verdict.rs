@@ -34,7 +34,12 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     if stop.choice == "keep" {
         let kept = lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt");
         failure.message = format!("{}; keep: {kept}", failure.message);
-        return failure;
+        if failure.class != Class::Port {
+            return failure;
+        }
+        failure.message = format!("{}: {}", danger(lang), failure.message);
+        let hints = [Some(what_stops_it(family, lang)), failure.hint.take()];
+        return failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "));
     }
     let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
     let proof = match stop.acknowledged {
