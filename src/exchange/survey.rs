@@ -426,9 +426,10 @@ impl Survey {
         // Some drivers leave the parity bit of 7-bit characters in place.
         let mask = if self.line.data_bits == 7 { 0x7F } else { 0xFF };
         self.came.extend(bytes.iter().map(|byte| byte & mask));
-        self.sort_out(at);
+        // Before it is sorted: a flood must not cost the time that tells it from silence.
         let surplus = self.came.len().saturating_sub(MOST_BYTES);
         self.came.drain(..surplus);
+        self.sort_out(at);
     }
 
     /// Somebody else has had the line until now.
