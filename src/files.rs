@@ -8,8 +8,9 @@ use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Longest configuration, catalogue, bench, setpoint file or saved result in bytes; ours have some ten thousand.
-pub const TEXT: u64 = 4 << 20;
+/// Longest configuration, catalogue, bench, setpoint file or saved result in bytes; ours have some ten thousand. What reads
+/// them may have a lower limit of its own.
+pub const TEXT: u64 = 16 << 20;
 /// Longest recording in bytes: three hours of a line that is asked without a pause.
 pub const RECORDING: u64 = 64 << 20;
 

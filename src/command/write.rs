@@ -68,8 +68,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let Some(permit) = permit(&mut session, *ask, &jobs, settings.lang).await? else {
-        return Ok(done(jobs, Vec::new(), settings));
+    let permit = match permit(&mut session, *ask, &jobs, settings.lang).await {
+        Ok(Some(permit)) => permit,
+        Ok(None) => return Ok(done(jobs, Vec::new(), settings)),
+        Err(failure) if failure.class == Class::Port => {
+            let failure = leave(&mut jobs, failure, lang);
+            return Ok(done(jobs, vec![failure], settings));
+        }
+        Err(failure) => return Err(failure),
     };
     let mut failures = Vec::new();
     for job in &mut jobs {
@@ -78,6 +84,17 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         }
     }
     Ok(done(jobs, failures, settings))
+}
+
+/// Leaves out what is planned: the port went away before anything was sent.
+fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
+    failure.message = format!("{}; {}", failure.message, lang.pick("nothing was begun", "es wurde nichts begonnen"));
+    let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
+    for row in planned {
+        row.result = WriteResult::Skipped;
+        row.error = Some(ErrorDoc::from(&failure));
+    }
+    failure
 }
 
 /// What is to be written to one drive.
