@@ -1,6 +1,6 @@
 # Print an optspec for argparse to handle cmd's options that are independent of any subcommand.
 function __fish_antrieb_global_optspecs
-    string join \n p/port= a/address= b/baud= parity= stop-bits= data-bits= rs485= rs485-before= rs485-after= protocol= drive= word-order= timeout= retries= format= json lang= q/quiet v/verbose trace= color= no-progress catalogue= config= no-config dry-run yes h/help V/version
+    string join \n p/port= a/address= b/baud= parity= stop-bits= data-bits= rs485= rs485-before= rs485-after= protocol= drive= word-order= timeout= retries= format= json lang= q/quiet v/verbose trace= color= no-progress catalogue= config= no-config dry-run force yes h/help V/version
 end
 
 function __fish_antrieb_needs_command
@@ -37,11 +37,11 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'Protocol o
 complete -c antrieb -n "__fish_antrieb_needs_command" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_needs_command" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_needs_command" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_needs_command" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_needs_command" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_needs_command" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_needs_command" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_needs_command" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -53,6 +53,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -s v -l verbose -d 'Show e
 complete -c antrieb -n "__fish_antrieb_needs_command" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_needs_command" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_needs_command" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_needs_command" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_needs_command" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_needs_command" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_needs_command" -s V -l version -d 'Print version'
@@ -90,11 +91,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l protocol -d 'Pr
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -109,6 +110,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s v -l verbose -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -124,11 +126,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -140,6 +142,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s v -l verbos
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l type -d 'Read with this type, whatever the catalogue says: uint, int, word, long' -r
@@ -157,11 +160,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'Pr
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -173,6 +176,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s v -l verbose -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l type -d 'Write with this type, whatever the catalogue says: uint, int, word, long' -r
@@ -190,11 +194,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'P
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -222,11 +226,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -238,6 +242,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "show" -d 'Show parameters in all four data sets side by side'
@@ -258,11 +263,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -274,6 +279,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -289,11 +295,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -305,6 +311,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -320,11 +327,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -337,6 +344,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -352,11 +360,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -369,6 +377,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -384,11 +393,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -400,6 +409,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions and show error rate and reply times' -r
@@ -416,11 +426,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -434,6 +444,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -f -a "line" -d 'The line itself'
@@ -451,11 +462,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -467,6 +478,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -482,11 +494,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -498,6 +510,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "show" -d 'Show state, words, control mode, what is missing (the default)'
@@ -523,11 +536,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -539,6 +552,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
@@ -561,11 +575,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -579,6 +593,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
@@ -601,11 +616,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -619,6 +634,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
@@ -641,11 +657,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -659,6 +675,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
@@ -681,11 +698,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -699,6 +716,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
@@ -721,11 +739,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -739,6 +757,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
@@ -761,11 +780,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -779,6 +798,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
@@ -801,11 +821,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -819,6 +839,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
@@ -841,11 +862,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -859,6 +880,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
@@ -881,11 +903,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -899,6 +921,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -914,11 +937,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -930,6 +953,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -f -a "show" -d 'Show state, words, control mode, what is missing (the default)'
@@ -955,11 +979,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -971,6 +995,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
@@ -993,11 +1018,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1011,6 +1036,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
@@ -1033,11 +1059,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1051,6 +1077,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
@@ -1073,11 +1100,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1091,6 +1118,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
@@ -1113,11 +1141,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1131,6 +1159,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
@@ -1153,11 +1182,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1171,6 +1200,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
@@ -1193,11 +1223,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1211,6 +1241,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
@@ -1233,11 +1264,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1251,6 +1282,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
@@ -1273,11 +1305,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1291,6 +1323,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
@@ -1313,11 +1346,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1331,6 +1364,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l mode -d 'What is set: frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)' -r
@@ -1361,11 +1395,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1411,11 +1445,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1449,11 +1483,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1468,6 +1502,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s v -l verbose
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1483,11 +1518,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1499,6 +1534,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -f -a "show" -d 'Protocol, speed, parity and addresses as they are stored in the drive'
@@ -1516,11 +1552,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1532,6 +1568,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1547,11 +1584,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1563,6 +1600,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1578,11 +1616,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1594,6 +1632,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -f -a "show" -d 'Speed, parity and addresses as they are stored in the drive'
@@ -1611,11 +1650,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1627,6 +1666,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s b -l baud -d 'New speed: 2400, 4800, 9600, 19200, 57600 or 115200' -r
@@ -1645,11 +1685,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1661,6 +1701,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1676,11 +1717,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l protocol -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1692,6 +1733,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s v -l verbose 
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1707,11 +1749,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1723,6 +1765,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "telegram" -d 'A telegram of Modbus or VABus: hex bytes, or an ASCII telegram from its colon on'
@@ -1745,11 +1788,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1761,6 +1804,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1776,11 +1820,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1792,6 +1836,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1807,11 +1852,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1823,6 +1868,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l mode -d 'Control mode (P.412) that decides what the bits mean: 0 contacts, 1 state machine, 2 remote contacts' -r
@@ -1839,11 +1885,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1855,6 +1901,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1870,11 +1917,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1886,6 +1933,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1901,11 +1949,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1917,6 +1965,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -1932,11 +1981,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1948,6 +1997,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l for -d 'End after this time' -r
@@ -1965,11 +2015,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'P
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -1981,6 +2031,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s v -l verbose -
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l link -d 'Name the pseudo terminal with this symbolic link' -r -F
@@ -1999,11 +2050,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l protocol -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -2015,6 +2066,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s v -l verbos
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -2030,11 +2082,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l protocol -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -2046,6 +2098,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s v -l verbose 
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -2061,11 +2114,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l protocol
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -2077,6 +2130,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s v -l ver
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
@@ -2092,11 +2146,11 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l protocol -d 'Pro
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l drive -d 'What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l word-order -d 'Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l retries -d 'How often to repeat a question that got no valid reply [default: 2]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l timeout -d 'How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l retries -d 'How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l format -d 'Output: table, json, ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l lang -d 'Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l trace -d 'Record the line to a file that `decode trace` reads' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l trace -d 'Record the line to a new file that `decode trace` reads; --force replaces an old one' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l color -d 'Colour: auto, always, never [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
@@ -2108,5 +2162,6 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s v -l verbose -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l no-progress -d 'No progress bar'
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s h -l help -d 'Print help (see more with \'--help\')'

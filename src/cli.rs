@@ -220,8 +220,8 @@ fn mentioned(arguments: &[OsString]) -> clap::Command {
 fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, err: Box<dyn Write>) -> u8 {
     let text = error.render().to_string();
     if !error.use_stderr() {
-        let _closed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-        return 0;
+        let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+        return printed.map_or_else(|error| closed(&error, &Console::new(err, true, false)), |()| 0);
     }
     let console = Console::new(err, true, false);
     let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
@@ -403,7 +403,7 @@ fn print_schema(verb: Option<&str>, out: &mut dyn Write) -> io::Result<Option<Fa
     };
     serde_json::to_writer_pretty(&mut *out, &schema)?;
     writeln!(out)?;
-    Ok(None)
+    out.flush().map(|()| None)
 }
 
 fn completions(shell: clap_complete::Shell, out: &mut dyn Write) -> io::Result<Option<Failure>> {

@@ -4,7 +4,7 @@
 //!
 //! | room | what it knows |
 //! |---|---|
-//! | [`tick`], [`failure`], [`outcome`], [`gate`] | values that every room may name |
+//! | [`tick`], [`failure`], [`files`], [`outcome`], [`gate`] | values that every room may name |
 //! | [`protocol`] | bytes to telegrams and back |
 //! | [`profile`] | what a drive is: catalogues and pure decoding |
 //! | [`exchange`] | conversations without I/O |
@@ -21,6 +21,7 @@ pub mod command;
 pub mod drive;
 pub mod exchange;
 pub mod failure;
+pub mod files;
 pub mod gate;
 pub mod outcome;
 pub mod profile;

@@ -9,14 +9,18 @@ use std::path::{Path, PathBuf};
 const LAW: &[(&str, &[&str])] = &[
     ("tick", &[]),
     ("failure", &[]),
+    ("files", &[]),
     ("gate", &[]),
     ("outcome", &["failure"]),
     ("profile", &[]),
     ("protocol", &["tick"]),
     ("exchange", &["protocol", "tick"]),
     ("simulator", &["protocol", "profile", "tick"]),
-    ("transport", &["simulator", "protocol::line", "tick"]),
-    ("drive", &["exchange", "transport", "profile", "gate", "failure", "outcome", "tick", "simulator", "protocol"]),
+    ("transport", &["simulator", "files", "protocol::line", "tick"]),
+    (
+        "drive",
+        &["exchange", "transport", "profile", "gate", "failure", "files", "outcome", "tick", "simulator", "protocol"],
+    ),
     ("render", &["outcome", "failure", "gate", "profile"]),
     (
         "args",
@@ -25,13 +29,14 @@ const LAW: &[(&str, &[&str])] = &[
             "profile",
             "render",
             "failure",
+            "files",
             "tick",
             "protocol::line",
             "protocol::modbus",
             "protocol::Protocol",
         ],
     ),
-    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "tick"]),
+    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "files", "tick"]),
     ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure"]),
 ];
 

@@ -6,12 +6,16 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
+#[path = "verbs/adapters.rs"]
+mod adapters;
 #[path = "verbs/catalogues.rs"]
 mod catalogues;
 #[path = "verbs/decoding.rs"]
 mod decoding;
 #[path = "verbs/exits.rs"]
 mod exits;
+#[path = "verbs/files.rs"]
+mod files;
 #[path = "verbs/judge.rs"]
 mod judge;
 #[path = "verbs/lexium.rs"]

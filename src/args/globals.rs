@@ -69,11 +69,11 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "ORDER", help_heading = "Line")]
     pub word_order: Option<FirstHalf>,
 
-    /// How long to wait for a reply, such as 500ms or 2s [default: 500ms]
+    /// How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub timeout: Option<Span>,
 
-    /// How often to repeat a question that got no valid reply [default: 2]
+    /// How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]
     #[arg(long, global = true, value_name = "N", help_heading = "Line", value_parser = clap::value_parser!(u8).range(0..=20))]
     pub retries: Option<u8>,
 
@@ -97,7 +97,7 @@ pub struct Globals {
     #[arg(short, long, global = true, action = ArgAction::Count, help_heading = "Output")]
     pub verbose: u8,
 
-    /// Record the line to a file that `decode trace` reads
+    /// Record the line to a new file that `decode trace` reads; --force replaces an old one
     #[arg(long, global = true, value_name = "FILE", help_heading = "Output")]
     pub trace: Option<PathBuf>,
 
@@ -124,6 +124,10 @@ pub struct Globals {
     /// Show the telegrams that would be sent; open nothing
     #[arg(long, global = true, help_heading = "Safety")]
     pub dry_run: bool,
+
+    /// Replace the file of --trace if it exists, and do what the verb does not do unasked
+    #[arg(long, global = true, help_heading = "Safety")]
+    pub force: bool,
 
     /// Answer the safety question with yes; never taken from environment or files
     #[arg(long, global = true, help_heading = "Safety")]

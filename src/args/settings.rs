@@ -2,6 +2,7 @@
 
 use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
 use crate::failure::{Class, Failure};
+use crate::files;
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
@@ -73,6 +74,8 @@ pub struct Settings {
     pub quiet: bool,
     /// Where to record the line.
     pub trace: Option<PathBuf>,
+    /// Replace a recording that exists, and whatever else a verb does not do unasked.
+    pub force: bool,
     /// Colour may be used on a terminal.
     pub color: ColorChoice,
     /// A progress bar may be shown on a terminal.
@@ -236,6 +239,7 @@ impl Settings {
             verbose: globals.verbose > 0,
             quiet: globals.quiet,
             trace: globals.trace.clone(),
+            force: globals.force,
             color: globals.color.unwrap_or_default(),
             progress: !globals.no_progress && !globals.quiet,
             dry_run: globals.dry_run,
@@ -357,9 +361,9 @@ fn locale(environment: &Environment) -> Lang {
 
 fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
     let shown = path.display();
-    let text = match std::fs::read_to_string(path) {
+    let text = match files::read(path, files::TEXT) {
         Ok(text) => text,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound && !must_exist => return Ok(File::default()),
+        Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
         Err(error) => return Err(Failure::new(Class::Data, "data.config", format!("{shown}: {error}"))),
     };
     toml::from_str(&text).map_err(|error| {
@@ -458,7 +462,7 @@ fn catalogues(
     paths.extend(named.map(|path| environment.directory.join(path)));
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let text = std::fs::read_to_string(&path)
+        let text = files::read(&path, files::TEXT)
             .map_err(|error| Failure::new(Class::Data, "data.catalogue", format!("{shown}: {error}")))?;
         Ok(CatalogueFile { path: shown, text })
     };

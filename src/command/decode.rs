@@ -3,6 +3,7 @@
 use super::{Context, offline_family, telegram_reader};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
+use crate::files;
 use crate::outcome::{Data, Decode, Outcome};
 use crate::profile::Family;
 use clap::{Args as ClapArgs, Subcommand};
@@ -85,7 +86,7 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         What::Trace { file } => {
             let shown = file.display().to_string();
             let bad = |why: String| Failure::new(Class::Data, "data.trace", format!("{shown}: {why}"));
-            let text = std::fs::read_to_string(file).map_err(|error| bad(error.to_string()))?;
+            let text = files::read(file, files::RECORDING).map_err(|error| bad(error.to_string()))?;
             Decode { telegrams: reader.recording(&text).map_err(bad)?, ..blank("trace", &shown) }
         }
         What::Status { word } => word_of(&family, "status-word", "status", word, None, lang)?,

@@ -21,7 +21,8 @@ pub mod write;
 
 use crate::args::{Addresses, Settings};
 use crate::drive::{
-    AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Session, Target, describe, open_port, recognise,
+    AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Recording, Session, Target, describe, open_port,
+    recognise,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
@@ -77,7 +78,7 @@ async fn open<'a>(
         protocol: settings.protocol,
         timeout: settings.timeout,
         retries: settings.retries,
-        trace: settings.trace.as_deref(),
+        trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),
         verbose: settings.verbose,
         lang: settings.lang,
     };

@@ -48,6 +48,9 @@ pub struct Args {
     pub count: Option<u64>,
 
     /// Wait for a port that is lost, such as an adapter that was unplugged, and go on when it is back
+    ///
+    /// A USB adapter is known by its serial number: it is found under another name, and another adapter under its old name
+    /// is left alone. One without a serial number is known by its socket, or by its name.
     #[arg(long)]
     pub reconnect: bool,
 
@@ -401,12 +404,22 @@ impl Watch<'_> {
 
     /// Tries to open a lost port, and waits a little if that does not work.
     async fn seek_port(&mut self, session: &mut Session<'_>, until: Tick) -> Result<(), Failure> {
-        if session.reopen().await.is_ok() {
+        let reopened = session.reopen().await.map_err(|error| self.told(&error));
+        if reopened.is_ok() {
             self.lost = None;
             let change = self.port_change(session, None);
             session.tell(Event::Note(format!("{}: {}", change.port, self.words("the port is back"))));
             self.emit(session, Record::Reopened(change));
             return Ok(());
+        }
+        // Another adapter under the old name is told once, and left alone.
+        if let Err(failure) = reopened
+            && failure.code == "port.stranger"
+            && self.lost.as_ref().is_some_and(|known| known.message != failure.message)
+        {
+            let waits = self.words("waiting for the one that was lost");
+            session.tell(Event::Note(format!("{}; {waits}", failure.message)));
+            self.lost = Some(failure);
         }
         let pause = TRY_AGAIN.min(until.since(session.now()));
         session.rest(pause).await.map_err(|error| self.told(&error))
@@ -419,6 +432,7 @@ impl Watch<'_> {
     fn words(&self, english: &'static str) -> &'static str {
         let german = match english {
             "waiting for it" => "es wird darauf gewartet",
+            "waiting for the one that was lost" => "es wird auf den verlorenen gewartet",
             "the port is back" => "der Anschluss ist wieder da",
             "going on" => "es geht weiter",
             "answers again after" => "antwortet wieder nach",

@@ -4,6 +4,7 @@ use super::Context;
 use crate::args::{Addresses, Settings, parse_addresses};
 use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Unknown, open_port, scan};
 use crate::failure::{Class, Failure};
+use crate::files;
 use crate::outcome::{Data, Event, FoundDrive, Outcome, Plan, Scan, Search, Warning};
 use crate::profile::Lang;
 use clap::Args as ClapArgs;
@@ -26,6 +27,9 @@ use std::task::Poll;
 /// What is not known of the line is found with `--baud auto`, `--parity auto`, `--protocol auto`: likely settings and low
 /// addresses first. Where a drive is found, its setting is searched to the end at once. Several ports are searched at
 /// once: -p A -p B.
+///
+/// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8. --force
+/// goes on.
 ///
 /// Ctrl-C ends the search and shows what was found so far; `--resume` goes on from a result that was saved with --json.
 #[derive(Clone, Debug, Default, ClapArgs)]
@@ -61,6 +65,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             _ => Manner::Usual,
         },
         until_first: args.until_first.then(First::default),
+        force: settings.force,
         ..ScanPlan::new(addresses, settings.lang)
     };
     let lines = search_all(context, &ports, &plan, before.as_ref()).await;
@@ -188,6 +193,7 @@ fn report(
         };
         drives.extend(result.drives);
         warnings.extend(result.warnings);
+        failures.extend(result.yielded.then(|| other_master(lang)));
         failures.extend(result.cut.map(|error| {
             let mut failure = error.failure(0, None, lang);
             failure.context.clear();
@@ -267,6 +273,19 @@ fn verdict(
     Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
 }
 
+fn other_master(lang: Lang) -> Failure {
+    let message = lang.pick(
+        "another master asks on this line, so nothing more was sent",
+        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet",
+    );
+    let hint = lang.pick(
+        "disconnect the other master; `antrieb sniff` shows what it asks; --force goes on beside it and may disturb it",
+        "den anderen Master abklemmen; `antrieb sniff` zeigt, was er fragt; --force macht neben ihm weiter und kann ihn \
+         stören",
+    );
+    Failure::new(Class::Forbidden, "forbidden.other_master", message).hint(hint)
+}
+
 fn nobody(settings: &Settings) -> Failure {
     let lang = settings.lang;
     let hint = if settings.unknown == crate::args::Unknown::default() {
@@ -314,7 +333,7 @@ fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
         Failure::new(Class::Data, "data.resume", format!("{shown}: {why}"))
             .hint("expected what `antrieb scan --json > RESULT.json` has written")
     };
-    let text = std::fs::read_to_string(path).map_err(|error| bad(error.to_string()))?;
+    let text = files::read(path, files::TEXT).map_err(|error| bad(error.to_string()))?;
     let document: Document =
         serde_json::from_str(&text).map_err(|error| bad(format!("no result of a scan: {error}")))?;
     let version = crate::outcome::SCHEMA_VERSION;

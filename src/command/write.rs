@@ -3,12 +3,13 @@
 use super::read::select_failure;
 use super::{Context, Reader, addresses_to_write, connect, is_over, offline, summary, target};
 use crate::args::Settings;
-use crate::drive::{Cell, Inquiry, Order, Session, Target, WriteFate, describe};
+use crate::drive::{AccessError, Cell, Inquiry, Order, Session, Target, WriteFate, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Selector, Store, Type};
+use crate::tick::Span;
 use clap::Args as ClapArgs;
 
 /// Writes parameters.
@@ -67,8 +68,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let Some(permit) = permit(&mut session, *ask, &jobs, settings.lang).await? else {
-        return Ok(done(jobs, Vec::new(), settings));
+    let permit = match permit(&mut session, *ask, &jobs, settings.lang).await {
+        Ok(Some(permit)) => permit,
+        Ok(None) => return Ok(done(jobs, Vec::new(), settings)),
+        Err(failure) if failure.class == Class::Port => {
+            let failure = leave(&mut jobs, failure, lang);
+            return Ok(done(jobs, vec![failure], settings));
+        }
+        Err(failure) => return Err(failure),
     };
     let mut failures = Vec::new();
     for job in &mut jobs {
@@ -77,6 +84,17 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         }
     }
     Ok(done(jobs, failures, settings))
+}
+
+/// Leaves out what is planned: the port went away before anything was sent.
+fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
+    failure.message = format!("{}; {}", failure.message, lang.pick("nothing was begun", "es wurde nichts begonnen"));
+    let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
+    for row in planned {
+        row.result = WriteResult::Skipped;
+        row.error = Some(ErrorDoc::from(&failure));
+    }
+    failure
 }
 
 /// What is to be written to one drive.
@@ -338,24 +356,32 @@ pub(super) async fn carry_out(
             row.result = WriteResult::Skipped;
             continue;
         }
-        let fate = match job.target.width(session, &step.param, step.set).await {
+        let fate = match begin(session, &mut job.target, step).await {
             Ok(kind) => {
                 tell(row, telegram(settings, &job.target.family, address, step, kind));
-                {
-                    let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
-                    job.target.write(session, &step.param, order, permit).await
-                }
+                let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
+                job.target
+                    .write(session, &step.param, order, permit)
+                    .await
+                    .map_err(|error| (error, WriteResult::Unknown))
             }
-            Err(error) => Err(error),
+            Err(error) => Err((error, WriteResult::Skipped)),
         };
         let failure = match fate {
             Ok(fate) => {
                 row.result = result(&fate);
                 unproven(&fate, &job.target, row, settings)
             }
-            Err(error) => {
-                row.result = if error.is_refused() { WriteResult::Refused } else { WriteResult::Unknown };
-                Some(error.failure(address, Some(&job.target.family), lang))
+            Err((error, otherwise)) => {
+                row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
+                let mut failure = error.failure(address, Some(&job.target.family), lang);
+                if row.result == WriteResult::Skipped {
+                    failure.message = match lang {
+                        Lang::En => format!("{}; P.{} was not begun", failure.message, row.param),
+                        Lang::De => format!("{}; P.{} wurde nicht begonnen", failure.message, row.param),
+                    };
+                }
+                Some(failure)
             }
         };
         if let Some(failure) = failure {
@@ -367,6 +393,13 @@ pub(super) async fn carry_out(
         }
     }
     over
+}
+
+/// How wide the value goes out, with a look at the line: at the question somebody may have unplugged the adapter or pressed
+/// Ctrl-C. Nothing that fails here has changed anything.
+async fn begin(session: &mut Session<'_>, target: &mut Target, step: &Step) -> Result<Type, AccessError> {
+    session.rest(Span::ZERO).await?;
+    target.width(session, &step.param, step.set).await
 }
 
 /// Whether reading back proves anything: not where the line or the drive is gone at once.

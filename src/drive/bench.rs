@@ -2,6 +2,7 @@
 
 use super::Interrupt;
 use crate::failure::{Class, Failure};
+use crate::files;
 use crate::outcome::{Event, GapStatistics, Simulate};
 use crate::profile::Registry;
 use crate::simulator::Bench;
@@ -18,7 +19,7 @@ pub const FILE_HELP: &str = concat!("A bench file, by example:\n\n", include_str
 pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
     let Some(file) = file else { return Ok(Bench::standard(registry)) };
     let path = file.display().to_string();
-    let text = std::fs::read_to_string(file).map_err(|error| {
+    let text = files::read(file, files::TEXT).map_err(|error| {
         Failure::new(Class::Data, "data.bench", format!("bench file {path}: {error}"))
             .hint("the format is described in `antrieb simulate --help`")
     })?;

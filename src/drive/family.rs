@@ -229,7 +229,14 @@ impl Inquest<'_, '_> {
                 };
                 let objects = described.objects.iter().filter(|object| !object.value.is_empty());
                 let words: Vec<_> = objects.map(|object| String::from_utf8_lossy(&object.value)).collect();
-                (if words.is_empty() { "-".to_owned() } else { words.join(", ") }, tells)
+                let mut answered = if words.is_empty() { "-".to_owned() } else { words.join(", ") };
+                if described.next.is_some() {
+                    answered += lang.pick(
+                        " … (cut off: it says again and again that more follows)",
+                        " … (abgebrochen: es meldet immer wieder, dass noch etwas folgt)",
+                    );
+                }
+                (answered, tells)
             }
             Ok(said) => {
                 let answered = no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang));
@@ -244,16 +251,20 @@ impl Inquest<'_, '_> {
         Ok(())
     }
 
-    /// What the device tells of itself, in as many telegrams as it takes: every one names a later object to go on with.
-    /// If one of them is missing, what came before it counts.
+    /// What the device tells of itself, in several telegrams if it takes them: every one names a later object to go on
+    /// with. If one of them is missing, what came before it counts. Where it would go on without end, `next` stays set.
     async fn described(&mut self) -> Result<Result<Said, ExchangeError>, AccessError> {
         let ask = |object| Request::ReadIdentification { category: identification::BASIC, object };
         let mut answer = self.ask_once(ask(identification::VENDOR_NAME).into()).await?;
         let mut asked = identification::VENDOR_NAME;
-        while let Ok(Said::Modbus(Reply::Identification(told))) = &mut answer
-            && let Some(next) = told.next.take().filter(|next| *next > asked)
-            && let Ok(Said::Modbus(Reply::Identification(more))) = self.ask_once(ask(next).into()).await?
-        {
+        for _ in 0..MOST_PIECES {
+            let Ok(Said::Modbus(Reply::Identification(told))) = &mut answer else { break };
+            let Some(next) = told.next.filter(|next| *next > asked) else { break };
+            let more = self.ask_once(ask(next).into()).await?;
+            let Ok(Said::Modbus(Reply::Identification(more))) = more else {
+                told.next = None;
+                break;
+            };
             asked = next;
             told.next = more.next;
             told.objects.extend(more.objects);
@@ -275,6 +286,10 @@ impl Inquest<'_, '_> {
         said(answer)
     }
 }
+
+/// Telegrams that a description may take behind the first. The basic objects are three (V1.1b3, 6.21), so that each may
+/// come alone, with room for a maker's own.
+const MOST_PIECES: usize = 8;
 
 /// An answer, or why there is none; what ends the session is an error.
 fn said(answer: Result<Answer, AccessError>) -> Result<Result<Said, ExchangeError>, AccessError> {

@@ -26,7 +26,7 @@ pub use interrupt::Interrupt;
 pub use line_check::check_line;
 pub use route::{Cell, Inquiry, No, Route};
 pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, scan};
-pub use session::{AccessError, Opening, Refusal, Session, open_port};
+pub use session::{AccessError, Opening, Recording, Refusal, Session, open_port};
 pub use sniff::{Listening, sniff};
 pub use transfer::{Order, Reading, Target, WriteFate};
 

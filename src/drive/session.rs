@@ -8,6 +8,7 @@ use crate::exchange::{
     Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Said, Survey, Tally, Verdict,
 };
 use crate::failure::{Class, Failure};
+use crate::files::{self, FileError};
 use crate::outcome::Event;
 use crate::profile::{Family, Lang, Registry};
 use crate::protocol::Protocol;
@@ -23,6 +24,8 @@ use std::rc::Rc;
 
 /// A gateway waits for its stations itself and then says so; many wait for a second or more.
 const GATEWAY_PATIENCE: Span = Span::from_secs(3);
+/// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
+const GATEWAY_REPEATS: u8 = 0;
 
 /// Strange telegrams that are kept until somebody asks for them.
 const MOST_OVERHEARD: usize = 4_096;
@@ -42,12 +45,21 @@ pub struct Opening<'a> {
     pub timeout: Option<Span>,
     /// How often to repeat a question; `None` for the usual number.
     pub retries: Option<u8>,
-    /// File to record the line to.
-    pub trace: Option<&'a Path>,
+    /// File to record the line to, if anybody wants that.
+    pub trace: Option<Recording<'a>>,
     /// Whether every telegram is told as an event.
     pub verbose: bool,
     /// Language of what is told.
     pub lang: Lang,
+}
+
+/// Where a line is recorded to.
+#[derive(Clone, Copy, Debug)]
+pub struct Recording<'a> {
+    /// The file.
+    pub path: &'a Path,
+    /// Whether one that exists is replaced.
+    pub overwrite: bool,
 }
 
 /// An open line.
@@ -121,9 +133,12 @@ impl<'a> Session<'a> {
     ) -> Result<Self, Failure> {
         let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose, lang } = opening;
         let usual = Limits::default();
-        let patience = if protocol == Framing::Tcp.into() { GATEWAY_PATIENCE } else { usual.reply_timeout };
+        let (patience, repeats) = match protocol == Framing::Tcp.into() {
+            true => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
+            false => (usual.reply_timeout, usual.retries),
+        };
         let limits =
-            Limits { reply_timeout: timeout.unwrap_or(patience), retries: retries.unwrap_or(usual.retries), ..usual };
+            Limits { reply_timeout: timeout.unwrap_or(patience), retries: retries.unwrap_or(repeats), ..usual };
         let mut link = match port {
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
             port => tokio::select! {
@@ -131,8 +146,8 @@ impl<'a> Session<'a> {
                 () = interrupt.raised() => return Err(trouble::interrupted(lang)),
             },
         };
-        if let Some(path) = trace {
-            link.record_to(open_trace(path, &format!("{line}, {protocol}"))?);
+        if let Some(recording) = trace {
+            link.record_to(open_trace(recording, &format!("{line}, {protocol}"), lang)?);
         }
         for deviation in link.deviations() {
             observe(Event::Note(format!("{port}: {deviation}")));
@@ -340,6 +355,9 @@ impl<'a> Session<'a> {
             reopened = self.link.reopen() => reopened?,
             () = interrupt.raised() => return Err(AccessError::Interrupted),
         }
+        if let Some(name) = self.link.name() {
+            name.clone_into(&mut self.port);
+        }
         self.rest(self.limits().reply_timeout).await
     }
 
@@ -435,7 +453,7 @@ pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event
     let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
     if let [only] = adapters.as_slice() {
         let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
-        observe(Event::Note(format!("{taking} {} ({})", only.name, only.about)));
+        observe(Event::Note(format!("{taking} {only}")));
         return Ok(Port::Serial(only.name.clone()));
     }
     let message = match (adapters.len(), lang) {
@@ -448,9 +466,19 @@ pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event
     Err(Failure::new(Class::Port, "port.none", message).hint(hint))
 }
 
-fn open_trace(path: &Path, about: &str) -> Result<Trace, Failure> {
-    let file = std::fs::File::create(path).and_then(|file| Trace::new(Box::new(file), about));
-    file.map_err(|error| Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display())))
+fn open_trace(recording: Recording<'_>, about: &str, lang: Lang) -> Result<Trace, Failure> {
+    let Recording { path, overwrite } = recording;
+    let trace = files::create(path, overwrite).and_then(|file| Ok(Trace::new(Box::new(file), about)?));
+    trace.map_err(|error| {
+        let failure = Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display()));
+        match error {
+            FileError::Exists => failure.hint(lang.pick(
+                "name another file; --force replaces this one, and forces whatever else the verb would refuse",
+                "eine andere Datei nennen; --force ersetzt diese und erzwingt auch, was der Befehl sonst ablehnte",
+            )),
+            _ => failure,
+        }
+    })
 }
 
 fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record: &Record) -> Event {

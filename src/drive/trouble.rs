@@ -197,6 +197,10 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
         (LinkError::Lost(port), _) => {
             format!("Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
         }
+        (LinkError::Stuck(port), _) => format!("Anschluss '{port}' nimmt keine Bytes an: niemand holt sie dort ab"),
+        (LinkError::Stranger { port, found }, _) => {
+            format!("Anschluss '{port}' ist jetzt ein anderer Adapter: {found}")
+        }
         (LinkError::Recording { file, message }, _) => format!("Aufzeichnung {}: {message}", file.display()),
         (LinkError::OffTape { file, line, expected, sent }, _) => {
             let (file, expected, sent) = (file.display(), Hex(expected), Hex(sent));
@@ -262,7 +266,7 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
             .to_owned(),
         ),
         LinkError::Recording { .. } => (
-            "port.recording",
+            "data.recording",
             lang.pick("`--trace FILE` writes such a recording", "`--trace DATEI` schreibt eine solche Aufzeichnung")
                 .to_owned(),
         ),
@@ -271,6 +275,22 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
             lang.pick(
                 "play it back with the command, the options and the version that recorded it",
                 "mit dem Befehl, den Optionen und der Version abspielen, mit denen aufgezeichnet wurde",
+            )
+            .to_owned(),
+        ),
+        LinkError::Stuck(_) => (
+            "port.stuck",
+            lang.pick(
+                "plug the adapter in again; if it is a device server, is its serial side stopped by a handshake?",
+                "den Adapter neu einstecken; bei einem Geräteserver: hält ein Handshake seine serielle Seite an?",
+            )
+            .to_owned(),
+        ),
+        LinkError::Stranger { .. } => (
+            "port.stranger",
+            lang.pick(
+                "plug the first adapter in again, or start anew with -p; /dev/serial/by-id names an adapter for good",
+                "den ersten Adapter wieder einstecken oder mit -p neu beginnen; /dev/serial/by-id benennt ihn für immer",
             )
             .to_owned(),
         ),
@@ -291,13 +311,13 @@ pub(super) fn link(error: &LinkError, lang: Lang) -> Failure {
             .to_owned(),
         ),
     };
-    Failure::new(Class::Port, code, message).hint(hint)
+    let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
+    Failure::new(class, code, message).hint(hint)
 }
 
 /// What ports there are, for a hint.
 pub(super) fn found_ports(lang: Lang) -> String {
-    let ports = list_ports().into_iter().map(|port| format!("{} {}", port.name, port.about).trim().to_owned());
-    let ports: Vec<_> = ports.collect();
+    let ports: Vec<String> = list_ports().iter().map(ToString::to_string).collect();
     let found = match (ports.is_empty(), lang) {
         (true, Lang::En) => "no serial port was found".to_owned(),
         (true, Lang::De) => "es wurde kein serieller Anschluss gefunden".to_owned(),

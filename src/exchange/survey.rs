@@ -13,6 +13,8 @@ use super::dialect::{Dialect, Question, Said};
 use super::{Conversation, MOST_RECORDS, Record, Step, Verdict};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::vabus;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -28,6 +30,8 @@ pub struct Patience {
     /// So many of the first stations are asked once more in any case if they are silent: a late reply that came while
     /// another station was asked leaves no trace.
     pub twice: usize,
+    /// Whether the line is left to another master that speaks on it.
+    pub yields: bool,
 }
 
 /// A drive answers not before 10 ms (CM-485 manual 6.8).
@@ -49,6 +53,8 @@ const BABBLE: Span = Span::from_secs(1);
 const MOST_BYTES: usize = 128;
 /// Longest reply to a question that asks for one value, in any protocol.
 const LONGEST_REPLY: usize = 32;
+/// So many questions of somebody else are no accident of the line: there is another master.
+const OTHER_MASTER: u32 = 3;
 /// From so many questions on it can be told that the line itself makes the garbage.
 const NOISE_SAMPLE: u32 = 8;
 /// Times around: windows double from one to the next, so by then every station has been asked by the book, and often enough.
@@ -65,18 +71,18 @@ impl Patience {
         let length = dialect.encode(1, question).len().saturating_sub(1);
         let whole = dialect.duration(line, length) + dialect.gap(line, PAUSE);
         let window = REPLY_DELAY + SLACK + whole.min(first_byte(dialect, line));
-        Patience { window: window.min(full), full, thorough: true, twice: 0 }
+        Patience { window: window.min(full), full, thorough: true, twice: 0, yields: true }
     }
 
     /// A short look before the setting of the line is changed: the first byte of a typical drive has been seen.
     pub fn glance(protocol: Protocol, line: LineSetting, full: Span) -> Self {
         let window = REPLY_DELAY + SLACK + first_byte(Dialect::new(protocol), line) + GLANCE;
-        Patience { window: window.min(full), full, thorough: false, twice: 0 }
+        Patience { window: window.min(full), full, thorough: false, twice: 0, yields: true }
     }
 
     /// Every station gets its full time before the next is asked.
     pub fn by_the_book(full: Span) -> Self {
-        Patience { window: full, full, thorough: true, twice: 0 }
+        Patience { window: full, full, thorough: true, twice: 0, yields: true }
     }
 }
 
@@ -158,6 +164,10 @@ pub struct Survey {
     signs: VecDeque<Sign>,
     noisy: bool,
     occupied: bool,
+    /// Our last telegram, which a line may double.
+    ours: Vec<u8>,
+    /// Questions that were heard and are not ours.
+    foreign: u32,
     /// Times that garbage came.
     garbage: u32,
     records: Vec<Record>,
@@ -231,6 +241,8 @@ impl Survey {
             signs: VecDeque::new(),
             noisy: false,
             occupied: false,
+            ours: Vec::new(),
+            foreign: 0,
             garbage: 0,
             records: Vec::new(),
         }
@@ -268,6 +280,11 @@ impl Survey {
         self.occupied
     }
 
+    /// Whether another master asks on this line.
+    pub fn is_shared(&self) -> bool {
+        self.foreign >= OTHER_MASTER
+    }
+
     /// Silent stations that garbage came from: again and again, or right after the only question to them.
     pub fn garbled(&self) -> impl Iterator<Item = u8> {
         let soon = |station: &u8| self.suspects.get(station).is_some_and(|&delay| delay <= self.patience.window);
@@ -293,6 +310,9 @@ impl Survey {
             }
             self.occupied = now < over;
             self.reject(now);
+        }
+        if self.patience.yields && self.is_shared() {
+            return Step::Done(News::Over);
         }
         if self.occupied {
             return self.end();
@@ -343,6 +363,7 @@ impl Survey {
         self.window = Some((station, end + self.round.window));
         self.asking = Some(station);
         self.sent.clone_from(&bytes);
+        self.ours.clone_from(&bytes);
         self.send(now, bytes, Verdict::Request)
     }
 
@@ -405,9 +426,10 @@ impl Survey {
         // Some drivers leave the parity bit of 7-bit characters in place.
         let mask = if self.line.data_bits == 7 { 0x7F } else { 0xFF };
         self.came.extend(bytes.iter().map(|byte| byte & mask));
-        self.sort_out(at);
+        // Before it is sorted: a flood must not cost the time that tells it from silence.
         let surplus = self.came.len().saturating_sub(MOST_BYTES);
         self.came.drain(..surplus);
+        self.sort_out(at);
     }
 
     /// Somebody else has had the line until now.
@@ -482,6 +504,7 @@ impl Survey {
 
     /// Says what bytes are that are no reply: a telegram all the same, or garbage, which has its suspects.
     fn note(&mut self, at: Tick, bytes: &[u8]) {
+        self.foreign += foreign_questions(self.dialect.protocol(), bytes, &self.ours);
         let Some((station, _)) = self.dialect.sender(bytes) else {
             self.record(Record { at, verdict: Verdict::Garbage, bytes: bytes.to_vec() });
             return self.suspect();
@@ -527,6 +550,42 @@ impl Survey {
             return self.dialect.straggle(&self.came);
         }
         ADAPTER + self.dialect.duration(self.line, 2)
+    }
+}
+
+/// How many questions stand among bytes that are no reply to us: what only a master sends, and not `ours`, which a line may
+/// double. Question and reply of somebody else come as one piece where his pauses are short.
+fn foreign_questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
+    let (mut rest, mut count) = (bytes, 0);
+    while !rest.is_empty() {
+        let ends = 1..=rest.len().min(LONGEST_QUESTION);
+        let question =
+            ends.filter_map(|end| rest.split_at_checked(end)).find(|(piece, _)| is_question(protocol, piece));
+        match question {
+            Some((piece, after)) => {
+                count += u32::from(piece != ours);
+                rest = after;
+            }
+            None => rest = rest.get(1..).unwrap_or_default(),
+        }
+    }
+    count
+}
+
+/// Longest question that is looked for, in bytes; one in ASCII takes 17.
+const LONGEST_QUESTION: usize = 32;
+
+/// Whether this is a telegram that asks or orders. A reply to an order looks like the order, and a survey orders nothing.
+fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
+    let framing = match protocol {
+        Protocol::Vabus => return vabus::Request::decode(bytes).is_ok(),
+        Protocol::Modbus(framing) => framing,
+    };
+    let Ok(adu) = framing.decode(bytes) else { return false };
+    match Request::decode(&adu.pdu) {
+        Ok(Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. }) | Err(_) => false,
+        Ok(request) if request.is_write() => true,
+        Ok(_) => !Reply::decode(&adu.pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. })),
     }
 }
 

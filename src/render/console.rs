@@ -94,7 +94,7 @@ impl Console {
     /// Part of a line on stderr, for a question.
     pub fn prompt(&self, text: &str) {
         let mut inner = self.inner.borrow_mut();
-        let _closed = write!(inner.err, "{text}").and_then(|()| inner.err.flush());
+        let _closed = write!(inner.err, "{}", clean(text)).and_then(|()| inner.err.flush());
     }
 
     /// Takes the bars away.
@@ -131,12 +131,12 @@ impl Inner {
                 bar.set_style(style);
             }
             if !name.is_empty() {
-                bar.set_prefix(format!("{name}: "));
+                bar.set_prefix(format!("{}: ", clean(name)));
             }
             bar
         });
         bar.set_length(total);
         bar.set_position(done);
-        bar.set_message(what);
+        bar.set_message(clean(&what));
     }
 }

@@ -41,7 +41,10 @@ pub fn print(
     match format {
         Format::Table => {
             if let Some(data) = &outcome.data {
-                out.write_all(table::render(data, lang, width).as_bytes())?;
+                let text = table::render(data, lang, width);
+                // Nothing slips through, whichever cell it stands in.
+                let lines: Vec<String> = text.split('\n').map(super::clean).collect();
+                out.write_all(lines.join("\n").as_bytes())?;
             }
         }
         Format::Json => json(outcome, command, out)?,
@@ -117,7 +120,7 @@ fn csv(outcome: &Outcome, out: &mut dyn Write) -> io::Result<()> {
             .write_record(columns.iter().map(|column| match row.fields.get(column) {
                 None | Some(serde_json::Value::Null) => String::new(),
                 Some(serde_json::Value::String(text)) => super::clean(text),
-                Some(other) => other.to_string(),
+                Some(other) => super::clean(&other.to_string()),
             }))
             .map_err(io_error)?;
     }

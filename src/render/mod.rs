@@ -15,6 +15,7 @@ pub use rows::Row;
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use std::str::FromStr;
+use unicode_width::UnicodeWidthChar;
 
 /// Form of the output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,17 +44,27 @@ impl FromStr for Format {
     }
 }
 
-/// A text that may come from a device or a file, with its control characters made visible.
+/// A text that may come from a device or a file, with everything in it made visible that a terminal obeys or does not
+/// show. What is clean already stays as it is.
 pub fn clean(text: &str) -> String {
     let mut clean = String::with_capacity(text.len());
+    let mut before = ' ';
     for letter in text.chars() {
-        if letter.is_control() || is_bidi_control(letter) {
-            clean.extend(letter.escape_unicode());
-        } else {
+        // One mark over a letter is part of it: `u` and U+0308 are a "ü" of other systems.
+        let is_shown = letter.width().is_some_and(|columns| columns > 0) || is_mark(letter) && before.is_alphabetic();
+        if is_shown && !is_invisible(letter) {
             clean.push(letter);
+        } else {
+            clean.extend(letter.escape_unicode());
         }
+        before = letter;
     }
     clean
+}
+
+/// Combining marks of the scripts that our texts are in (Unicode block "Combining Diacritical Marks").
+fn is_mark(letter: char) -> bool {
+    matches!(letter, '\u{0300}'..='\u{036F}') && letter != '\u{034F}'
 }
 
 /// Columns of the terminal on stdout, if it is one.
@@ -82,9 +93,15 @@ pub fn output_is_closed() -> bool {
     false
 }
 
-/// Characters that turn the direction of a line around and so can make it read as something else.
-fn is_bidi_control(letter: char) -> bool {
-    matches!(letter, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
+/// Characters that show nothing, or turn the direction of a line around, and so can make it read as something else,
+/// whatever width a table of widths gives them: the soft hyphen, fillers, joiners, marks of direction, separators of lines
+/// and paragraphs, variation selectors, tags (Unicode 16, Default_Ignorable_Code_Point and Bidi_Control).
+fn is_invisible(letter: char) -> bool {
+    matches!(letter,
+        '\u{00AD}' | '\u{034F}' | '\u{061C}' | '\u{115F}'..='\u{1160}' | '\u{17B4}'..='\u{17B5}' | '\u{180B}'..='\u{180F}'
+        | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{2800}' | '\u{3164}'
+        | '\u{FE00}'..='\u{FE0F}' | '\u{FEFF}' | '\u{FFA0}' | '\u{FFF0}'..='\u{FFFB}' | '\u{1BCA0}'..='\u{1BCA3}'
+        | '\u{1D173}'..='\u{1D17A}' | '\u{E0000}'..='\u{E0FFF}')
 }
 
 #[cfg(test)]
@@ -94,5 +111,21 @@ mod tests {
     #[test]
     fn control_characters_are_made_visible() {
         assert_eq!(clean("a\u{1b}[31m\u{202e}ü"), "a\\u{1b}[31m\\u{202e}ü");
+        assert_eq!(clean("a\u{9b}31m\n\t"), "a\\u{9b}31m\\u{a}\\u{9}");
+    }
+
+    #[test]
+    fn what_shows_nothing_is_made_visible_and_letters_stay() {
+        for hidden in
+            "\u{ad}\u{200b}\u{200d}\u{200e}\u{2028}\u{2060}\u{2066}\u{feff}\u{fe0f}\u{3164}\u{e0041}\u{0489}".chars()
+        {
+            let shown = clean(&format!("a{hidden}b"));
+            assert_eq!(shown, format!("a{}b", hidden.escape_unicode()));
+            assert_eq!(clean(&shown), shown);
+        }
+        for text in ["Umdrehungen 1/min \u{b7} µs Ω °C ² €", "u\u{308}ber", "漢字 Ελλ Жж"] {
+            assert_eq!(clean(text), text);
+        }
+        assert_eq!(clean("u\u{308}\u{308}"), "u\u{308}\\u{308}");
     }
 }

@@ -1,13 +1,14 @@
-//! The ioctls of Linux serial drivers that no well-kept crate offers safely: low latency, RS-485, error counters.
+//! The ioctls of Linux serial drivers that no well-kept crate offers safely: low latency, RS-485, error counters, and
+//! whether somebody has the port exclusively.
 //!
 //! The only file of this crate with `unsafe`. Every structure is the kernel's own, field by field; every function
 //! passes one of them to the request that the kernel defines for it. All of it is optional: a pseudo terminal answers
 //! ENOTTY to each, and on other systems each is "unsupported".
 
 #[cfg(not(target_os = "linux"))]
-pub(super) use elsewhere::{counters, rs485, serial, set_rs485, set_serial};
+pub(super) use elsewhere::{counters, exclusive, rs485, serial, set_rs485, set_serial};
 #[cfg(target_os = "linux")]
-pub(super) use linux::{counters, rs485, serial, set_rs485, set_serial};
+pub(super) use linux::{counters, exclusive, rs485, serial, set_rs485, set_serial};
 
 /// `struct serial_struct` (Linux, include/uapi/linux/serial.h). What is not named here is given back as it was read.
 #[repr(C)]
@@ -96,6 +97,7 @@ mod linux {
     const TIOCGRS485: Opcode = libc::TIOCGRS485 as Opcode;
     const TIOCSRS485: Opcode = libc::TIOCSRS485 as Opcode;
     const TIOCGICOUNT: Opcode = libc::TIOCGICOUNT as Opcode;
+    const TIOCGEXCL: Opcode = libc::TIOCGEXCL as Opcode;
 
     // The kernel's sizes on every machine with 64-bit pointers; a wrong field would show here.
     #[cfg(target_pointer_width = "64")]
@@ -136,6 +138,14 @@ mod linux {
         // for it.
         Ok(unsafe { ioctl(tty, Getter::<TIOCGICOUNT, Counters>::new()) }?)
     }
+
+    /// Whether somebody has taken the port exclusively.
+    #[expect(unsafe_code, reason = "no well-kept crate has TIOCGEXCL")]
+    pub(in super::super) fn exclusive(tty: &SideDoor) -> io::Result<bool> {
+        // SAFETY: TIOCGEXCL writes one `int`; any bytes are valid for it.
+        let exclusive: libc::c_int = unsafe { ioctl(tty, Getter::<TIOCGEXCL, libc::c_int>::new()) }?;
+        Ok(exclusive != 0)
+    }
 }
 
 #[cfg(not(target_os = "linux"))]
@@ -165,6 +175,10 @@ mod elsewhere {
     }
 
     pub(in super::super) fn counters(_tty: &SideDoor) -> io::Result<Counters> {
+        unsupported()
+    }
+
+    pub(in super::super) fn exclusive(_tty: &SideDoor) -> io::Result<bool> {
         unsupported()
     }
 }

@@ -9,6 +9,7 @@ mod clock;
 mod ioctl;
 mod net;
 mod port;
+mod ports;
 mod rfc2217;
 mod rs485;
 mod serial;
@@ -20,8 +21,8 @@ mod tty;
 
 pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
 pub use port::{Endpoint, Port};
+pub use ports::{PortInfo, list_ports};
 pub use rs485::{Rs485, Rs485Mode};
-pub use serial::{PortInfo, list_ports};
 pub use trace::{Trace, TraceLine, read_trace};
 
 use crate::protocol::line::LineSetting;
@@ -82,6 +83,17 @@ pub enum LinkError {
         port: String,
         /// What the system said.
         message: String,
+    },
+    /// The adapter, or the other end of a connection, takes no bytes any more.
+    #[error("port '{0}' takes no bytes: what is behind it does not fetch them")]
+    Stuck(String),
+    /// The adapter that had this name was unplugged, and another one has the name now.
+    #[error("port '{port}' is another adapter now: {found}")]
+    Stranger {
+        /// The port.
+        port: String,
+        /// What has the name.
+        found: String,
     },
     /// The adapter was unplugged, or the other end hung up.
     #[error("port '{0}' was lost: the adapter was unplugged or the other end hung up")]
@@ -188,13 +200,22 @@ impl Link {
         }
     }
 
-    /// Opens a port that was lost anew, under its name, with its clock going on. Until that succeeds nothing can be
-    /// sent, and waiting only passes the time.
+    /// Opens a port that was lost anew, with its clock going on: a USB adapter by its serial number, under whatever name it
+    /// has now ([`Link::name`]), anything else by its name. Until that succeeds nothing can be sent, and waiting only
+    /// passes the time. [`LinkError::Stranger`] if another adapter has the name.
     pub async fn reopen(&mut self) -> Result<(), LinkError> {
         match &mut self.carrier {
             Carrier::Serial(link) => link.reopen(),
             Carrier::Net(link) => link.reopen().await,
             Carrier::Tape(_) | Carrier::Sim(_) => Ok(()),
+        }
+    }
+
+    /// What the serial port is called now, links as they were given; `None` of anything else.
+    pub fn name(&self) -> Option<&str> {
+        match &self.carrier {
+            Carrier::Serial(link) => Some(link.name()),
+            Carrier::Net(_) | Carrier::Tape(_) | Carrier::Sim(_) => None,
         }
     }
 

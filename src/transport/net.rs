@@ -42,6 +42,8 @@ struct Connection {
 const LIMIT: Span = Span::from_secs(3);
 /// How long a raw device server gets to bring what was left in it.
 const STALE: Span = Span::from_millis(5);
+/// A far side that has not taken a telegram within this time does not fetch what is sent to it.
+const STUCK: Span = Span::from_secs(1);
 
 impl NetLink {
     pub(super) async fn open(name: String, endpoint: Endpoint, far: Far, line: LineSetting) -> Result<Self, LinkError> {
@@ -106,11 +108,21 @@ impl NetLink {
     }
 
     pub(super) async fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
-        let sent = match &mut self.connection {
-            Ends::Open(connection) => connection.send(bytes).await,
-            Ends::Lost | Ends::Closed => Err(io::ErrorKind::NotConnected.into()),
+        let sending = async {
+            match &mut self.connection {
+                Ends::Open(connection) => connection.send(bytes).await,
+                Ends::Lost | Ends::Closed => Err(io::ErrorKind::NotConnected.into()),
+            }
         };
-        sent.map_err(|_| self.connection.lost(&self.name))
+        match tokio::time::timeout(STUCK.into(), sending).await {
+            Ok(Ok(())) => Ok(()),
+            Ok(Err(_)) => Err(self.connection.lost(&self.name)),
+            // A piece of it may be out, and a stream has no pauses: whatever follows would be taken for the rest.
+            Err(_) => {
+                self.connection.lost(&self.name);
+                Err(LinkError::Stuck(self.name.clone()))
+            }
+        }
     }
 
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
@@ -160,10 +172,12 @@ impl Connection {
         }
     }
 
-    /// Throws away what comes at once.
+    /// Throws away what comes at once, and no longer, whatever comes.
     async fn discard(&mut self, clock: Clock) -> io::Result<()> {
         let until = clock.now() + STALE;
-        while let Wake::Bytes(_) = clock.listen(&mut self.stream, until).await? {}
+        while let Wake::Bytes(_) = clock.listen(&mut self.stream, until).await?
+            && clock.now() < until
+        {}
         Ok(())
     }
 }
@@ -236,6 +250,40 @@ mod tests {
             server.write_all(b"new").await.unwrap();
             let heard = connection.wait(clock, clock.now() + Span::from_secs(5)).await.unwrap();
             assert_eq!(heard, Wake::Bytes(b"new".to_vec()));
+        });
+    }
+
+    #[test]
+    fn a_server_that_floods_is_connected_to_in_time() {
+        run(async {
+            let (listener, port) = listener("tcp").await;
+            let flood = async {
+                let mut server = listener.accept().await.unwrap().0;
+                while server.write_all(&[0x55; 4_096]).await.is_ok() {}
+            };
+            let work = async {
+                let mut link = Link::open(&port, LINE, Rs485::default()).await.unwrap();
+                assert!(link.now() < Tick::ZERO + Span::from_secs(1));
+                let until = link.now() + Span::from_secs(5);
+                assert!(matches!(link.wait(until).await, Ok(Wake::Bytes(bytes)) if bytes.len() <= 512));
+            };
+            tokio::select! { () = flood => {} () = work => {} }
+        });
+    }
+
+    #[test]
+    fn a_server_that_fetches_nothing_ends_in_time() {
+        run(async {
+            for scheme in ["tcp", "mbtcp"] {
+                let (mut link, _server, _listener) = pair(scheme).await;
+                let error = loop {
+                    if let Err(error) = link.send(&[0; 65_536]).await {
+                        break error;
+                    }
+                };
+                assert!(matches!(error, LinkError::Stuck(_)), "{error}");
+                assert!(matches!(link.send(&[1]).await, Err(LinkError::Lost(_))));
+            }
         });
     }
 

@@ -26,6 +26,8 @@ pub(super) enum Unsettled {
     Refused,
 }
 
+/// Answers to questions about options that may wait to be fetched, in bytes.
+const MOST_UNSENT: usize = 64 * 1_024;
 /// A server that does not acknowledge a purge is not waited for any longer.
 const PURGE_LIMIT: Span = Span::from_millis(500);
 
@@ -48,14 +50,14 @@ impl Telnet {
         limit: Span,
     ) -> Result<Vec<String>, Unsettled> {
         let until = clock.now() + limit;
-        while self.is_open() && self.exchange(stream, clock, until).await?.is_some() {}
+        while self.is_open() && clock.now() < until && self.exchange(stream, clock, until).await?.is_some() {}
         if self.client.com_port_state() != ComPortState::Active {
             return Err(Unsettled::Refused);
         }
         self.client.purge(Purge::Receive);
         let until = clock.now() + PURGE_LIMIT;
         while let Some(events) = self.exchange(stream, clock, until).await? {
-            if events.iter().any(|event| matches!(event, Event::Purged(_))) {
+            if events.iter().any(|event| matches!(event, Event::Purged(_))) || clock.now() >= until {
                 break;
             }
         }
@@ -69,12 +71,16 @@ impl Telnet {
 
     pub(super) async fn wait(&mut self, stream: &mut TcpStream, clock: Clock, until: Tick) -> io::Result<Wake> {
         loop {
-            self.flush(stream).await?;
+            self.flush_some(stream)?;
             let Wake::Bytes(bytes) = clock.listen(stream, until).await? else { return Ok(Wake::Silence) };
             let data = self.client.receive(&bytes);
             while self.client.poll_event().is_some() {}
             if !data.is_empty() {
                 return Ok(Wake::Bytes(data));
+            }
+            // Endless talk about options is silence.
+            if clock.now() >= until {
+                return Ok(Wake::Silence);
             }
         }
     }
@@ -87,7 +93,7 @@ impl Telnet {
         until: Tick,
     ) -> Result<Option<Vec<Event>>, Unsettled> {
         let heard = async {
-            self.flush(stream).await?;
+            self.flush_some(stream)?;
             clock.listen(stream, until).await
         };
         let Wake::Bytes(bytes) = heard.await.map_err(|_| Unsettled::Lost)? else { return Ok(None) };
@@ -111,6 +117,18 @@ impl Telnet {
             self.unsent.drain(..count);
         }
         Ok(())
+    }
+
+    /// Writes what the server takes at once; the rest has time until the next turn. Answers that it asks for and never
+    /// fetches pile up so far and no further: then it is lost.
+    fn flush_some(&mut self, stream: &TcpStream) -> io::Result<()> {
+        self.unsent.append(&mut self.client.take_output());
+        match stream.try_write(&self.unsent) {
+            Ok(count) => _ = self.unsent.drain(..count),
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
+            Err(error) => return Err(error),
+        }
+        if self.unsent.len() > MOST_UNSENT { Err(io::ErrorKind::OutOfMemory.into()) } else { Ok(()) }
     }
 
     fn deviations(&self) -> Vec<String> {
@@ -262,6 +280,54 @@ mod tests {
             let expected =
                 ["asked for another baud rate, the server set 9600", "asked for another parity, the server set none"];
             assert_eq!(link.unwrap().deviations(), expected);
+        });
+    }
+
+    /// A device server that says this again and again from the beginning, and fetches nothing.
+    fn babbler(what: &'static [u8]) -> impl AsyncFn(TcpStream) {
+        async move |mut stream: TcpStream| while stream.write_all(&what.repeat(1_000)).await.is_ok() {}
+    }
+
+    #[test]
+    fn a_server_that_floods_is_given_up_in_time() {
+        // Data; IAC NOP; DO an option that nobody has; the end of a subnegotiation that never ends.
+        for what in [b"U".as_slice(), &[255, 241], &[255, 253, 99], &[255, 250, 44]] {
+            with_server(babbler(what), async |link| {
+                let error = link.unwrap_err();
+                assert!(matches!(&error, LinkError::NoRfc2217(_) | LinkError::Lost(_)), "{error}");
+            });
+        }
+    }
+
+    #[test]
+    fn endless_talk_about_options_is_silence() {
+        let obeying = async |mut stream: TcpStream| {
+            let (mut server, mut buffer) = (Server::new(PortSettings::default()), [0; 64]);
+            let mut said = 0;
+            loop {
+                if stream.write_all(&server.take_output()).await.is_err() {
+                    return;
+                }
+                let reading = tokio::time::timeout(std::time::Duration::from_millis(1), stream.read(&mut buffer));
+                match reading.await {
+                    Ok(Ok(count @ 1..)) => {
+                        let _data = server.receive(&buffer[..count]);
+                        while server.poll_event().is_some() {
+                            said += 1;
+                        }
+                    }
+                    Ok(_) => return,
+                    // Settled: from now on nothing but NOP.
+                    Err(_) if said > 5 => while stream.write_all(&[255, 241].repeat(200)).await.is_ok() {},
+                    Err(_) => {}
+                }
+            }
+        };
+        with_server(obeying, async |link| {
+            let mut link = link.unwrap();
+            let until = link.now() + Span::from_millis(300);
+            assert_eq!(link.wait(until).await.unwrap(), Wake::Silence);
+            assert!(link.now().since(until) < Span::from_secs(1));
         });
     }
 

@@ -1,8 +1,9 @@
 //! A serial port through tokio-serial: exclusive, input cleared, settings read back, every kind of hang-up told as
-//! "lost".
+//! "lost", and closed without waiting for an adapter that takes no bytes.
 
 use super::adapter::{AdapterInfo, Tuned};
 use super::clock::Clock;
+use super::ports::{Identity, Machine, Whereabouts};
 use super::rs485::{Rs485, Rs485Mode};
 use super::{Ends, LinkError, Wake, tty};
 use crate::protocol::line::{LineSetting, Parity};
@@ -11,42 +12,14 @@ use std::io;
 use tokio::io::AsyncWriteExt;
 use tokio_serial::{ClearBuffer, DataBits, SerialPort, SerialPortBuilderExt, SerialStream, StopBits};
 
-/// A port of this machine.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PortInfo {
-    /// Path or name to open it.
-    pub name: String,
-    /// What is plugged in there, as far as USB tells.
-    pub about: String,
-    /// Whether it is a USB adapter.
-    pub usb: bool,
-}
-
-/// The serial ports of this machine, USB adapters first.
-pub fn list_ports() -> Vec<PortInfo> {
-    let ports = serialport::available_ports().unwrap_or_default();
-    let mut ports: Vec<_> = ports.into_iter().map(port_info).collect();
-    ports.sort_by(|a, b| b.usb.cmp(&a.usb).then_with(|| a.name.cmp(&b.name)));
-    ports
-}
-
-fn port_info(port: serialport::SerialPortInfo) -> PortInfo {
-    let (about, usb) = match port.port_type {
-        serialport::SerialPortType::UsbPort(usb) => {
-            let maker = usb.manufacturer.unwrap_or_default();
-            let product = usb.product.unwrap_or_default();
-            (format!("{maker} {product} {:04x}:{:04x}", usb.vid, usb.pid).trim().to_owned(), true)
-        }
-        serialport::SerialPortType::BluetoothPort => ("Bluetooth".to_owned(), false),
-        serialport::SerialPortType::PciPort => ("built-in".to_owned(), false),
-        serialport::SerialPortType::Unknown => (String::new(), false),
-    };
-    PortInfo { name: port.port_name, about, usb }
-}
-
 #[derive(Debug)]
 pub(super) struct SerialLink {
     name: String,
+    machine: Machine,
+    /// The adapter, whatever its port is called next time; `None` of what is no USB adapter.
+    identity: Option<Identity>,
+    /// What was sent is on the wire by then.
+    sent_by: Tick,
     line: LineSetting,
     rs485: Rs485,
     port: Ends<OpenPort>,
@@ -63,20 +36,62 @@ struct OpenPort {
     rts: Option<Rs485>,
 }
 
+/// An adapter that has not taken a telegram so long after the time that the wire needs does not take it any more.
+const STUCK: Span = Span::from_millis(500);
+/// How long after that time bytes are waited for when the port is closed: what was sent last may be a stop.
+const LINGER: Span = Span::from_millis(100);
+
 impl SerialLink {
     pub(super) fn open(name: &str, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
-        let (port, deviations) = connect(name, line, rs485)?;
-        let port = Ends::Open(port);
-        Ok(SerialLink { name: name.to_owned(), line, rs485, port, clock: Clock::start(), deviations })
+        Self::open_on(Machine::default(), name, line, rs485)
     }
 
-    /// Opens the port anew; the clock goes on.
+    /// Opens a port of a machine.
+    fn open_on(machine: Machine, name: &str, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
+        let (port, deviations) = connect(name, line, rs485)?;
+        let (identity, name, port) = (machine.identity(name), name.to_owned(), Ends::Open(port));
+        let (clock, sent_by) = (Clock::start(), Tick::ZERO);
+        Ok(SerialLink { name, machine, identity, sent_by, line, rs485, port, clock, deviations })
+    }
+
+    /// Opens the port of the same adapter anew, whatever it is called now; the clock goes on. What is no USB adapter is
+    /// known by its name only.
     pub(super) fn reopen(&mut self) -> Result<(), LinkError> {
         // Closed first: a port that is held exclusively lets nobody else in, not even us.
-        self.port = Ends::Closed;
-        let (port, deviations) = connect(&self.name, self.line, self.rs485)?;
-        (self.port, self.deviations) = (Ends::Open(port), deviations);
+        self.close();
+        let name = match self.identity.as_ref().map(|identity| self.machine.seek(&self.name, identity)) {
+            None => self.name.clone(),
+            Some(Whereabouts::At(name)) => name,
+            Some(Whereabouts::Gone) => return Err(LinkError::NotFound(self.name.clone())),
+            Some(Whereabouts::Stranger(found)) => {
+                return Err(LinkError::Stranger { port: self.name.clone(), found });
+            }
+        };
+        let (port, deviations) = connect(&name, self.line, self.rs485)?;
+        (self.port, self.deviations, self.name) = (Ends::Open(port), deviations, name);
         Ok(())
+    }
+
+    /// Lets go of the port: what was sent goes out, but an adapter that does not take it is waited for by nobody.
+    fn close(&mut self) {
+        let Ends::Open(port) = std::mem::replace(&mut self.port, Ends::Closed) else { return };
+        let holds_bytes = |port: &OpenPort| port.stream.bytes_to_write().is_ok_and(|count| count > 0);
+        let until = self.sent_by + LINGER;
+        while holds_bytes(&port) && self.clock.now() < until {
+            self.clock.sleep_until(until.min(self.clock.now() + Span::from_millis(1)));
+        }
+        if !holds_bytes(&port) {
+            return;
+        }
+        let _best_effort = port.stream.clear(ClearBuffer::Output);
+        // Linux waits in close() for up to 30 s until unsent bytes are out (tty_wait_until_sent), and drivers of USB
+        // adapters discard nothing. It waits in a thread of its own, which ends with the program.
+        let _unless_there_is_no_thread = std::thread::Builder::new().spawn(move || drop(port));
+    }
+
+    /// Name of the port, which may be another one after it was opened anew.
+    pub(super) fn name(&self) -> &str {
+        &self.name
     }
 
     /// Changes speed and format of the open port; what came in with the old ones is discarded.
@@ -116,12 +131,22 @@ impl SerialLink {
     }
 
     pub(super) async fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
+        let takes = self.line.chars(bytes.len() as u64);
+        self.sent_by = self.sent_by.max(self.clock.now()) + takes;
         let sent = match &mut self.port {
-            Ends::Open(port) => port.send(bytes, self.line, self.clock).await,
-            Ends::Lost | Ends::Closed => Err(io::ErrorKind::NotConnected.into()),
+            Ends::Open(port) => {
+                let limit = takes + takes + self.rs485.before + self.rs485.after + STUCK;
+                let sending = port.send(bytes, self.line, self.clock);
+                tokio::time::timeout(limit.into(), sending).await
+            }
+            Ends::Lost | Ends::Closed => Ok(Err(io::ErrorKind::NotConnected.into())),
         };
-        // Whatever the system calls it (EIO, ENXIO, ENODEV, EPIPE), an error on an open port means that it is gone.
-        sent.map_err(|_| self.port.lost(&self.name))
+        match sent {
+            Ok(Ok(())) => Ok(()),
+            // Whatever the system calls it (EIO, ENXIO, ENODEV, EPIPE), an error on an open port means that it is gone.
+            Ok(Err(_)) => Err(self.port.lost(&self.name)),
+            Err(_) => Err(LinkError::Stuck(self.name.clone())),
+        }
     }
 
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
@@ -134,6 +159,12 @@ impl SerialLink {
             }
         };
         woken.map_err(|_| self.port.lost(&self.name))
+    }
+}
+
+impl Drop for SerialLink {
+    fn drop(&mut self) {
+        self.close();
     }
 }
 
@@ -173,9 +204,15 @@ impl Drop for Talking<'_> {
 fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec<String>), LinkError> {
     let builder =
         tokio_serial::new(name, line.baud).data_bits(data_bits(line)).parity(parity(line)).stop_bits(stop_bits(line));
-    // Opened before the port is taken exclusively: afterwards the kernel lets nobody else in.
+    // Opened before the port is taken exclusively: afterwards the kernel lets nobody else in but root. Whoever finds it
+    // taken must not even try: serialport ends everybody's exclusivity when it closes (TIOCNXCL).
     let side_door = tty::open(name).ok();
-    let stream = builder.open_native_async().map_err(|error| open_error(name, &error))?;
+    if side_door.as_ref().is_some_and(|tty| !tty::claim(tty, name)) {
+        return Err(LinkError::Busy(name.to_owned()));
+    }
+    let stream =
+        builder.exclusive(side_door.is_none()).open_native_async().map_err(|error| open_error(name, &error))?;
+    side_door.iter().for_each(tty::exclude);
     let mut deviations = side_door.as_ref().map_or_else(Vec::new, |tty| tty::finish(tty, name, line));
     // Only the input: clearing the output as well could destroy what is sent next.
     stream.clear(ClearBuffer::Input).map_err(|error| open_error(name, &error))?;
@@ -312,6 +349,76 @@ mod tests {
                 assert_eq!(link.wait(until).await.unwrap(), Wake::Silence);
                 assert!(matches!(link.send(&[1]).await, Err(LinkError::Lost(_))));
             }
+        });
+    }
+
+    #[test]
+    fn an_adapter_that_takes_no_bytes_ends_in_time() {
+        run(async {
+            let (_master, port) = pty();
+            let mut link = Link::open(&port, LINE, Rs485::default()).await.unwrap();
+            let error = loop {
+                if let Err(error) = link.send(&[0; 4_096]).await {
+                    break error;
+                }
+            };
+            assert!(matches!(error, LinkError::Stuck(_)), "{error}");
+            let before = link.now();
+            // Not given up: a stop may get through when it takes bytes again.
+            assert!(matches!(link.send(&[0; 8]).await, Err(LinkError::Stuck(_))));
+            assert!(link.now().since(before) < Span::from_secs(2));
+        });
+    }
+
+    #[test]
+    fn a_second_start_neither_gets_the_port_nor_ends_the_exclusivity_of_the_first() {
+        run(async {
+            let (_master, port) = pty();
+            let link = Link::open(&port, LINE, Rs485::default()).await.unwrap();
+            for _ in 0..2 {
+                let error = Link::open(&port, LINE, Rs485::default()).await.unwrap_err();
+                assert!(matches!(error, LinkError::Busy(_)), "{error}");
+            }
+            let Port::Serial(name) = &port else { panic!("no tty") };
+            // Root alone gets this far.
+            if let Ok(tty) = tty::open(name) {
+                assert!(tty::is_exclusive(&tty));
+            }
+            drop(link);
+            Link::open(&port, LINE, Rs485::default()).await.unwrap();
+        });
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_lost_adapter_is_taken_again_by_its_serial_number_and_a_stranger_is_not() {
+        use super::super::ports::fake::Desk;
+        run(async {
+            let desk = Desk::new();
+            let name = desk.path("ttyUSB0");
+            let (first, Port::Serial(tty)) = pty() else { panic!("no tty") };
+            desk.plug("ttyUSB0", "1-1", Some("A5"), &tty);
+            let mut link = SerialLink::open_on(desk.machine(), &name, LINE, Rs485::default()).unwrap();
+            drop(first);
+            desk.unplug("ttyUSB0", "1-1");
+            assert!(link.wait(link.now() + Span::from_secs(9)).await.is_err());
+            assert!(matches!(link.reopen(), Err(LinkError::NotFound(_))));
+
+            let (mut stranger, Port::Serial(tty)) = pty() else { panic!("no tty") };
+            desk.plug("ttyUSB0", "1-1", Some("B7"), &tty);
+            let error = link.reopen().unwrap_err();
+            assert!(matches!(&error, LinkError::Stranger { found, .. } if found.ends_with("B7")), "{error}");
+            rustix::io::ioctl_fionbio(&stranger, true).unwrap();
+            assert!(link.send(&[1]).await.is_err());
+            assert!(rustix::io::read(&mut stranger, &mut [0; 8]).is_err());
+
+            let (second, Port::Serial(tty)) = pty() else { panic!("no tty") };
+            desk.plug("ttyUSB1", "1-2", Some("A5"), &tty);
+            link.reopen().unwrap();
+            assert_eq!(link.name(), desk.path("ttyUSB1"));
+            link.send(&[7]).await.unwrap();
+            let mut got = [0; 8];
+            assert_eq!(rustix::io::read(&second, &mut got).unwrap(), 1);
         });
     }
 

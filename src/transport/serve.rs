@@ -12,6 +12,7 @@
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
+use std::collections::VecDeque;
 use std::future::Future;
 use std::io;
 use std::net::SocketAddr;
@@ -138,29 +139,30 @@ impl Server {
     ) -> Result<(), ServeError> {
         bench.allow(LATE);
         let mut stop = pin!(stop);
-        // Until then the client's own bytes are on the wire.
-        let mut busy = Tick::ZERO;
+        let mut backlog = Backlog::default();
         loop {
             let now = self.now();
+            while let Some((at, line, bytes)) = backlog.next(now) {
+                bench.master_sends(at, line, &bytes);
+            }
             let due: Vec<u8> = bench.advance(now).into_iter().map(|(_, byte)| byte).collect();
             if !due.is_empty() {
                 self.port.write(&due);
             }
-            let next = bench.next_event();
+            let next = bench.next_event().into_iter().chain(backlog.goes_on()).min();
             let opened = self.opened;
             tokio::select! {
                 biased;
                 () = &mut stop => return Ok(()),
                 change = self.port.change() => match change? {
                     Change::Connected => note(Note::Connected),
-                    Change::Left => note(Note::Left),
+                    Change::Left => {
+                        backlog.leave();
+                        note(Note::Left);
+                    }
                     Change::Bytes(bytes) => {
                         let line = self.port.line().or(bench.line_of(&bytes)).unwrap_or(FACTORY);
-                        let at = self.now().max(busy);
-                        bench.master_sends(at, line, &bytes);
-                        if line.baud > 0 {
-                            busy = at + line.chars(bytes.len() as u64);
-                        }
+                        backlog.take(line, &bytes);
                     }
                 },
                 () = wait_for(opened, next) => {}
@@ -191,6 +193,55 @@ async fn wait_for(opened: Instant, next: Option<Tick>) {
     }
     while left() > Span::ZERO {
         std::hint::spin_loop();
+    }
+}
+
+/// What a client has sent and the wire has not taken yet. It is the buffer of a serial server: what does not fit is lost,
+/// and what is left goes with the client.
+#[derive(Debug, Default)]
+struct Backlog {
+    queue: VecDeque<(LineSetting, u8)>,
+    /// Until then the bytes that were given to the bench are on the wire.
+    busy: Tick,
+}
+
+/// Bytes that a client may be ahead of the wire: more than any telegram has.
+const ROOM: usize = 4_096;
+/// The bench is told so early of what follows back to back, so that no lateness of ours tears a telegram.
+const AHEAD: Span = Span::from_millis(50);
+/// Silence between two clients: longer than any that parts telegrams.
+const BETWEEN_CLIENTS: Span = Span::from_millis(20);
+/// Bytes that it is told at once.
+const PIECE: usize = 64;
+
+impl Backlog {
+    fn take(&mut self, line: LineSetting, bytes: &[u8]) {
+        // Without a speed nothing goes anywhere.
+        if line.baud > 0 {
+            let room = ROOM.saturating_sub(self.queue.len());
+            self.queue.extend(bytes.iter().take(room).map(|&byte| (line, byte)));
+        }
+    }
+
+    /// The client is gone. What it has on the wire already and what the next one sends are not one telegram.
+    fn leave(&mut self) {
+        self.queue.clear();
+        self.busy += BETWEEN_CLIENTS;
+    }
+
+    /// The next bytes that go on the wire, and when.
+    fn next(&mut self, now: Tick) -> Option<(Tick, LineSetting, Vec<u8>)> {
+        let &(line, _) = self.queue.front().filter(|_| self.busy <= now + AHEAD)?;
+        let count = self.queue.iter().take(PIECE).take_while(|(other, _)| *other == line).count();
+        let bytes: Vec<u8> = self.queue.drain(..count).map(|(_, byte)| byte).collect();
+        let at = self.busy.max(now);
+        self.busy = at + line.chars(bytes.len() as u64);
+        Some((at, line, bytes))
+    }
+
+    /// When there is room on the wire for more.
+    fn goes_on(&self) -> Option<Tick> {
+        self.queue.front().map(|_| Tick::ZERO + (self.busy.since(Tick::ZERO) - AHEAD))
     }
 }
 
@@ -570,6 +621,29 @@ mod tests {
         let error = Server::open(Place::Pty { link: Some(link.clone()) }).unwrap_err();
         assert!(error.to_string().ends_with("a file that is no symbolic link is in its place"), "{error}");
         assert_eq!(std::fs::read_to_string(&link).unwrap(), "mine");
+    }
+
+    #[test]
+    fn after_a_flood_the_next_client_is_served_at_once() {
+        let inside = Place::Tcp { addr: "127.0.0.1:0".parse().unwrap() };
+        let (asked, notes, _) = serve(inside, |name| {
+            let addr = name.strip_prefix("tcp://").unwrap().to_owned();
+            let mut flood = std::net::TcpStream::connect(&addr).unwrap();
+            // At 19200 baud ten minutes.
+            flood.write_all(&vec![0x55; 1_000_000]).unwrap();
+            drop(flood);
+            std::thread::sleep(Duration::from_millis(200));
+            let mut client = std::net::TcpStream::connect(addr).unwrap();
+            client.set_read_timeout(Some(Duration::from_secs(2))).unwrap();
+            let asked = Instant::now();
+            client.write_all(&REQUEST).unwrap();
+            let mut reply = [0; REPLY.len()];
+            client.read_exact(&mut reply).unwrap();
+            assert_eq!(reply, REPLY);
+            asked.elapsed()
+        });
+        assert!(asked < Duration::from_millis(500), "{asked:?}");
+        assert_eq!(notes.last(), Some(&Note::Left));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::trace::{TraceLine, read_trace, recorded_line};
 use super::{LinkError, Wake};
+use crate::files;
 use crate::protocol::line::LineSetting;
 use crate::tick::{Span, Tick};
 use std::collections::VecDeque;
@@ -27,7 +28,7 @@ pub(super) struct TapeLink {
 impl TapeLink {
     pub(super) fn open(file: &Path, line: LineSetting) -> Result<Self, LinkError> {
         let bad = |message| LinkError::Recording { file: file.to_owned(), message };
-        let text = std::fs::read_to_string(file).map_err(|error| bad(error.to_string()))?;
+        let text = files::read(file, files::RECORDING).map_err(|error| bad(error.to_string()))?;
         let rest = read_trace(&text).map_err(bad)?.into();
         let (coming, deviations) = (VecDeque::new(), Vec::new());
         let mut link = TapeLink { file: file.to_owned(), now: Tick::ZERO, slack: Span::ZERO, coming, rest, deviations };

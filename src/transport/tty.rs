@@ -2,15 +2,19 @@
 //! what the driver accepted.
 
 #[cfg(unix)]
-pub(super) use unix::{SideDoor, finish, open};
+#[cfg(test)]
+pub(super) use unix::is_exclusive;
+#[cfg(unix)]
+pub(super) use unix::{SideDoor, claim, exclude, finish, open};
 
 #[cfg(not(unix))]
-pub(super) use elsewhere::{SideDoor, finish, open};
+pub(super) use elsewhere::{SideDoor, claim, exclude, finish, open};
 
 #[cfg(unix)]
 mod unix {
+    use super::super::ioctl;
     use crate::protocol::line::{LineSetting, Parity};
-    use rustix::fs::{Mode, OFlags};
+    use rustix::fs::{FlockOperation, Mode, OFlags, flock};
     use rustix::termios::{ControlModes, InputModes, OptionalActions, tcgetattr, tcsetattr};
     use std::os::fd::OwnedFd;
 
@@ -18,6 +22,29 @@ mod unix {
 
     pub(in super::super) fn open(name: &str) -> rustix::io::Result<SideDoor> {
         rustix::fs::open(name, OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty())
+    }
+
+    /// Takes the port for us, if nobody else has it; `false` if somebody has. The kernel lets root in whatever is locked,
+    /// so both are asked: the lock that programs agree on (flock), and the one of the kernel (TIOCEXCL). The lock is kept
+    /// as a shared one, beside which serialport's own shared one fits.
+    pub(in super::super) fn claim(tty: &SideDoor, name: &str) -> bool {
+        let locked = |how| flock(tty, how) != Err(rustix::io::Errno::WOULDBLOCK);
+        // A pty stays exclusive behind a program that was killed, as long as its master lives.
+        let exclusive = !is_pty(name) && is_exclusive(tty);
+        locked(FlockOperation::NonBlockingLockExclusive) && !exclusive && locked(FlockOperation::NonBlockingLockShared)
+    }
+
+    /// From now on the kernel lets nobody else in.
+    pub(in super::super) fn exclude(tty: &SideDoor) {
+        let _best_effort = rustix::termios::ioctl_tiocexcl(tty);
+    }
+
+    pub(in super::super) fn is_exclusive(tty: &SideDoor) -> bool {
+        ioctl::exclusive(tty).unwrap_or(false)
+    }
+
+    fn is_pty(name: &str) -> bool {
+        std::fs::canonicalize(name).is_ok_and(|path| path.starts_with("/dev/pts"))
     }
 
     /// Sets ISTRIP for 7-bit characters and says what the driver set in place of what was asked.
@@ -30,8 +57,7 @@ mod unix {
         if set.input_speed() != line.baud {
             deviations.push(format!("asked for {} baud, the driver set {}", line.baud, set.input_speed()));
         }
-        let is_pty = std::fs::canonicalize(name).is_ok_and(|path| path.starts_with("/dev/pts"));
-        if is_pty {
+        if is_pty(name) {
             return deviations; // the kernel masks parity and width on a pty
         }
         let modes = set.control_modes;
@@ -61,6 +87,12 @@ mod elsewhere {
     pub(in super::super) fn open(_name: &str) -> std::io::Result<SideDoor> {
         Err(std::io::ErrorKind::Unsupported.into())
     }
+
+    pub(in super::super) fn claim(_tty: &SideDoor, _name: &str) -> bool {
+        true
+    }
+
+    pub(in super::super) fn exclude(_tty: &SideDoor) {}
 
     pub(in super::super) fn finish(_tty: &SideDoor, _name: &str, _line: LineSetting) -> Vec<String> {
         Vec::new()

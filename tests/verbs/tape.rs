@@ -15,6 +15,7 @@ fn a_recorded_run_plays_back_to_the_same_document_and_telegrams() {
         "-a 1 write 376@4=1.5kW --yes",
         "-a 9 read 411",
     ] {
+        let _old = std::fs::remove_file(&trace);
         let recorded = antrieb(&format!("-p sim --trace {trace} --json -v {words}")).run();
         let played = antrieb(&format!("-p {tape} --json -v {words}")).run();
         assert_eq!((played.exit, played.out.replace(&tape, "sim")), (recorded.exit, recorded.out), "{words}");
@@ -37,8 +38,8 @@ fn another_run_than_the_recorded_one_is_refused_with_the_line() {
 fn what_is_no_recording_is_told_and_an_empty_one_is_a_silent_line() {
     let bad =
         antrieb("-p tape:{dir}/run.trace read 411").file("run.trace", "# antrieb trace 1, 19200 8E1, rtu\nhello\n");
-    let refused = bad.json().exits(3);
+    let refused = bad.json().exits(7);
     assert!(refused.error()["message"].as_str().unwrap().contains("line 2: expected"), "{}", refused.error());
     antrieb("-p tape:{dir}/run.trace read 411").file("run.trace", "").json().exits(4);
-    antrieb("-p tape:{dir}/nothing read 411").json().exits(3);
+    antrieb("-p tape:{dir}/nothing read 411").json().exits(7);
 }

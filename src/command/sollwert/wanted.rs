@@ -3,6 +3,7 @@
 use super::{Args, zero};
 use crate::args::parse_span;
 use crate::failure::{Class, Failure};
+use crate::files;
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
 use crate::profile::value::{self, check_range, format_decimal};
 use crate::profile::{Family, Lang, Mode, Param, Start};
@@ -61,7 +62,7 @@ fn bad(message: String) -> Failure {
 /// Reads lines `TIME, SETPOINT`; the error names file and line.
 fn read_profile(path: &Path) -> Result<Spoken, Failure> {
     let bad = |line: usize, why: &str| profile_failure(path, line, why);
-    let text = std::fs::read_to_string(path).map_err(|error| bad(0, &error.to_string()))?;
+    let text = files::read(path, files::TEXT).map_err(|error| bad(0, &error.to_string()))?;
     let mut points = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let (number, line) = (index + 1, line.split('#').next().unwrap_or("").trim());

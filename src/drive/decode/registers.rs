@@ -62,13 +62,14 @@ impl Reader<'_> {
     /// What lies in `count` registers from `start` on.
     fn span(&self, start: u16, count: u16) -> String {
         let (width, unit) = self.grain(count.into());
-        let addresses: Vec<u16> = (start..).step_by(width).take(usize::from(count) / width).collect();
+        let number = usize::from(count) / width;
+        let addresses: Vec<u16> = addresses(start, width).take(number.min(FEW)).collect();
         match addresses.as_slice() {
-            &[only] => self.named(only, width),
-            few @ [_, ..] if few.len() <= FEW && width == 2 => {
+            &[only] if number == 1 => self.named(only, width),
+            few @ [_, ..] if few.len() == number && width == 2 => {
                 few.iter().map(|&address| self.label(address, width)).collect::<Vec<_>>().join(", ")
             }
-            many => format!("{} {unit} {}", many.len(), self.from(start, width)),
+            _ => format!("{number} {unit} {}", self.from(start, width)),
         }
     }
 
@@ -76,15 +77,17 @@ impl Reader<'_> {
     pub(super) fn assigned(&self, start: u16, words: &[u16]) -> String {
         let (width, unit) = self.grain(words.len());
         let parts = self.parts(words);
-        match (parts.as_slice(), (start..).step_by(width)) {
-            ([only], _) => format!("{} = {}", self.named(start, width), self.read_out(start, only)),
-            (few @ [_, ..], addresses) if few.len() <= FEW => {
-                let each = addresses.zip(few);
-                each.map(|(address, part)| format!("{} = {}", self.label(address, width), self.read_out(address, part)))
-                    .collect::<Vec<_>>()
-                    .join(", ")
+        let each: Vec<(u16, &Part)> = addresses(start, width).zip(&parts).take(FEW).collect();
+        match each.as_slice() {
+            [(_, only)] if parts.len() == 1 => {
+                format!("{} = {}", self.named(start, width), self.read_out(start, only))
             }
-            (many, _) => format!("{} {unit} {}", many.len(), self.from(start, width)),
+            few @ [_, ..] if few.len() == parts.len() => few
+                .iter()
+                .map(|(address, part)| format!("{} = {}", self.label(*address, width), self.read_out(*address, part)))
+                .collect::<Vec<_>>()
+                .join(", "),
+            _ => format!("{} {unit} {}", parts.len(), self.from(start, width)),
         }
     }
 
@@ -150,17 +153,23 @@ impl Reader<'_> {
         let mut fields = self.span_fields(start, count);
         fields.push(self.bytes_field(words));
         let width = self.grain(words.len()).0;
-        let addressed = (start..).step_by(width).zip(self.parts(words));
-        fields.extend(
-            addressed
-                .map(|(address, part)| field(&part.bytes, &self.label(address, width), self.read_out(address, &part))),
-        );
+        let beyond = self.pick("behind the last register", "hinter dem letzten Register");
+        let places = addresses(start, width).map(Some).chain(std::iter::repeat(None));
+        fields.extend(places.zip(self.parts(words)).map(|(address, part)| match address {
+            Some(address) => field(&part.bytes, &self.label(address, width), self.read_out(address, &part)),
+            None => field(&part.bytes, beyond, part.plain()),
+        }));
         fields
     }
 
     fn bytes_field(&self, words: &[u16]) -> Field {
         field8(u8::try_from(words.len() * 2).unwrap_or(u8::MAX), self.pick("byte count", "Byteanzahl"))
     }
+}
+
+/// Every `width`th register from `start` to the last that there is.
+fn addresses(start: u16, width: usize) -> impl Iterator<Item = u16> {
+    (start..=u16::MAX).step_by(width)
 }
 
 /// Registers that belong together.

@@ -166,7 +166,9 @@ pub(super) fn fixed_line(port: &str, known: Tuning, lang: Lang) -> Warning {
 pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let mut warn = |code: &str, message: String| warnings.push(Warning { code: format!("scan.{code}"), message });
-    if survey.is_occupied() {
+    if survey.is_shared() {
+        warn("other_master", other_master(tuning, lang));
+    } else if survey.is_occupied() {
         warn("occupied", occupied(tuning, lang));
     } else if survey.is_noisy() {
         warn("noise", noise(tuning, lang));
@@ -182,6 +184,19 @@ pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warnin
         warn("stranger", stranger(address, lang));
     }
     warnings
+}
+
+fn other_master(tuning: Tuning, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(
+            "{tuning}: somebody else asks drives on this line; what both ask at once is lost for both, and a drive that \
+             is not listed may be there"
+        ),
+        Lang::De => format!(
+            "{tuning}: jemand anderes fragt Antriebe auf dieser Leitung; was beide zugleich fragen, geht beiden \
+             verloren, und ein Antrieb, der nicht in der Liste steht, kann da sein"
+        ),
+    }
 }
 
 fn occupied(tuning: Tuning, lang: Lang) -> String {

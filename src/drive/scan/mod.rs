@@ -66,6 +66,8 @@ pub struct ScanPlan {
     pub until_first: Option<First>,
     /// What earlier searches have asked already.
     pub before: Vec<Asked>,
+    /// Goes on beside another master.
+    pub force: bool,
     /// Language of texts.
     pub lang: Lang,
 }
@@ -79,6 +81,7 @@ impl ScanPlan {
             manner: Manner::Usual,
             until_first: None,
             before: Vec::new(),
+            force: false,
             lang,
         }
     }
@@ -116,6 +119,8 @@ pub struct ScanResult {
     pub searched: Vec<Searched>,
     /// What is odd.
     pub warnings: Vec<Warning>,
+    /// Another master asks on this line, so that nothing more was sent.
+    pub yielded: bool,
     /// Why it ended early.
     pub cut: Option<AccessError>,
 }
@@ -155,12 +160,12 @@ pub fn probe_question() -> Inquiry {
 pub async fn scan(session: &mut Session<'_>, plan: &ScanPlan, registry: &Registry) -> ScanResult {
     let mut search = Search::new(session, plan, registry);
     let cut = search.run().await.err();
-    let Search { drives, searched, mut warnings, .. } = search;
+    let Search { drives, searched, mut warnings, yielded, .. } = search;
     for searched in &searched {
         let garbled = searched.garbled.iter();
         warnings.extend(garbled.map(|&address| look::garbled(address, searched.found, plan.lang)));
     }
-    ScanResult { drives, searched, warnings, cut }
+    ScanResult { drives, searched, warnings, yielded, cut }
 }
 
 /// How many of the addresses are asked at every setting before it goes deeper at any of them: the factory address 1 and
@@ -187,6 +192,8 @@ struct Search<'p, 's, 'o> {
     searched: Vec<Searched>,
     drives: Vec<FoundDrive>,
     warnings: Vec<Warning>,
+    /// The line was left to another master.
+    yielded: bool,
 }
 
 impl<'p, 's, 'o> Search<'p, 's, 'o> {
@@ -210,7 +217,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             Searched { tuning, total, asked, garbled: BTreeSet::new(), hint: false, found, occupied: false }
         });
         let searched = searched.collect();
-        Search { session, plan, registry, searched, drives: Vec::new(), warnings }
+        Search { session, plan, registry, searched, drives: Vec::new(), warnings, yielded: false }
     }
 
     async fn run(&mut self) -> Result<(), AccessError> {
@@ -248,7 +255,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
     /// Whether what was found is enough.
     fn is_over(&self) -> bool {
         let whole = |searched: &Searched| searched.found && searched.is_complete();
-        self.is_first_found() || self.plan.manner == Manner::Fast && self.searched.iter().any(whole)
+        self.yielded || self.is_first_found() || self.plan.manner == Manner::Fast && self.searched.iter().any(whole)
     }
 
     /// Whether the one drive is found that was wanted.
@@ -279,7 +286,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let full = self.session.limits().reply_timeout;
         let brief = Patience::brief(tuning.protocol, tuning.line, question, full);
         let is_sure = self.searched.len() == 1 || self.searched.iter().any(|row| row.found && row.tuning == tuning);
-        match self.plan.manner {
+        let patience = match self.plan.manner {
             // A gateway waits for its drives itself.
             _ if tuning.protocol == Framing::Tcp.into() => Patience::by_the_book(full),
             _ if depth.glance => Patience::glance(tuning.protocol, tuning.line, full),
@@ -287,7 +294,8 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             Manner::Usual if is_sure => Patience { twice: TWICE, ..brief },
             Manner::Usual => brief,
             Manner::Thorough => Patience::by_the_book(full),
-        }
+        };
+        Patience { yields: !self.plan.force, ..patience }
     }
 
     /// Carries a survey through and looks at everybody who is heard.
@@ -359,6 +367,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let Some(searched) = self.searched.get_mut(index) else { return };
         searched.hint |= survey.is_garbled() || !survey.strangers().is_empty();
         searched.occupied |= survey.is_occupied();
+        self.yielded |= survey.is_shared() && !self.plan.force;
         match self.plan.manner {
             Manner::Fast if !depth.glance => searched.asked.extend(survey.attendance().keys()),
             _ => searched.asked.extend(survey.settled(now)),

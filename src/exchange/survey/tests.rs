@@ -275,3 +275,74 @@ fn what_others_overhear_is_credited_too() {
     let Step::Wait(free) = survey.step(now) else { panic!("the pause after a reply") };
     assert!(matches!(survey.step(free), Step::Done(News::Heard(Sign { station: 1, .. }))));
 }
+
+/// Another master asks drive 9 every 100 ms, and is answered.
+fn beside_another_master(patience: Patience) -> Bus {
+    let mut bus = Bus::new(&THREE, 1..=247, patience);
+    let ask = rtu::encode(9, &Request::ReadRegisters { start: 400, count: 1 }.encode());
+    let reply = rtu::encode(9, &Reply::Registers(vec![5]).encode());
+    for turn in 0..200 {
+        let at = Tick::ZERO + Span::from_millis(33 + 100 * turn);
+        bus.put(at, &ask);
+        bus.put(at + LINE.chars(ask.len() as u64) + Span::from_millis(10), &reply);
+    }
+    bus.run()
+}
+
+#[test]
+fn a_line_on_which_another_master_asks_is_left_alone() {
+    for latency in [brief(), Patience::by_the_book(FULL)] {
+        let bus = beside_another_master(latency);
+        assert!(bus.survey.is_shared());
+        let last = bus.sent.last().unwrap().0;
+        assert!(last < Tick::ZERO + Span::from_secs(2), "{last:?}");
+    }
+    let forced = beside_another_master(Patience { yields: false, ..brief() });
+    assert!(forced.survey.is_shared() && forced.sent.len() >= 247);
+}
+
+#[test]
+fn doubled_late_and_strange_replies_are_no_other_master() {
+    let mut bus = Bus::new(&[(1, 10, 7), (1, 40, 7), (17, 304, 8), (17, 350, 8)], 1..=60, brief());
+    let strange = rtu::encode(99, &Reply::Registers(vec![5]).encode());
+    for turn in 0..10 {
+        bus.put(Tick::ZERO + Span::from_millis(51 + 97 * turn), &strange);
+    }
+    let bus = bus.run();
+    assert!(!bus.survey.is_shared() && bus.sent.len() >= 60);
+}
+
+/// Somebody who owns the line: a byte, or some, every so many microseconds, for ever.
+#[test]
+fn a_survey_ends_whatever_comes() {
+    let question = rtu::encode(9, &Request::ReadRegisters { start: 400, count: 1 }.encode());
+    let noise: [&[u8]; 2] = [&[0x55], &question];
+    for bytes in noise {
+        for every in [5_000, 16_900, 20_000] {
+            for (patience, yields) in [
+                (brief(), true),
+                (brief(), false),
+                (Patience::by_the_book(FULL), true),
+                (Patience::by_the_book(FULL), false),
+            ] {
+                let mut survey = survey(1..=5, Patience { yields, ..patience });
+                let (mut now, mut due) = (Tick::ZERO, Tick::from_micros(every));
+                loop {
+                    match survey.step(now) {
+                        Step::Done(News::Over) => break,
+                        Step::Done(_) => survey.resume(now),
+                        Step::Send(bytes) => now += LINE.chars(bytes.len() as u64),
+                        Step::Wait(until) if due <= until => {
+                            now = now.max(due);
+                            survey.feed(now, bytes);
+                            due = now + Span::from_micros(every);
+                        }
+                        Step::Wait(until) => now = now.max(until),
+                    }
+                    // Five addresses by the book, each at most three times and once more.
+                    assert!(now < Tick::ZERO + Span::from_secs(20), "{bytes:?} every {every} us, {patience:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The files that a user names: configuration, catalogues, benches, recordings, results. The only place that opens them.
+//!
+//! What is no regular file is refused before it is opened: a pipe would wait for ever for somebody who writes, a device has
+//! no end, and merely opening a serial port moves its control lines. Every file is read with a limit. Nothing is ever
+//! overwritten unasked, and never through a link, which may lead anywhere.
+
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Longest configuration, catalogue, bench, setpoint file or saved result in bytes; ours have some ten thousand. What reads
+/// them may have a lower limit of its own.
+pub const TEXT: u64 = 16 << 20;
+/// Longest recording in bytes: three hours of a line that is asked without a pause.
+pub const RECORDING: u64 = 64 << 20;
+
+/// Why a file cannot be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// A directory, pipe, device or socket.
+    #[error("expected a regular file, this is {0}")]
+    NoFile(&'static str),
+    /// Longer than anything that is read.
+    #[error("expected at most {} MiB, the file is longer", .0 >> 20)]
+    TooLong(u64),
+    /// Bytes that are no text.
+    #[error("expected a text in UTF-8, byte {0} is none")]
+    NoText(usize),
+    /// Something is there and may not be overwritten.
+    #[error("the file exists already")]
+    Exists,
+    /// A link is never written through.
+    #[error("expected a regular file, this is a symbolic link")]
+    Link,
+    /// What the system said.
+    #[error(transparent)]
+    System(#[from] io::Error),
+}
+
+impl FileError {
+    /// Whether there is nothing at that path.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, FileError::System(error) if error.kind() == io::ErrorKind::NotFound)
+    }
+}
+
+/// The text of a regular file of at most `limit` bytes.
+pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
+    must_be_regular(&std::fs::metadata(path)?)?;
+    let file = unhurried(OpenOptions::new().read(true), true).open(path)?;
+    // Looked at again: somebody may have put something else in its place.
+    must_be_regular(&file.metadata()?)?;
+    let mut bytes = Vec::new();
+    file.take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit {
+        return Err(FileError::TooLong(limit));
+    }
+    String::from_utf8(bytes).map_err(|error| FileError::NoText(error.utf8_error().valid_up_to() + 1))
+}
+
+/// A new file to write to. One that exists is only replaced with `overwrite`, and only if it is a regular file and no
+/// link.
+pub fn create(path: &Path, overwrite: bool) -> Result<File, FileError> {
+    let found = match std::fs::symlink_metadata(path) {
+        Ok(found) => found,
+        // `create_new` follows no link and takes nothing that has come meanwhile.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            return Ok(OpenOptions::new().write(true).create_new(true).open(path)?);
+        }
+        Err(error) => return Err(error.into()),
+    };
+    if found.file_type().is_symlink() {
+        return Err(FileError::Link);
+    }
+    must_be_regular(&found)?;
+    if !overwrite {
+        return Err(FileError::Exists);
+    }
+    let file = unhurried(OpenOptions::new().write(true), false).open(path)?;
+    must_be_regular(&file.metadata()?)?;
+    file.set_len(0)?;
+    Ok(file)
+}
+
+fn must_be_regular(found: &Metadata) -> Result<(), FileError> {
+    let kind = found.file_type();
+    if kind.is_file() { Ok(()) } else { Err(FileError::NoFile(name(kind))) }
+}
+
+#[cfg(unix)]
+fn name(kind: std::fs::FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+    match kind {
+        kind if kind.is_dir() => "a directory",
+        kind if kind.is_fifo() => "a pipe",
+        kind if kind.is_char_device() || kind.is_block_device() => "a device",
+        kind if kind.is_socket() => "a socket",
+        _ => "something else",
+    }
+}
+
+#[cfg(not(unix))]
+fn name(kind: std::fs::FileType) -> &'static str {
+    if kind.is_dir() { "a directory" } else { "something else" }
+}
+
+/// Opening waits for nobody: what was put in the place of the file that was looked at may be a pipe.
+#[cfg(unix)]
+fn unhurried(options: &mut OpenOptions, follows: bool) -> &mut OpenOptions {
+    use rustix::fs::OFlags;
+    use std::os::unix::fs::OpenOptionsExt;
+    let link = if follows { OFlags::empty() } else { OFlags::NOFOLLOW };
+    options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY | link).bits().cast_signed())
+}
+
+#[cfg(not(unix))]
+fn unhurried(options: &mut OpenOptions, _follows: bool) -> &mut OpenOptions {
+    options
+}
+
+#[cfg(target_os = "linux")]
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    fn told<T: std::fmt::Debug>(result: Result<T, FileError>) -> String {
+        result.unwrap_err().to_string()
+    }
+
+    #[test]
+    fn only_regular_files_are_read_and_only_so_far() {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        std::fs::write(at("text"), "abc").unwrap();
+        std::fs::write(at("bytes"), b"ab\xFF").unwrap();
+        symlink(at("text"), at("link")).unwrap();
+        rustix::fs::mknodat(rustix::fs::CWD, at("pipe"), rustix::fs::FileType::Fifo, 0o600.into(), 0).unwrap();
+        let _socket = std::os::unix::net::UnixListener::bind(at("socket")).unwrap();
+        assert_eq!(read(&at("text"), 3).unwrap(), "abc");
+        assert_eq!(read(&at("link"), 3).unwrap(), "abc");
+        assert_eq!(told(read(&at("text"), 2)), "expected at most 0 MiB, the file is longer");
+        assert_eq!(told(read(&at("bytes"), 3)), "expected a text in UTF-8, byte 3 is none");
+        for (path, kind) in [
+            (at("pipe"), "a pipe"),
+            (at("socket"), "a socket"),
+            (dir.path().to_owned(), "a directory"),
+            ("/dev/zero".into(), "a device"),
+        ] {
+            assert_eq!(told(read(&path, TEXT)), format!("expected a regular file, this is {kind}"));
+            assert_eq!(told(create(&path, true)), format!("expected a regular file, this is {kind}"));
+        }
+        assert!(read(&at("nothing"), TEXT).unwrap_err().is_missing());
+    }
+
+    #[test]
+    fn nothing_is_overwritten_unasked_and_nothing_through_a_link() {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        create(&at("new"), false).unwrap();
+        std::fs::write(at("old"), "precious").unwrap();
+        assert_eq!(told(create(&at("old"), false)), "the file exists already");
+        for (name, target) in [("link", at("old")), ("dangling", at("nothing"))] {
+            symlink(target, at(name)).unwrap();
+            for overwrite in [false, true] {
+                assert_eq!(told(create(&at(name), overwrite)), "expected a regular file, this is a symbolic link");
+            }
+        }
+        assert_eq!(std::fs::read_to_string(at("old")).unwrap(), "precious");
+        assert!(!at("nothing").exists());
+        create(&at("old"), true).unwrap();
+        assert_eq!(std::fs::read_to_string(at("old")).unwrap(), "");
+    }
+}
