@@ -1669,9 +1669,9 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l force -d 'Replace the file of --trace if it exists, and do what the verb does not do unasked'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes; never taken from environment or files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s b -l baud -d 'New speed: 2400, 4800, 9600, 19200, 57600 or 115200' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s b -l baud -d 'New speed; ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l parity -d 'New parity of Modbus: even, odd, none' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s a -l address -d 'New address: of Modbus 1-247 (P.1376), of VABus 1-30 (P.394)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s a -l address -d 'New address: of Modbus 1-247 (P.1376, MBadr), of VABus 1-30 (P.394)' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l now-baud -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l now-parity -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l now-address -r
@@ -1773,7 +1773,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "status" -d 'A status word (P.411), such as 0x0237'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "control" -d 'A control word (P.410), such as 0x000F'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "warnings" -d 'A warning word (P.270), such as 0x008B'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "fault" -d 'A fault code (P.260), such as F0500, 0x0500 or 1280'
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "fault" -d 'A fault code (P.260, FLT_err_num), such as F0500, EB303, 0x0500 or 1280'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -f -a "error" -d 'A code of the error register (P.11), such as 11'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s p -l port -d 'Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s a -l address -d 'Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody' -r

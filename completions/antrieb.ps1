@@ -1865,11 +1865,11 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;line;set' {
-            [CompletionResult]::new('-b', '-b', [CompletionResultType]::ParameterName, 'New speed: 2400, 4800, 9600, 19200, 57600 or 115200')
-            [CompletionResult]::new('--baud', '--baud', [CompletionResultType]::ParameterName, 'New speed: 2400, 4800, 9600, 19200, 57600 or 115200')
+            [CompletionResult]::new('-b', '-b', [CompletionResultType]::ParameterName, 'New speed; ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400')
+            [CompletionResult]::new('--baud', '--baud', [CompletionResultType]::ParameterName, 'New speed; ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400')
             [CompletionResult]::new('--parity', '--parity', [CompletionResultType]::ParameterName, 'New parity of Modbus: even, odd, none')
-            [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'New address: of Modbus 1-247 (P.1376), of VABus 1-30 (P.394)')
-            [CompletionResult]::new('--address', '--address', [CompletionResultType]::ParameterName, 'New address: of Modbus 1-247 (P.1376), of VABus 1-30 (P.394)')
+            [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'New address: of Modbus 1-247 (P.1376, MBadr), of VABus 1-30 (P.394)')
+            [CompletionResult]::new('--address', '--address', [CompletionResultType]::ParameterName, 'New address: of Modbus 1-247 (P.1376, MBadr), of VABus 1-30 (P.394)')
             [CompletionResult]::new('--now-baud', '--now-baud', [CompletionResultType]::ParameterName, 'now-baud')
             [CompletionResult]::new('--now-parity', '--now-parity', [CompletionResultType]::ParameterName, 'now-parity')
             [CompletionResult]::new('--now-address', '--now-address', [CompletionResultType]::ParameterName, 'now-address')
@@ -1984,7 +1984,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('status', 'status', [CompletionResultType]::ParameterValue, 'A status word (P.411), such as 0x0237')
             [CompletionResult]::new('control', 'control', [CompletionResultType]::ParameterValue, 'A control word (P.410), such as 0x000F')
             [CompletionResult]::new('warnings', 'warnings', [CompletionResultType]::ParameterValue, 'A warning word (P.270), such as 0x008B')
-            [CompletionResult]::new('fault', 'fault', [CompletionResultType]::ParameterValue, 'A fault code (P.260), such as F0500, 0x0500 or 1280')
+            [CompletionResult]::new('fault', 'fault', [CompletionResultType]::ParameterValue, 'A fault code (P.260, FLT_err_num), such as F0500, EB303, 0x0500 or 1280')
             [CompletionResult]::new('error', 'error', [CompletionResultType]::ParameterValue, 'A code of the error register (P.11), such as 11')
             break
         }

@@ -282,6 +282,7 @@ fn work(
         Some(_) => {}
     };
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
+    settings.catalogue_notes.iter().for_each(|note| observe(crate::outcome::Event::Note(note.clone())));
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {

@@ -48,6 +48,8 @@ mod stopping;
 mod tape;
 #[path = "verbs/vabus.rs"]
 mod vabus;
+#[path = "verbs/words.rs"]
+mod words;
 #[path = "verbs/worked.rs"]
 mod worked;
 #[path = "verbs/writing.rs"]

@@ -11,7 +11,8 @@ use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::render::Format;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
-use serde::Deserialize;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -66,6 +67,10 @@ pub struct Settings {
     pub format: Format,
     /// Language.
     pub lang: Lang,
+    /// What a project file decides that one may not expect: a port on the network. Told when the port is opened.
+    pub port_note: Option<String>,
+    /// The same for a catalogue that replaces rows. Told when it is read.
+    pub catalogue_notes: Vec<String>,
     /// The user's catalogues, in the order in which they are read.
     pub catalogues: Vec<CatalogueFile>,
     /// Telegrams are shown.
@@ -102,6 +107,7 @@ pub struct Unknown {
 #[serde(deny_unknown_fields)]
 struct File {
     port: Option<String>,
+    #[serde(default, deserialize_with = "stations")]
     address: Option<String>,
     baud: Option<u32>,
     parity: Option<String>,
@@ -126,6 +132,7 @@ struct File {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct NamedDrive {
+    #[serde(deserialize_with = "station")]
     address: u8,
     port: Option<String>,
     drive: Option<String>,
@@ -137,10 +144,11 @@ struct NamedDrive {
 impl Settings {
     /// Resolves everything once.
     pub fn resolve(globals: &Globals, environment: &Environment) -> Result<Self, Failure> {
-        let project = match (&globals.config, globals.no_config) {
-            (_, true) => None,
-            (Some(path), _) => Some(read_config(&environment.directory.join(path), true)?),
-            (None, _) => Some(read_config(&environment.directory.join("antrieb.toml"), false)?),
+        let shown = globals.config.clone().unwrap_or_else(|| PathBuf::from("antrieb.toml"));
+        let must_exist = globals.config.is_some();
+        let project = match globals.no_config {
+            true => None,
+            false => Some(read_config(&environment.directory.join(&shown), must_exist)?),
         };
         let user = match &environment.user_config {
             Some(directory) if !globals.no_config => read_config(&directory.join("config.toml"), false)?,
@@ -152,8 +160,11 @@ impl Settings {
         let layers = [&project, &user];
 
         let mut ports = globals.port.clone();
+        let variable = environment.variables.get("ANTRIEB_PORT").filter(|text| !text.is_empty());
+        let is_of_project = ports.is_empty()
+            && variable.is_none()
+            && (named.is_some_and(|drive| drive.port.is_some()) || project.port.is_some());
         if ports.is_empty() {
-            let variable = environment.variables.get("ANTRIEB_PORT").filter(|text| !text.is_empty());
             let text = variable.or(named.and_then(|drive| drive.port.as_ref()));
             let text = text.or(first(layers, |file| file.port.as_ref()));
             let port = text.map(|text| text.parse().map_err(|why: String| bad_setting("port", &why)));
@@ -221,6 +232,8 @@ impl Settings {
             (None, None) => locale(environment),
         };
         Ok(Settings {
+            port_note: ports.first().filter(|_| is_of_project).and_then(|port| network_note(port, &shown, lang)),
+            catalogue_notes: catalogue_notes(&project, &environment.directory, &shown, lang),
             port: ports.first().cloned(),
             ports,
             addresses,
@@ -329,6 +342,41 @@ fn rs485(globals: &Globals, environment: &Environment, layers: [&File; 2]) -> Re
 /// The Linux kernel takes no longer ones (RS485_MAX_RTS_DELAY).
 const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
 
+/// A project file comes with a directory that somebody else may have packed: where it reaches into the network is said.
+fn network_note(port: &Port, file: &Path, lang: Lang) -> Option<String> {
+    let reaches_out = matches!(port, Port::Tcp(_) | Port::Rfc2217(_) | Port::Mbtcp(_));
+    let file = file.display();
+    reaches_out.then(|| match lang {
+        Lang::En => format!("{file} sets the port: {port} (another one with -p; --no-config leaves the file out)"),
+        Lang::De => format!("{file} bestimmt den Anschluss: {port} (anderer mit -p; --no-config lässt die Datei weg)"),
+    })
+}
+
+/// What a parameter means decides what is written to a drive: where a project file puts other rows in place of ours is
+/// said.
+fn catalogue_notes(project: &File, directory: &Path, file: &Path, lang: Lang) -> Vec<String> {
+    let replaces = |path: &&PathBuf| {
+        let text = std::fs::read_to_string(directory.join(path)).unwrap_or_default();
+        toml::from_str::<toml::Value>(&text).is_ok_and(|value| replaces_rows(&value))
+    };
+    let file = file.display();
+    let note = |path: &PathBuf| match lang {
+        Lang::En => format!("{file}: the catalogue {} replaces rows of the built-in one", path.display()),
+        Lang::De => format!("{file}: der Katalog {} ersetzt Zeilen des eingebauten", path.display()),
+    };
+    project.catalogue.iter().filter(replaces).map(note).collect()
+}
+
+fn replaces_rows(value: &toml::Value) -> bool {
+    match value {
+        toml::Value::Table(table) => {
+            table.get("replace").and_then(toml::Value::as_bool) == Some(true) || table.values().any(replaces_rows)
+        }
+        toml::Value::Array(list) => list.iter().any(replaces_rows),
+        _ => false,
+    }
+}
+
 fn first<'a, T>(layers: [&'a File; 2], pick: impl Fn(&'a File) -> Option<T>) -> Option<T> {
     layers.into_iter().find_map(pick)
 }
@@ -376,6 +424,28 @@ fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
     })
 }
 
+/// The address of a drive in a file. 0 is everybody and only ever typed: what stands in a file for good must not become a
+/// broadcast.
+fn station<'de, D: Deserializer<'de>>(file: D) -> Result<u8, D::Error> {
+    let number = i64::deserialize(file)?;
+    let station = u8::try_from(number).ok().filter(|station| (1..=LAST_STATION).contains(station));
+    station.ok_or_else(|| D::Error::custom(no_station(&number)))
+}
+
+/// The same for a list of addresses; what is no number is a name, which is looked up later.
+fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
+    let text = String::deserialize(file)?;
+    let numbers = text.split([',', '-', '.']).filter_map(|part| part.trim().parse::<u32>().ok());
+    match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
+        Some(number) => Err(D::Error::custom(no_station(&number))),
+        None => Ok(Some(text)),
+    }
+}
+
+fn no_station(got: &dyn std::fmt::Display) -> String {
+    format!("address: expected 1 to {LAST_STATION}, got {got}; 0 is everybody and goes on the command line only")
+}
+
 /// Which drives are meant, and what the project file knows of the one that has a name.
 fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresses, u8, Option<NamedDrive>), Failure> {
     let text = globals.address.as_ref().or(first([project, user], |file| file.address.as_ref()));
@@ -387,7 +457,6 @@ fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresse
         });
     };
     if let Some(drive) = first([project, user], |file| file.drives.get(text)) {
-        check_address(drive.address.into(), text)?;
         return Ok((Addresses::Named(vec![drive.address]), 0, Some(drive.clone())));
     }
     let names: Vec<&str> = project.drives.keys().chain(user.drives.keys()).map(String::as_str).collect();

@@ -47,7 +47,7 @@ enum What {
         /// The word
         word: String,
     },
-    /// A fault code (P.260), such as F0500, 0x0500 or 1280
+    /// A fault code (P.260, FLT_err_num), such as F0500, EB303, 0x0500 or 1280
     Fault {
         /// The code
         code: String,
@@ -61,8 +61,14 @@ enum What {
 
 /// Explains.
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
-    let family = offline_family(context.settings, context.registry)?;
+    let mut family = offline_family(context.settings, context.registry)?;
     let lang = context.settings.lang;
+    if let (What::Fault { code }, None) = (&args.what, &context.settings.drive)
+        && let Some(told) = context.registry.families().into_iter().find(|family| displayed(code, family).is_some())
+    {
+        // The letter of a displayed code tells whose it is.
+        family = told;
+    }
     let reader = telegram_reader(context.settings, &family);
     let blank = |kind, input: &str| Decode {
         kind,
@@ -93,11 +99,10 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode), lang)?,
         What::Warnings { word } => word_of(&family, "warnings", "warnings", word, None, lang)?,
         What::Fault { code } => {
-            let number = match code.strip_prefix(['F', 'f']) {
-                Some(digits) => u32::from_str_radix(digits.trim(), 16).ok().filter(|code| *code <= 0xFFFF),
-                None => number(code),
-            };
-            let number = number.ok_or_else(|| bad_code(code, "a fault such as F0500, 0x0500 or 1280"))?;
+            let letter = &family.fault_codes.letter;
+            let number = displayed(code, &family).or_else(|| number(code));
+            let number =
+                number.ok_or_else(|| bad_code(code, &format!("a fault such as {letter}0500, 0x0500 or 1280")))?;
             Decode { fault: describe::fault(&family, number, lang), ..blank("fault", code) }
         }
         What::Error { code } => {
@@ -122,12 +127,25 @@ fn word_of(
     Ok(Decode { kind, input: text.to_owned(), telegrams: Vec::new(), word: Some(word), fault: None, register: None })
 }
 
+/// Reads a fault as the drives of a family display it: `F0500`, `EB303`.
+fn displayed(code: &str, family: &Family) -> Option<u32> {
+    let code = code.trim();
+    let (letter, digits) = (code.get(..1)?, code.get(1..)?);
+    let fits = letter.eq_ignore_ascii_case(&family.fault_codes.letter)
+        && (1..=4).contains(&digits.len())
+        && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    fits.then(|| u32::from_str_radix(digits, 16).ok()).flatten()
+}
+
 /// Reads `0x0237`, `0237h` or `567` as 16 bits.
 fn number(text: &str) -> Option<u32> {
     let text = text.trim();
     let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).or_else(|| text.strip_suffix(['h', 'H']));
     let number = match hex {
-        Some(digits) => u32::from_str_radix(digits, 16).ok()?,
+        Some(digits) if digits.bytes().all(|digit| digit.is_ascii_hexdigit()) => {
+            u32::from_str_radix(digits, 16).ok()?
+        }
+        Some(_) => return None,
         None => text.parse().ok()?,
     };
     (number <= 0xFFFF).then_some(number)

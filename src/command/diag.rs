@@ -1,6 +1,6 @@
 //! `diag`: what ails the drive, or the line to it?
 
-use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, target};
+use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::Settings;
 use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
 use crate::failure::{Class, Failure};
@@ -59,14 +59,42 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         |address, failure: &Failure| Diagnosis { error: Some(ErrorDoc::from(failure)), ..blank(address) },
     )
     .await?;
-    let ill: Vec<_> =
-        drives.iter().filter(|drive| drive.fault.is_some()).map(|drive| drive.address.to_string()).collect();
-    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new(), context.settings.lang);
-    if args.check && outcome.failure.is_none() && !ill.is_empty() {
-        let message = format!("a fault is present at address {}", ill.join(", "));
-        outcome.failure = Some(Failure::new(Class::No, "no.fault_present", message));
+    let lang = context.settings.lang;
+    let (faulted, unknown) = (listed(&drives, |drive| drive.fault.is_some()), listed(&drives, untold));
+    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new(), lang);
+    if args.check {
+        outcome.failure = checked(outcome.failure, &faulted, &unknown, lang);
     }
     Ok(outcome)
+}
+
+/// Whether nobody can say if the drive has a fault.
+fn untold(drive: &Diagnosis) -> bool {
+    drive.fault_code.is_none()
+}
+
+fn listed(drives: &[Diagnosis], which: impl Fn(&Diagnosis) -> bool) -> String {
+    let addresses: Vec<_> = drives.iter().filter(|drive| which(drive)).map(|drive| drive.address.to_string()).collect();
+    addresses.join(", ")
+}
+
+/// What `--check` says: a drive that does not answer hides no fault of another.
+fn checked(failure: Option<Failure>, faulted: &str, unknown: &str, lang: Lang) -> Option<Failure> {
+    if faulted.is_empty() {
+        return failure;
+    }
+    let present = lang.pick("a fault is present at address", "eine Störung liegt an bei Adresse");
+    let message = format!("{present} {faulted}");
+    Some(match failure {
+        None => Failure::new(Class::No, "no.fault_present", message).with("faulted", faulted),
+        Some(failure) => {
+            let not_told = lang.pick("not known of address", "nicht bekannt von Adresse");
+            let rest = if unknown.is_empty() { String::new() } else { format!("; {not_told} {unknown}") };
+            let message = format!("{message}{rest}; {}", failure.message);
+            let class = if is_over(&failure) { failure.class } else { Class::Partial };
+            Failure { class, message, ..failure }.with("faulted", faulted).with("unknown", unknown)
+        }
+    })
 }
 
 /// What is asked, in this order; the link test repeats one of them.
@@ -145,8 +173,8 @@ async fn diagnose(
     let family = target.family.clone();
     let failed = |error: AccessError| error.failure(address, Some(&family), lang);
     // First of all: any refused question would overwrite it.
-    let refusal = match (family.link.cause, &settings.drive) {
-        (Cause::Diagnostics(_), None) => {
+    let refusal = match family.link.cause {
+        Cause::Diagnostics(_) if target.refused_on_the_way => {
             session.tell(Event::Note(overwritten(lang).to_owned()));
             None
         }
@@ -157,7 +185,7 @@ async fn diagnose(
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
-    let watchdog = reader.role("watchdog").await?;
+    let watchdog = reader.in_force("watchdog").await?.value;
     let memory = memory(&mut reader, &family).await?;
     let (mut failures, good) = reader.into_failures();
     let present = status.as_ref().zip(fault).map(|(word, code)| family.present_fault(word.raw, code as u32));

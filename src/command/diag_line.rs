@@ -3,7 +3,7 @@
 use super::{Context, addresses_to_read, connect, is_over, target};
 use crate::drive::{Inquiry, check_line};
 use crate::failure::Failure;
-use crate::outcome::{CheckedDrive, Data, ErrorDoc, Outcome};
+use crate::outcome::{Data, Outcome};
 use clap::Args as ClapArgs;
 
 /// Measures the line: adapter, pauses, reply times with a histogram, errors, and what to do about them.
@@ -33,15 +33,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Err(failure) => failed.push((address, failure)),
         }
     }
-    let (mut check, cut) = check_line(&mut session, targets, args.count.into(), settings.lang).await;
-    let silent = failed.iter().map(|(address, failure)| CheckedDrive {
-        address: *address,
-        test: None,
-        error: Some(ErrorDoc::from(failure)),
-    });
-    check.drives.extend(silent);
-    let measured = check.drives.iter().filter(|drive| drive.test.is_some()).count();
-    let cut = cut.map(|error| error.failure(0, None, settings.lang));
-    let failures = cut.into_iter().chain(failed.into_iter().map(|(_, failure)| failure)).collect();
+    let (check, failures) = check_line(&mut session, targets, &failed, args.count.into(), settings.lang).await;
+    let measured = check.drives.iter().filter(|drive| drive.error.is_none()).count();
     Ok(super::finish(Data::LineCheck(check), failures, measured, Vec::new(), settings.lang))
 }

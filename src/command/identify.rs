@@ -2,7 +2,7 @@
 
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
 use crate::args::Settings;
-use crate::drive::{AccessError, Session, Target, recognise};
+use crate::drive::{AccessError, Session, Target, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, ErrorDoc, Evidence, Identify, Identity, Module, Outcome};
 use crate::profile::{DataSets, Lang, Registry};
@@ -28,6 +28,9 @@ const ROLES: [&str; 9] = [
     "set-selection",
 ];
 
+/// What is often changed in RAM alone: shown as it holds now. The others of [`ROLES`] wait for a restart anyway.
+const IN_FORCE: [&str; 2] = ["watchdog", "control-mode"];
+
 /// Identifies every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
@@ -43,6 +46,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
             address,
             drive: "unknown".to_owned(),
             title: String::new(),
+            product: None,
             evidence: Vec::new(),
             modules: Vec::new(),
             values: Vec::new(),
@@ -60,19 +64,22 @@ async fn identify(
     address: u8,
 ) -> Result<Row<Identity>, Failure> {
     let lang = settings.lang;
-    let (target, evidence) = match &settings.drive {
+    let failed = |error: AccessError| error.failure(address, None, lang);
+    let (target, evidence, product) = match &settings.drive {
         Some(name) => {
-            let told = Evidence {
+            let given = Evidence {
                 asked: "--drive".to_owned(),
                 answered: name.clone(),
-                tells: if lang == Lang::De { "so angegeben" } else { "as given" }.to_owned(),
+                tells: lang.pick("as given", "so angegeben").to_owned(),
             };
-            (Some(Target::new(address, super::named_family(registry, name)?)), vec![told])
+            let target = Target::new(address, super::named_family(registry, name)?).in_word_order(settings.word_order);
+            let told = introduce(session, registry, &target, lang).await.map_err(failed)?.unwrap_or_default();
+            (Some(target), [vec![given], told.evidence].concat(), told.product)
         }
         None => {
-            let finding = recognise(session, registry, address, lang, false).await;
-            let finding = finding.map_err(|error| error.failure(address, None, lang))?;
-            (finding.target(address, registry), finding.evidence)
+            let finding = recognise(session, registry, address, lang, false).await.map_err(failed)?;
+            let target = finding.target(address, registry);
+            (target.map(|target| target.in_word_order(settings.word_order)), finding.evidence, finding.product)
         }
     };
     let Some(mut target) = target else {
@@ -84,6 +91,7 @@ async fn identify(
             address,
             drive: "unknown".to_owned(),
             title: title.to_owned(),
+            product,
             evidence,
             modules: Vec::new(),
             values: Vec::new(),
@@ -96,12 +104,15 @@ async fn identify(
     let mut reader = Reader::new(session, &mut target, settings);
     let mut values = Vec::new();
     for role in ROLES {
-        values.extend(reader.role(role).await?);
+        match IN_FORCE.contains(&role) {
+            true => values.extend(reader.in_force(role).await?.rows(lang)),
+            false => values.extend(reader.role(role).await?),
+        }
     }
     let modules = modules(&mut reader, lang).await?;
     let drive = reader.target.family.drive.clone();
     let (failures, good) = reader.into_failures();
-    Ok((Identity { address, drive, title, evidence, modules, values, error: None }, failures, good))
+    Ok((Identity { address, drive, title, product, evidence, modules, values, error: None }, failures, good))
 }
 
 /// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.

@@ -15,7 +15,9 @@ use clap::{Arg, Args as ClapArgs, Subcommand};
 ///
 ///   antrieb -a 1 line set --baud 115200 --parity odd --address 5
 ///
-/// A new address holds at once. Speed (P.10) and parity (P.1375) hold after a restart (P.34 = 123), which is done too.
+/// ACTIVE: a new address holds at once; speed (P.10) and parity (P.1375) hold after a restart (P.34 = 123), which is done
+/// too. LXM05: speed and format hold when it is switched on the next time; for the address its manual does not say, so it
+/// is looked for at both.
 /// After every step the drive has to answer at its new place. If it does not, but still answers at the old one,
 /// everything is put back. The way back is printed.
 #[derive(Clone, Debug, ClapArgs)]
@@ -31,13 +33,13 @@ enum What {
     /// Brings the drive to another speed, parity or address
     #[command(arg = present("baud", "now-baud"), arg = present("parity", "now-parity"), arg = present("address", "now-address"))]
     Set {
-        /// New speed: 2400, 4800, 9600, 19200, 57600 or 115200
+        /// New speed; ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400
         #[arg(id = "new_baud", short = 'b', long = "baud", value_name = "BAUD")]
         baud: Option<u32>,
         /// New parity of Modbus: even, odd, none
         #[arg(id = "new_parity", long = "parity", value_name = "PARITY")]
         parity: Option<String>,
-        /// New address: of Modbus 1-247 (P.1376), of VABus 1-30 (P.394)
+        /// New address: of Modbus 1-247 (P.1376, MBadr), of VABus 1-30 (P.394)
         #[arg(id = "new_address", short = 'a', long = "address", value_name = "ADDRESS")]
         address: Option<u8>,
     },
@@ -70,8 +72,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 
 /// The settings of the line as they are stored in every drive that was named.
 pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let params = ["protocol", "baud-rate", "modbus-parity", "modbus-address", "rs-node-id"].map(str::to_owned);
-    read::run(&read::Args { params: params.to_vec(), kind: None, decimals: None }, context).await
+    read::run(&read::Args { params: vec!["@line".to_owned()], kind: None, decimals: None }, context).await
 }
 
 /// Moves one drive to what is wished for.
@@ -84,11 +85,24 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         let message = "address 0 is everybody: drives are moved one by one";
         return Err(Failure::new(Class::Usage, "usage.one_address", message).hint("name one drive, such as -a 1"));
     }
-    wish.check(context.settings.lang)?;
+    let families = match &context.settings.drive {
+        Some(name) => vec![super::named_family(context.registry, name)?],
+        None => context.registry.families(),
+    };
+    wish.check(&families, context.settings.lang)?;
     if context.settings.dry_run {
         let family = offline_family(context.settings, context.registry)?;
         let orders = relocate::orders(&wish, context.settings.protocol, &family);
-        return plan(context, &family, &orders);
+        let mut outcome = plan(context, &family, &orders)?;
+        if let Some(Data::Plan(plan)) = &mut outcome.data {
+            plan.notes.push(context.settings.lang.pick(
+                "before them the stored settings are read, and whether somebody answers at the new place already; after \
+                 each the drive is looked for where it can be. What stands there already is not written",
+                "davor werden die gespeicherten Einstellungen gelesen, und ob am neuen Ort schon jemand antwortet; nach \
+                 jedem wird der Antrieb gesucht, wo er sein kann. Was schon so steht, wird nicht geschrieben",
+            ).to_owned());
+        }
+        return Ok(outcome);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;

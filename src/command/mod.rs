@@ -11,6 +11,7 @@ pub mod monitor;
 pub mod params;
 pub mod protocol;
 pub mod read;
+mod rehearse;
 mod running;
 pub mod scan;
 pub mod simulate;
@@ -20,6 +21,7 @@ pub mod statemachine;
 pub mod write;
 
 use crate::args::{Addresses, Settings};
+use crate::drive::motion::working;
 use crate::drive::{
     AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Recording, Session, Target, describe, open_port,
     recognise,
@@ -27,7 +29,7 @@ use crate::drive::{
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
 use crate::outcome::{Data, Event, Outcome, Plan, Value, Warning};
-use crate::profile::{DataSets, Family, Lang, Param, Registry, Type};
+use crate::profile::{DataSets, Family, Lang, Param, Registry, Selector, Store, Type};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -82,6 +84,9 @@ async fn open<'a>(
         verbose: settings.verbose,
         lang: settings.lang,
     };
+    if let Some(note) = &settings.port_note {
+        observe(Event::Note(note.clone()));
+    }
     let mut session = Session::open(opening, registry, interrupt.clone(), observe).await?;
     session.reach_node(settings.node);
     Ok(session)
@@ -180,6 +185,36 @@ fn offline<T>(
     Err(unknown)
 }
 
+/// Blames the right one where several parameters are named and no family is: the name that no drive has, not the first
+/// that the usual drive lacks.
+fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Selector]) -> Result<(), Failure> {
+    if settings.drive.is_some() || selectors.len() < 2 {
+        return Ok(());
+    }
+    let usual = offline_family(settings, registry)?;
+    let families = registry.families();
+    let knowing = |selector: &Selector| {
+        let known = families.iter().filter(|family| selector.resolve(family).is_ok());
+        known.map(|family| family.drive.as_str()).collect::<Vec<_>>()
+    };
+    let known: Vec<_> = selectors.iter().map(knowing).collect();
+    for (selector, known) in selectors.iter().zip(&known) {
+        if let (true, Err(error)) = (known.is_empty(), selector.resolve(&usual)) {
+            return Err(read::select_failure(&error));
+        }
+    }
+    if families.iter().any(|family| known.iter().all(|known| known.contains(&family.drive.as_str()))) {
+        return Ok(());
+    }
+    let whose = selectors.iter().zip(&known).map(|(selector, known)| format!("{selector} ({})", known.join(", ")));
+    let whose = whose.collect::<Vec<_>>().join(", ");
+    let text = settings.lang.pick("no drive has all of these", "kein Antrieb hat alle diese");
+    Err(Failure::new(Class::Data, "data.unknown_parameter", format!("{text}: {whose}")).hint(settings.lang.pick(
+        "ask for what belongs to one family at a time",
+        "nach dem fragen, was zu einer Familie gehört, eine nach der anderen",
+    )))
+}
+
 /// Whether a failure is about something that the family does not know, but another may.
 fn is_unknown(failure: &Failure) -> bool {
     ["data.unknown_parameter", "data.unknown_group", "usage.mode", "usage.unit", "usage.option"]
@@ -192,7 +227,7 @@ fn plan(context: &mut Context<'_>, family: &Family, questions: &[Inquiry]) -> Re
     let reader = telegram_reader(context.settings, family);
     let each = |address: u8| questions.iter().filter_map(move |question| reader.question(address, *question));
     let telegrams = addresses.into_iter().flat_map(each).collect();
-    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })))
+    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes: Vec::new() })))
 }
 
 /// The questions that read the parameters with these roles.
@@ -277,6 +312,9 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
 
     /// What failed. Refusals of single parameters are forgiven, but not if the drive refused everything.
     fn into_failures(mut self) -> (Vec<Failure>, usize) {
+        for warning in self.warnings.drain(..) {
+            self.session.tell(Event::Note(warning.message));
+        }
         if self.good == 0 && self.failures.is_empty() {
             self.failures.extend(self.forgiven.into_iter().next());
         }
@@ -288,6 +326,30 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
         self.lenient = true;
         Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
+    }
+
+    /// The parameter that plays a role as the drive works with it, and the stored one where that differs. A drive without
+    /// data sets has one value.
+    async fn in_force(&mut self, role: &str) -> Result<InForce, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(InForce::default()) };
+        self.lenient = true;
+        if !self.target.family.link.route.has_data_sets() || param.is_volatile() {
+            let value = self.rows(&param, DataSets::Unnamed).await?.into_iter().next();
+            return Ok(InForce { value, stored: None });
+        }
+        let set = self.target.working_set(self.session, &param).await;
+        let set =
+            set.map_err(|error| error.failure(self.target.address, Some(&self.target.family), self.settings.lang))?;
+        let forgiven = self.forgiven.len();
+        let working = self.rows(&param, DataSets::One(set, Store::Ram)).await?.into_iter().next();
+        let stored = self.rows(&param, DataSets::One(set, Store::Eeprom)).await?.into_iter().next();
+        let Some(working) = working.filter(|value| value.error.is_none()) else {
+            // It does not show its RAM: what it stores is all that there is to know.
+            self.forgiven.truncate(forgiven);
+            return Ok(InForce { value: stored, stored: None });
+        };
+        let stored = stored.filter(|stored| stored.error.is_none() && stored.raw != working.raw);
+        Ok(InForce { value: Some(working), stored })
     }
 
     /// Like [`Reader::role`], but a refusal is a failure: the verb is about this value.
@@ -347,7 +409,9 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
                     });
                 }
                 let lookup = |id: u32| self.modes.get(&id).copied();
-                Ok(describe::value(address, &self.target.family, param, reading, lang, &lookup))
+                let value = describe::value(address, &self.target.family, param, reading, lang, &lookup);
+                self.warnings.extend(implausible(&value, param, lang));
+                Ok(value)
             }
             Err(error) => {
                 let failure = error.failure(address, Some(&self.target.family), lang).with("param", param.id);
@@ -372,19 +436,48 @@ impl<'t, 's, 'o> Reader<'t, 's, 'o> {
                 continue;
             }
             let deciding = self.target.family.param_or_unknown(when.param);
-            for (_, result) in self.target.read(self.session, &deciding, DataSets::Unnamed).await {
-                match result {
-                    Ok(reading) => {
-                        self.modes.insert(when.param, reading.raw);
-                    }
-                    Err(error) if error.is_fatal() => {
-                        return Err(error.failure(self.target.address, None, self.settings.lang));
-                    }
-                    Err(_) => {}
-                }
+            // What is in force decides, not what is stored.
+            if let Some(raw) = working(self.session, self.target, &deciding, self.settings.lang).await? {
+                self.modes.insert(when.param, raw);
             }
         }
         Ok(())
+    }
+}
+
+/// The warning about a value that the catalogue says cannot be.
+fn implausible(value: &Value, param: &Param, lang: Lang) -> Option<Warning> {
+    let (expected, raw) = (value.expected.as_ref()?, value.raw?);
+    let (label, address) = (param.label(), value.address);
+    let message = match lang {
+        Lang::En => format!(
+            "drive {address}: {label} reads as {raw}, expected {expected}: two drives at one address, a disturbed reply, \
+             or a drive of another kind (--drive)?"
+        ),
+        Lang::De => format!(
+            "Antrieb {address}: {label} liest sich als {raw}, erwartet {expected}: zwei Antriebe mit einer Adresse, eine \
+             gestörte Antwort oder ein Antrieb anderer Art (--drive)?"
+        ),
+    };
+    Some(Warning { code: "value.implausible".to_owned(), message })
+}
+
+/// A setting as the drive works with it, and as it is stored where that is another value.
+#[derive(Debug, Default)]
+struct InForce {
+    value: Option<Value>,
+    stored: Option<Value>,
+}
+
+impl InForce {
+    /// One row, or two that differ; the second says that it is only stored.
+    fn rows(self, lang: Lang) -> impl Iterator<Item = Value> {
+        let only = lang.pick("stored, not in force", "gespeichert, nicht wirksam");
+        let stored = self.stored.map(|value| {
+            let text = value.text.into_iter().chain([only.to_owned()]).collect::<Vec<_>>().join("; ");
+            Value { text: Some(text), ..value }
+        });
+        self.value.into_iter().chain(stored)
     }
 }
 

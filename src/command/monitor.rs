@@ -581,7 +581,7 @@ impl Item {
             Column {
                 param: param.id,
                 data_set,
-                store: describe::store_name(store, param.is_volatile()),
+                store: describe::kept(store, param),
                 slug: param.slug.clone(),
                 name: param.name(lang).to_owned(),
                 unit: param.unit.clone(),

@@ -1,8 +1,8 @@
 //! `read`: values of parameters.
 
 use super::{
-    Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, offline, plan,
-    read_question, target,
+    Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, known_somewhere, offline,
+    plan, read_question, target,
 };
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -37,7 +37,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let selectors = selectors(&args.params)?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
-    let named = || offline(settings, registry, |family| select(&selectors, family, args, settings.lang));
+    let named = || {
+        known_somewhere(settings, registry, &selectors)?;
+        offline(settings, registry, |family| select(&selectors, family, args, settings.lang))
+    };
     if settings.dry_run {
         let (family, selections) = named()?;
         let sets = selections.iter().flat_map(|one| one.sets.wire().into_iter().map(move |set| (&one.param, set)));

@@ -91,12 +91,40 @@ fn unknown(settings: &Settings) -> Unknown {
     Unknown { baud, parity, protocol }
 }
 
+/// A summary: the question to the first and to the last address, and how many settings of how many ports are asked so.
 fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> {
-    let family = super::offline_family(context.settings, context.registry)?;
-    let reader = super::telegram_reader(context.settings, &family);
+    let settings = context.settings;
+    let family = super::offline_family(settings, context.registry)?;
+    let reader = super::telegram_reader(settings, &family);
     let probe = crate::drive::probe_question();
-    let telegrams = addresses.iter().filter_map(|&address| reader.question(address, probe)).collect();
-    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams })))
+    let mut ends: Vec<u8> = addresses.first().into_iter().chain(addresses.last()).copied().collect();
+    ends.dedup();
+    let telegrams = ends.iter().filter_map(|&address| reader.question(address, probe)).collect();
+    let (count, ports) = (addresses.len(), settings.ports.len().max(1));
+    let crate::args::Unknown { baud, parity, protocol } = settings.unknown;
+    let sought = [("baud", baud), ("parity", parity), ("protocol", protocol)];
+    let sought: Vec<_> = sought.iter().filter(|row| row.1).map(|row| row.0).collect();
+    let (line, spoken) = (settings.line, settings.protocol);
+    let mut notes = vec![match settings.lang {
+        Lang::En => {
+            format!("{count} address(es) on {ports} port(s) are asked for their status word, at {line} {spoken} first")
+        }
+        Lang::De => format!(
+            "{count} Adresse(n) an {ports} Anschluss/Anschlüssen werden nach dem Statuswort gefragt, zuerst mit {line} {spoken}"
+        ),
+    }];
+    if !sought.is_empty() {
+        let sought = sought.join(", ");
+        notes.push(match settings.lang {
+            Lang::En => format!("then again at every other likely setting: {sought} = auto"),
+            Lang::De => format!("danach mit jeder weiteren wahrscheinlichen Einstellung: {sought} = auto"),
+        });
+    }
+    notes.push(settings.lang.pick(
+        "whoever answers is asked on what it is (code 100, P.484, P.11, code 43); whoever was garbled is asked again",
+        "wer antwortet, wird gefragt, was er ist (Code 100, P.484, P.11, Code 43); wer gestört kam, wird noch einmal gefragt",
+    ).to_owned());
+    Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })))
 }
 
 /// The ports that were named, or the only one that there is.

@@ -40,7 +40,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let lang = settings.lang;
     let family = offline_family(settings, registry)?;
     if settings.dry_run {
-        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new() })));
+        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() })));
     }
     if matches!(settings.port, Some(Port::Mbtcp(_))) {
         return Err(no_line(lang));

@@ -4,17 +4,16 @@ mod check;
 mod wanted;
 mod zero;
 
+use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
-use super::{
-    Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target, telegram_reader,
-};
+use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
 use crate::args::{MotionArgs, Settings, parse_span};
+use crate::drive::Session;
 use crate::drive::motion::Motor;
-use crate::drive::{Cell, Inquiry, Session};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{self, Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Lang, Param, Registry, Type};
+use crate::outcome::{Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
+use crate::profile::{DataSets, Family, Lang, Registry};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
@@ -95,7 +94,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let (family, wanted) =
         offline(context.settings, context.registry, |family| understand(args, &spoken, family, lang))?;
     if context.settings.dry_run {
-        return dry_run(&family, &wanted, context);
+        return dry_run(args, &family, &wanted, context);
     }
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
     give(args, &spoken, relief, context).await
@@ -230,33 +229,38 @@ fn announce(wanted: &Wanted, family: &Family, enable: bool, lang: Lang) -> Strin
     format!("{enables}{what}{start}")
 }
 
-/// What would be written besides the way to operation, which depends on the drive's state.
-fn dry_run(family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
+/// What a run would send, in the order of [`carry_out`].
+fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
     if wanted.by_speed {
         let message = "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive";
         return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint("give the setpoint in Hz"));
     }
-    let selects = wanted.mode.value.zip(family.role("mode")).map(|(value, param)| (param.clone(), value));
-    let engage = wanted.mode.engage.iter().map(|preset| (family.param_or_unknown(preset.param), preset.value));
-    let start = wanted.start.as_ref().zip(family.role("control-word"));
-    let writes = wanted
-        .settings
-        .iter()
-        .cloned()
-        .chain(selects)
-        .chain(engage)
-        .chain(wanted.denominator.clone())
-        .chain(wanted.schedule.values().map(|raw| (wanted.param.clone(), raw)))
-        .chain(start.map(|(start, param)| (param.clone(), start.word.into())));
-    let reader = telegram_reader(context.settings, family);
-    let telegram = |(param, raw): (Param, i64)| {
-        let cell = Cell { number: param.id, set: 0 };
-        reader.question(address, Inquiry::Write(cell, param.kind.unwrap_or(Type::Long), raw as u32))
-    };
-    let mut telegrams: Vec<_> = writes.filter_map(telegram).collect();
-    telegrams.dedup_by(|a, b| a.hex == b.hex);
-    Ok(Outcome::of(Data::Plan(outcome::Plan { dry_run: true, telegrams })))
+    let enable = args.enable || args.jog.is_some();
+    let mut motion = args.motion.clone();
+    motion.hold |= args.jog.is_some();
+    let mut told = Rehearsal::new(context.settings, family, address);
+    told.bounds(&motion, enable);
+    wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
+    if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
+        told.write(&wanted.param, 0, 0);
+    }
+    if enable {
+        told.walk("operation-enabled");
+    }
+    if let (Some(value), Some(param)) = (wanted.mode.value, family.role("mode")) {
+        told.write(param, 0, value);
+        family.role("mode-active").into_iter().for_each(|param| told.read(param, 0));
+    }
+    wanted.mode.engage.iter().for_each(|preset| told.write(&family.param_or_unknown(preset.param), 0, preset.value));
+    wanted.denominator.iter().for_each(|(param, raw)| told.write(param, 0, *raw));
+    wanted.schedule.values().for_each(|raw| told.write(&wanted.param, 0, raw));
+    if let Some(start) = &wanted.start {
+        told.control(start.word);
+        told.command("enable");
+    }
+    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero));
+    Ok(told.told())
 }
 
 async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {

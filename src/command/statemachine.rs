@@ -1,14 +1,15 @@
 //! `statemachine`: in which state is the drive, and walking it safely through its states.
 
+use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
-use super::{Context, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target, telegram_reader};
+use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings};
 use crate::drive::motion::{Motor, Situation, look, missing, no_control};
-use crate::drive::{Cell, Inquiry, Session, Target, describe};
+use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{self, Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
-use crate::profile::{Family, Lang, Param, Registry, Type};
+use crate::outcome::{Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
+use crate::profile::{Family, Lang, Param, Registry};
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows the state of the drive, and walks it through its state machine.
@@ -79,7 +80,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let command = family.machine.command(slug).cloned();
     let command = command.ok_or_else(|| Failure::new(Class::Data, "data.machine", format!("no command '{slug}'")))?;
     if context.settings.dry_run {
-        return dry_run(context, &family, command.word);
+        return dry_run(context, &family, motion, true, |told| match slug {
+            "enable" => told.walk("operation-enabled"),
+            "switch-on" => told.walk("switched-on"),
+            slug => told.command(slug),
+        });
     }
     let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
     let plan = Plan {
@@ -148,10 +153,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         return Err(Failure::new(Class::Usage, "usage.state", message));
     };
     if context.settings.dry_run {
-        let message = "the way to a state depends on the present one, and a dry run asks no drive";
-        return Err(
-            Failure::new(Class::Usage, "usage.dry_run", message).hint("dry-run a single command, such as enable")
-        );
+        return dry_run(context, &family, motion, true, |told| told.walk(state));
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
@@ -178,7 +180,13 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
     let family = offline_family(context.settings, context.registry)?;
     let word = contact_word(&family, contacts)?;
     if context.settings.dry_run {
-        return dry_run(context, &family, word);
+        return dry_run(context, &family, motion, false, |told| {
+            let control = family.motion.control.filter(|_| motion.take_control);
+            if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
+                told.change(param, control.contacts);
+            }
+            told.control(word);
+        });
     }
     let shown = if contacts.is_empty() { "-".to_owned() } else { contacts.join(" ") };
     let announce = format!(
@@ -256,13 +264,20 @@ fn contact_word(family: &Family, contacts: &[String]) -> Result<u16, Failure> {
     Ok(word)
 }
 
-fn dry_run(context: &Context<'_>, family: &Family, word: u16) -> Result<Outcome, Failure> {
+/// What a run would send: what it reads first, what the options set, the way, and its end.
+fn dry_run(
+    context: &Context<'_>,
+    family: &Family,
+    motion: &MotionArgs,
+    needs_control: bool,
+    way: impl FnOnce(&mut Rehearsal<'_>),
+) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
-    let param = family.role("control-word");
-    let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
-    let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, Type::Uint, word.into());
-    let telegrams = telegram_reader(context.settings, family).question(address, inquiry).into_iter().collect();
-    Ok(Outcome::of(Data::Plan(outcome::Plan { dry_run: true, telegrams })))
+    let mut told = Rehearsal::new(context.settings, family, address);
+    told.bounds(motion, needs_control);
+    way(&mut told);
+    told.end(motion, None);
+    Ok(told.told())
 }
 
 async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
@@ -282,6 +297,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
             status: None,
             control: None,
             control_mode: None,
+            control_mode_stored: None,
             fault: None,
             fault_code: None,
             missing: Vec::new(),
@@ -303,7 +319,7 @@ async fn show(
     let mut target = target(session, settings, registry, address, false).await?;
     let mut reader = Reader::new(session, &mut target, settings);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
-    let control_mode = reader.role("control-mode").await?;
+    let InForce { value: control_mode, stored: control_mode_stored } = reader.in_force("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
     let present = status.as_ref().zip(fault).map(|(word, code)| (word.raw, code as u32));
@@ -324,6 +340,7 @@ async fn show(
         status,
         control,
         control_mode,
+        control_mode_stored,
         fault: fault.and_then(|code| describe::fault(&target.family, code, lang)),
         fault_code: fault.map(i64::from),
         missing,

@@ -8,7 +8,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Selector, Store, Type};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Selector, Store, Type};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
@@ -52,6 +52,7 @@ pub(super) struct Step {
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses_to_write(context.settings)?;
     let lang = context.settings.lang;
+    super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family, lang))?;
     if context.settings.dry_run {
         return plan_only(context.settings, &addresses, &family, &planned);
@@ -105,14 +106,24 @@ pub(super) struct Job {
     pub(super) rows: Vec<Written>,
 }
 
+fn halves(text: &str) -> Result<(&str, &str), Failure> {
+    text.split_once('=').ok_or_else(|| {
+        Failure::new(Class::Usage, "usage.assignment", format!("expected PARAMETER=VALUE, got '{text}'"))
+            .hint("for example 376@4=1.5kW")
+    })
+}
+
+/// What the assignments name.
+fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
+    let parsed = |text: &String| halves(text)?.0.parse().map_err(|error| select_failure(&error));
+    args.assignments.iter().map(parsed).collect()
+}
+
 /// Reads the assignments; nothing is sent until all of them make sense.
 fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for text in &args.assignments {
-        let (who, what) = text.split_once('=').ok_or_else(|| {
-            Failure::new(Class::Usage, "usage.assignment", format!("expected PARAMETER=VALUE, got '{text}'"))
-                .hint("for example 376@4=1.5kW")
-        })?;
+        let (who, what) = halves(text)?;
         let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
         if selector.is_group() {
             let message = format!("'{who}' is a group: one value for all of it makes no sense");
@@ -177,11 +188,7 @@ pub(super) fn plan_only(
     let mut values = Vec::new();
     for &address in addresses {
         for step in steps {
-            let kind = step.kind.ok_or_else(|| {
-                let message =
-                    format!("parameter {}: no source tells its width, and a dry run asks nobody", step.param.id);
-                Failure::new(Class::Data, "data.width", message).hint("name it with --type uint, int, word or long")
-            })?;
+            let kind = step.kind.ok_or_else(|| no_width(&step.param, settings.lang))?;
             let row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
             let mut row = Written { node: settings.node, ..row };
             tell(&mut row, telegram(settings, family, address, step, kind));
@@ -189,6 +196,11 @@ pub(super) fn plan_only(
         }
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
+    let proves = settings.lang.pick(
+        "before the first of these every old value is read, after each the new one; what the drive has already is not sent",
+        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet",
+    );
+    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves.to_owned() });
     if settings.drive.is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
@@ -230,10 +242,12 @@ pub(super) async fn prepare(
             if let [old] = old.as_slice() {
                 (row.old_raw, row.old) = (old.raw, old.value);
             }
-            if let Some(failure) = reader.failures.iter().find(|failure| failure.class != Class::Refused) {
-                return Err(failure.clone());
+            let failures = reader.failures;
+            if let Some(failure) = failures.into_iter().find(|failure| forbids(failure, force)) {
+                return Err(nothing_sent(failure, lang));
             }
         }
+        check_found(step, target, lang)?;
         if row.old_raw == Some(step.raw) && !force {
             row.result = WriteResult::Unchanged;
         }
@@ -242,6 +256,37 @@ pub(super) async fn prepare(
         rows.push(row);
     }
     Ok(rows)
+}
+
+/// Whether a parameter that cannot be read must not be written either: one that the drive does not have would end the
+/// run in the middle. Where the drive names another reason, such as that it can only be written, it may still be.
+fn forbids(failure: &Failure, force: bool) -> bool {
+    let names_another = failure.context.iter().any(|(key, code)| *key == "p11" && code != "0")
+        && !["refused.unknown_parameter", "refused.data_set_not_permitted"].contains(&failure.code.as_str());
+    failure.class != Class::Refused || !(force || names_another)
+}
+
+fn nothing_sent(failure: Failure, lang: Lang) -> Failure {
+    let text = lang.pick("nothing was written", "es wurde nichts geschrieben");
+    Failure { message: format!("{}; {text}", failure.message), ..failure }
+}
+
+/// The width that the drive has told, or that nobody tells, before anything is sent.
+fn check_found(step: &Step, target: &Target, lang: Lang) -> Result<(), Failure> {
+    let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param, lang)) };
+    value::check_width(step.raw, kind, step.param.decimals_or_zero()).map_err(|error| {
+        let message = format!("{} ({}): {error}", step.param.label(), step.param.slug);
+        nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id), lang)
+    })
+}
+
+fn no_width(param: &Param, lang: Lang) -> Failure {
+    let message = match lang {
+        Lang::En => format!("parameter {}: no source tells its width, and nobody can be asked", param.id),
+        Lang::De => format!("Parameter {}: keine Quelle nennt seine Breite, und fragen lässt sich niemand", param.id),
+    };
+    Failure::new(Class::Data, "data.width", message)
+        .hint(lang.pick("name it with --type uint, int, word or long", "mit --type uint, int, word oder long angeben"))
 }
 
 fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
@@ -447,7 +492,7 @@ fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome 
     let mut warnings = Vec::new();
     for job in &jobs {
         for (step, row) in job.steps.iter().zip(&job.rows) {
-            warnings.extend(way_back(step, row, settings));
+            warnings.extend(way_back(step, row, &job.target.family, settings));
         }
     }
     let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
@@ -457,22 +502,34 @@ fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome 
 }
 
 /// How to get back to a drive whose line settings were changed.
-fn way_back(step: &Step, row: &Written, settings: &Settings) -> Option<Warning> {
+fn way_back(step: &Step, row: &Written, family: &Family, settings: &Settings) -> Option<Warning> {
     let sent = matches!(row.result, WriteResult::Verified | WriteResult::Written | WriteResult::Unknown);
     if !sent || step.param.hazard != Some(HazardKind::Line) {
         return None;
     }
-    let when = if step.param.effective == Effective::Reset { "after the next reset" } else { "from now on" };
-    let old = row.old.map_or_else(|| "its old value".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
-    Some(Warning {
-        code: "line.changed".to_owned(),
-        message: format!(
-            "{} is {new}: {when} the drive is no longer reached with address {} at {} {}; the way back is to write {old} with the new setting",
-            step.param.label(),
-            row.address,
-            settings.line,
-            settings.protocol.name()
+    let lang = settings.lang;
+    let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
+    let when = match (step.param.effective, is_address, family.link.line.address) {
+        (Effective::Reset, ..) => lang.pick("after the next reset", "nach dem nächsten Reset"),
+        (_, true, Holds::Unsaid) => lang.pick(
+            "from now on or after the next power-on, which its manual does not say,",
+            "ab jetzt oder nach dem nächsten Einschalten, was die Anleitung nicht sagt,",
         ),
-    })
+        _ => lang.pick("from now on", "ab jetzt"),
+    };
+    let unknown = || lang.pick("its old value", "den alten Wert").to_owned();
+    let old = row.old.map_or_else(unknown, |old| format_decimal(old.raw, old.decimals));
+    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
+    let (label, address, line, protocol) = (step.param.label(), row.address, settings.line, settings.protocol.name());
+    let message = match lang {
+        Lang::En => format!(
+            "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
+             back is to write {old} with the new setting"
+        ),
+        Lang::De => format!(
+            "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
+             zurück führt, mit der neuen Einstellung {old} zu schreiben"
+        ),
+    };
+    Some(Warning { code: "line.changed".to_owned(), message })
 }

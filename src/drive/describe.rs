@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::outcome::{
     Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, ParamDoc, Register, State, Value, Word, WriteResult, Written,
 };
+use crate::profile::value::format_decimal;
 use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Sets, Store};
 
 /// Tells the present raw value of another parameter, where the names of bits depend on one.
@@ -19,8 +20,35 @@ pub fn place(wire_set: u8) -> (u8, Store) {
 }
 
 /// Word that names a memory: `eeprom` or `ram`. Volatile parameters live in RAM whatever the data set says.
-pub fn store_name(store: Store, volatile: bool) -> &'static str {
+fn store_name(store: Store, volatile: bool) -> &'static str {
     if volatile || store == Store::Ram { "ram" } else { "eeprom" }
+}
+
+/// Where a parameter is kept, as far as a source tells it: `eeprom`, `ram`, or `unknown`.
+pub fn kept(store: Store, param: &Param) -> &'static str {
+    let unknown = param.unconfirmed.iter().any(|field| field == "volatile");
+    if unknown { "unknown" } else { store_name(store, param.is_volatile()) }
+}
+
+/// What the catalogue expects of a value that lies outside of it: a number beyond its printed range, or one that its table
+/// does not name although the range says that the table is whole. `None` if the value may be right.
+pub fn expected(family: &Family, param: &Param, raw: i64) -> Option<String> {
+    let sure = |field: &str| !param.unconfirmed.iter().any(|doubt| doubt == field || doubt == "row");
+    let min = param.min.filter(|_| sure("min"));
+    let max = param.max.filter(|_| sure("max"));
+    let choices = family.choices(param);
+    let (low, high) = (choices.first().map(|row| row.0), choices.last().map(|row| row.0));
+    // The table of a setting of the line is whole; others name what the sources name.
+    let is_whole = low.is_some() && (min, max) == (low, high) && sure("enum");
+    let is_named = choices.iter().any(|row| row.0 == raw);
+    let is_outside = min.is_some_and(|min| raw < min) || max.is_some_and(|max| raw > max);
+    if !is_outside && (!is_whole || is_named) {
+        return None;
+    }
+    let shown = |raw: i64| format_decimal(raw, param.decimals_or_zero());
+    let range = |limit: Option<i64>| limit.map_or_else(|| "?".to_owned(), shown);
+    let list = || choices.iter().map(|row| shown(row.0)).collect::<Vec<_>>().join(", ");
+    Some(if is_whole { list() } else { format!("{} … {}", range(min), range(max)) })
 }
 
 /// A value that was read.
@@ -33,11 +61,13 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang
     let text = family.text_of(param, reading.raw).map(|text| text.get(lang).to_owned());
     let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lang, lookup));
     let text = text.or_else(|| coded(family, param, reading.raw, lang));
+    let expected = expected(family, param, reading.raw);
     Value {
         raw: Some(reading.raw),
-        value: param.has_scale().then_some(Decimal { raw: reading.raw, decimals }),
+        value: (param.has_scale() && expected.is_none()).then_some(Decimal { raw: reading.raw, decimals }),
         text,
         word,
+        expected,
         kind: Some(reading.kind.name()),
         ..blank(address, family, param, reading.set, lang)
     }
@@ -69,7 +99,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
         slug: param.slug.clone(),
         name: param.name(lang).to_owned(),
         data_set,
-        store: store_name(store, param.is_volatile()),
+        store: kept(store, param),
         raw: None,
         value: None,
         decimals: param.decimals,
@@ -79,6 +109,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
         kind: param.kind.map(|kind| kind.name()),
         origin: param.origin.clone(),
         unconfirmed: param.unconfirmed.clone(),
+        expected: None,
         error: None,
         hex: param.hex,
     }
@@ -96,7 +127,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         slug: param.slug.clone(),
         name: param.name(lang).to_owned(),
         data_set,
-        store: store_name(store, param.is_volatile()),
+        store: kept(store, param),
         old_raw: None,
         old: None,
         raw,

@@ -1,6 +1,6 @@
 //! Which drive is it? Asked so that nothing in the drive changes and nothing is read away.
 
-use super::route::{Cell, Inquiry, No, Route, no, register};
+use super::route::{Cell, Content, Inquiry, No, Route, no, register};
 use super::session::{AccessError, Refusal, Session};
 use super::transfer::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
@@ -30,6 +30,10 @@ pub struct Finding {
     pub evidence: Vec<Evidence>,
     /// What the error register held before it was overwritten by asking.
     pub kept_register: Option<u16>,
+    /// It refused a question on the way, which is its last synchronous error now.
+    pub refused: bool,
+    /// Product code, where it told one (code 43, object 1).
+    pub product: Option<String>,
 }
 
 impl Finding {
@@ -42,6 +46,7 @@ impl Finding {
     pub fn target(&self, address: u8, registry: &Registry) -> Option<Target> {
         let mut target = Target::new(address, registry.family(self.drive.as_ref()?)?);
         target.kept_register = self.kept_register;
+        target.refused_on_the_way = self.refused;
         Some(target)
     }
 }
@@ -79,11 +84,37 @@ pub async fn recognise(
         // A NAK may come from the drive in between; its cause says so.
         session.demand(route, &family, question.clone()).await?;
     }
-    let answer = session.ask(address, question).await?;
-    judge(session, registry, address, &answer, lang, keep_register).await
+    let mut inquest = Inquest::new(session, registry, route, lang);
+    // Code 43 harms nobody: an ACTIVE refuses it without touching its error register, while an LXM05 would refuse the
+    // status word of an ACTIVE, and forget its last synchronous error over it.
+    if matches!(route.protocol, Protocol::Modbus(_)) {
+        inquest.introduction().await?;
+    }
+    if inquest.finding.drive.is_none() {
+        let answer = inquest.session.ask(address, question).await?;
+        inquest.goes_on(&answer, keep_register).await?;
+    }
+    Ok(inquest.finding)
 }
 
-/// Asks on from the answer to [`probe`] what the device is.
+/// Asks a device of a named family what it tells of itself; `None` if its family tells nothing, or it does not answer.
+pub async fn introduce(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    target: &Target,
+    lang: Lang,
+) -> Result<Option<Finding>, AccessError> {
+    if target.family.link.product.is_none() || !matches!(session.protocol(), Protocol::Modbus(_)) {
+        return Ok(None);
+    }
+    let route = presumed(session.protocol(), target.address);
+    let mut inquest = Inquest::new(session, registry, route, lang);
+    inquest.identification().await?;
+    Ok(Some(inquest.finding))
+}
+
+/// Asks on from the answer to [`probe`] what the device is. A survey asks everybody for the status word: any device
+/// answers that somehow, but many are silent to codes that they do not know.
 pub(super) async fn judge(
     session: &mut Session<'_>,
     registry: &Registry,
@@ -93,18 +124,8 @@ pub(super) async fn judge(
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
     let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
-    let mut inquest = Inquest { session, registry, route, lang, finding: Finding::default() };
-    let status = inquest.status(answer);
-    let speaks = match (route.protocol, status) {
-        (Protocol::Vabus, _) => true, // nobody else is known to speak it
-        (Protocol::Modbus(_), Some(_)) => inquest.speaks_code_100().await?,
-        (Protocol::Modbus(_), None) => false,
-    };
-    if speaks {
-        inquest.act_or_acu(status.unwrap_or(0), keep_register).await?;
-    } else {
-        inquest.identification().await?;
-    }
+    let mut inquest = Inquest::new(session, registry, route, lang);
+    inquest.goes_on(answer, keep_register).await?;
     Ok(inquest.finding)
 }
 
@@ -115,13 +136,63 @@ struct Inquest<'q, 's> {
     route: Route,
     lang: Lang,
     finding: Finding,
+    /// It has described itself, whatever it said.
+    introduced: bool,
 }
 
-impl Inquest<'_, '_> {
+impl<'q, 's> Inquest<'q, 's> {
+    fn new(session: &'q mut Session<'s>, registry: &'q Registry, route: Route, lang: Lang) -> Self {
+        Inquest { session, registry, route, lang, finding: Finding::default(), introduced: false }
+    }
+
+    /// Asks on from the answer for the status word.
+    async fn goes_on(&mut self, answer: &Answer, keep_register: bool) -> Result<(), AccessError> {
+        let status = self.status(answer);
+        let speaks = match (self.route.protocol, status) {
+            (Protocol::Vabus, _) => true, // nobody else is known to speak it
+            (Protocol::Modbus(_), Some(_)) => self.speaks_code_100().await?,
+            (Protocol::Modbus(_), None) => false,
+        };
+        if speaks {
+            return self.act_or_acu(status.unwrap_or(0), keep_register).await;
+        }
+        if !self.introduced {
+            self.identification().await?;
+        }
+        match self.finding.drive {
+            None if self.introduced => self.knows_its_address().await,
+            _ => Ok(()),
+        }
+    }
+
+    /// What a product code begins with is printed nowhere for some families. A device that describes itself is still known
+    /// by the parameter that holds its address, where the family of the unknown product keeps one.
+    async fn knows_its_address(&mut self) -> Result<(), AccessError> {
+        let lang = self.lang;
+        for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
+            let Some(param) = family.role("address") else { continue };
+            let route = Route::new(self.route.protocol, &family.link, self.route.address);
+            let cell = Cell { number: param.id, set: 0 };
+            let Some(question) = route.question(Inquiry::Read(cell, Type::Long)) else { continue };
+            let Ok(reply) = said(self.session.ask(self.route.address, question).await)? else { continue };
+            let Some(Content::Bits(bits, _)) = route.content(&reply) else { continue };
+            // Which half comes first is not known yet.
+            let own = u32::from(self.route.address);
+            if bits == own || bits == own << 16 {
+                let tells = lang.pick("its own address: ", "seine eigene Adresse: ");
+                self.finding.note(&param.label(), own.to_string(), &format!("{tells}{}", family.title.get(lang)));
+                self.finding.drive = Some(family.drive.clone());
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
     /// The status word, if the first answer is one.
     fn status(&mut self, answer: &Answer) -> Option<u16> {
         let Answer::Reply { said, .. } = answer else { return None };
         let status = self.route.number(said);
+        self.finding.refused |= no(said).is_some();
         let answered = match (no(said), status) {
             (Some(no), _) => told(no, self.lang),
             (None, Some(status)) => format!("0x{status:04X}"),
@@ -212,78 +283,99 @@ impl Inquest<'_, '_> {
         Ok(())
     }
 
-    /// Asks the device for its own description, code 43: the family whose product code it begins with.
-    async fn identification(&mut self) -> Result<(), AccessError> {
-        let lang = self.lang;
-        let asked = lang.pick("code 43, identification", "Code 43, Identifikation");
-        let (answered, tells) = match self.described().await? {
-            Ok(Said::Modbus(Reply::Identification(described))) => {
-                let product = text(&described, identification::PRODUCT_CODE);
-                let family = self.registry.families().into_iter().find(|family| {
-                    family.link.product.as_ref().is_some_and(|start| product.starts_with(start.as_str()))
-                });
-                self.finding.drive = family.as_ref().map(|family| family.drive.clone());
-                let tells = match &family {
-                    Some(family) => family.title.get(lang).to_owned(),
-                    None => lang.pick("a product that we do not know", "ein Produkt, das wir nicht kennen").to_owned(),
-                };
-                let objects = described.objects.iter().filter(|object| !object.value.is_empty());
-                let words: Vec<_> = objects.map(|object| String::from_utf8_lossy(&object.value)).collect();
-                let mut answered = if words.is_empty() { "-".to_owned() } else { words.join(", ") };
-                if described.next.is_some() {
-                    answered += lang.pick(
-                        " … (cut off: it says again and again that more follows)",
-                        " … (abgebrochen: es meldet immer wieder, dass noch etwas folgt)",
-                    );
-                }
-                (answered, tells)
-            }
-            Ok(said) => {
-                let answered = no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang));
-                (answered, lang.pick("does not describe itself", "beschreibt sich nicht").to_owned())
-            }
-            Err(error) => {
-                let tells = lang.pick("does not describe itself", "beschreibt sich nicht");
-                (missing(&error, lang).to_owned(), tells.to_owned())
-            }
-        };
-        self.finding.note(asked, answered, &tells);
+    /// Code 43, once, before anything else: tells the drive if the answer comes. If none comes, nothing is noted, because
+    /// [`Inquest::identification`] asks again where it matters.
+    async fn introduction(&mut self) -> Result<(), AccessError> {
+        let limits = self.session.limits();
+        self.session.set_limits(Limits { retries: 0, ..limits });
+        let answer = self.ask_for(identification::VENDOR_NAME).await;
+        self.session.set_limits(limits);
+        if let Ok(Said::Modbus(Reply::Identification(first))) = answer? {
+            let told = self.rest_of(first).await?;
+            self.described(&told);
+        }
         Ok(())
     }
 
+    /// Asks the device for its own description, code 43: the family whose product code it begins with. A lost reply is
+    /// asked for again, and a garbled one tells nothing: neither makes a stranger of a drive.
+    async fn identification(&mut self) -> Result<(), AccessError> {
+        let lang = self.lang;
+        let answered = match self.ask_for(identification::VENDOR_NAME).await? {
+            Ok(Said::Modbus(Reply::Identification(first))) => {
+                let told = self.rest_of(first).await?;
+                self.described(&told);
+                return Ok(());
+            }
+            Ok(said) => no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang)),
+            Err(error @ ExchangeError::Silence { .. }) => missing(&error, lang).to_owned(),
+            Err(error) => return Err(AccessError::Exchange(error)),
+        };
+        let tells = lang.pick("does not describe itself", "beschreibt sich nicht");
+        self.finding.note(asked_for_itself(lang), answered, tells);
+        Ok(())
+    }
+
+    /// What the description tells.
+    fn described(&mut self, described: &Identification) {
+        let product = text(described, identification::PRODUCT_CODE);
+        let mut families = self.registry.families().into_iter();
+        let family = families
+            .find(|family| family.link.product.as_ref().is_some_and(|start| product.starts_with(start.as_str())));
+        let tells = match &family {
+            Some(family) => family.title.get(self.lang).to_owned(),
+            None => self.lang.pick("a product that we do not know", "ein Produkt, das wir nicht kennen").to_owned(),
+        };
+        let objects = described.objects.iter().filter(|object| !object.value.is_empty());
+        let words: Vec<_> = objects.map(|object| String::from_utf8_lossy(&object.value)).collect();
+        let mut answered = if words.is_empty() { "-".to_owned() } else { words.join(", ") };
+        if described.next.is_some() {
+            answered += self.lang.pick(
+                " … (cut off: it says again and again that more follows)",
+                " … (abgebrochen: es meldet immer wieder, dass noch etwas folgt)",
+            );
+        }
+        self.finding.note(asked_for_itself(self.lang), answered, &tells);
+        self.finding.drive = family.map(|family| family.drive.clone());
+        self.finding.product = Some(product).filter(|product| !product.is_empty());
+        self.introduced = true;
+    }
+
     /// What the device tells of itself, in several telegrams if it takes them: every one names a later object to go on
-    /// with. If one of them is missing, what came before it counts. Where it would go on without end, `next` stays set.
-    async fn described(&mut self) -> Result<Result<Said, ExchangeError>, AccessError> {
-        let ask = |object| Request::ReadIdentification { category: identification::BASIC, object };
-        let mut answer = self.ask_once(ask(identification::VENDOR_NAME).into()).await?;
+    /// with. Where it would go on without end, `next` stays set.
+    async fn rest_of(&mut self, first: Identification) -> Result<Identification, AccessError> {
+        let mut described = first;
         let mut asked = identification::VENDOR_NAME;
         for _ in 0..MOST_PIECES {
-            let Ok(Said::Modbus(Reply::Identification(told))) = &mut answer else { break };
-            let Some(next) = told.next.filter(|next| *next > asked) else { break };
-            let more = self.ask_once(ask(next).into()).await?;
-            let Ok(Said::Modbus(Reply::Identification(more))) = more else {
-                told.next = None;
-                break;
-            };
+            let Some(next) = described.next.filter(|next| *next > asked) else { break };
             asked = next;
-            told.next = more.next;
-            told.objects.extend(more.objects);
+            match self.ask_for(next).await? {
+                Ok(Said::Modbus(Reply::Identification(more))) => {
+                    described.next = more.next;
+                    described.objects.extend(more.objects);
+                }
+                // Without its product code nobody knows what it is.
+                Err(error) if described.object(identification::PRODUCT_CODE).is_none() => {
+                    return Err(AccessError::Exchange(error));
+                }
+                // What came before the missing piece counts.
+                _ => {
+                    described.next = None;
+                    break;
+                }
+            }
         }
-        Ok(answer)
+        Ok(described)
+    }
+
+    async fn ask_for(&mut self, object: u8) -> Result<Result<Said, ExchangeError>, AccessError> {
+        let request = Request::ReadIdentification { category: identification::BASIC, object };
+        said(self.session.ask(self.route.address, Question::from(request)).await)
     }
 
     async fn put(&mut self, inquiry: Inquiry) -> Result<Result<Said, ExchangeError>, AccessError> {
         let question = self.route.question(inquiry).ok_or(AccessError::Unspeakable)?;
         said(self.session.ask(self.route.address, question).await)
-    }
-
-    /// Without repeats: a device that does not know a code may just be silent.
-    async fn ask_once(&mut self, question: Question) -> Result<Result<Said, ExchangeError>, AccessError> {
-        let limits = self.session.limits();
-        self.session.set_limits(Limits { retries: 0, ..limits });
-        let answer = self.session.ask(self.route.address, question).await;
-        self.session.set_limits(limits);
-        said(answer)
     }
 }
 
@@ -299,6 +391,10 @@ fn said(answer: Result<Answer, AccessError>) -> Result<Result<Said, ExchangeErro
         Err(AccessError::Exchange(error)) => Ok(Err(error)),
         Err(error) => Err(error),
     }
+}
+
+fn asked_for_itself(lang: Lang) -> &'static str {
+    lang.pick("code 43, identification", "Code 43, Identifikation")
 }
 
 fn text(described: &Identification, object: u8) -> String {

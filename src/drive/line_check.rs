@@ -3,7 +3,8 @@
 use super::diag::link_test;
 use super::session::{AccessError, Session};
 use super::transfer::Target;
-use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, Pauses};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, LinkTest, Pauses};
 use crate::profile::Lang;
 use crate::transport::{AdapterInfo, ErrorCounts, LowLatency};
 
@@ -13,27 +14,34 @@ const LATENCY_MS: u32 = 2;
 
 /// Asks every drive the same harmless question `count` times and looks at what that tells of the line. Ends early if
 /// the port is lost or somebody interrupts.
+///
+/// `missing` are drives that were to be asked, but are not even known; they are part of the result.
 pub async fn check_line(
     session: &mut Session<'_>,
     targets: Vec<Target>,
+    missing: &[(u8, Failure)],
     count: u64,
     lang: Lang,
-) -> (LineCheck, Option<AccessError>) {
+) -> (LineCheck, Vec<Failure>) {
     let before = session.adapter();
     let mut drives = Vec::new();
-    let mut cut = None;
+    let mut failures = Vec::new();
     for mut target in targets {
         let (test, error) = match link_test(session, &mut target, count).await {
             Ok((test, error)) => (Some(test), error),
             Err(error) => (None, Some(error)),
         };
         let failure = error.as_ref().map(|error| error.failure(target.address, Some(&target.family), lang));
+        let failure = failure.or_else(|| test.as_ref().and_then(|test| mute(target.address, test, lang)));
         drives.push(CheckedDrive { address: target.address, test, error: failure.as_ref().map(ErrorDoc::from) });
-        if let Some(error) = error.filter(AccessError::is_fatal) {
-            cut = Some(error);
+        failures.extend(failure);
+        if error.as_ref().is_some_and(AccessError::is_fatal) {
             break;
         }
     }
+    let absent = |row: &(u8, Failure)| CheckedDrive { address: row.0, test: None, error: Some(ErrorDoc::from(&row.1)) };
+    drives.extend(missing.iter().map(absent));
+    failures.extend(missing.iter().map(|row| row.1.clone()));
     let after = session.adapter();
     let pauses = session.pauses();
     let mut check = LineCheck {
@@ -52,7 +60,28 @@ pub async fn check_line(
         advice: Vec::new(),
     };
     check.advice = advice(&check, lang);
-    (check, cut)
+    (check, failures)
+}
+
+/// The failure of a drive of which not one reply was understood.
+fn mute(address: u8, test: &LinkTest, lang: Lang) -> Option<Failure> {
+    if test.replies > 0 {
+        return None;
+    }
+    let (asked, garbled) = (test.asked, test.garbled);
+    let message = match lang {
+        Lang::En => {
+            format!("address {address}: no valid reply to {asked} questions, {garbled} of them answered by garbage")
+        }
+        Lang::De => {
+            format!("Adresse {address}: keine gültige Antwort auf {asked} Fragen, {garbled}-mal kam Unlesbares")
+        }
+    };
+    let (class, code) = match garbled {
+        0 => (Class::Silence, "silence.no_reply"),
+        _ => (Class::Garbled, "garbled.no_valid_reply"),
+    };
+    Some(Failure::new(class, code, message).with("address", address))
 }
 
 fn adapter(before: AdapterInfo, after: &AdapterInfo) -> Adapter {
@@ -112,6 +141,12 @@ fn advice(check: &LineCheck, lang: Lang) -> Vec<Advice> {
             "gestörte Antworten: 120 Ohm an beiden Enden, Ruhepegel an einer Stelle, Schirm einseitig, A und B verdrillt; \
              zwei Antriebe mit einer Adresse sehen auch so aus",
         )),
+        (check.drives.iter().any(is_absent), "no_reply", lang.pick(
+            "a drive does not answer at all: check its supply, address, baud rate, parity and protocol (P.395 leaves the \
+             factory as VABus), A and B swapped, the cable up to it; `antrieb scan` asks every address",
+            "ein Antrieb antwortet gar nicht: Versorgung, Adresse, Baudrate, Parität und Protokoll prüfen (P.395 ist ab \
+             Werk VABus), vertauschte Adern A und B, das Kabel bis zu ihm; `antrieb scan` fragt alle Adressen",
+        )),
         (tests().any(|test| test.silent > 0 && test.replies > 0), "lost_replies", lang.pick(
             "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
             "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über 500 ms)",
@@ -123,4 +158,10 @@ fn advice(check: &LineCheck, lang: Lang) -> Vec<Advice> {
     ];
     let seen = rows.into_iter().filter(|row| row.0);
     seen.map(|(_, code, text)| Advice { code, text: text.to_owned() }).collect()
+}
+
+/// Whether a drive was asked and never answered.
+fn is_absent(drive: &CheckedDrive) -> bool {
+    let silent = drive.error.as_ref().is_some_and(|error| error.class == Class::Silence);
+    silent || drive.test.as_ref().is_some_and(|test| test.asked > 0 && test.silent == test.asked)
 }

@@ -21,7 +21,7 @@ mod transfer;
 mod trouble;
 
 pub use diag::{clear_counters, counters, last_refusal, link_test};
-pub use family::{Finding, recognise};
+pub use family::{Finding, introduce, recognise};
 pub use interrupt::Interrupt;
 pub use line_check::check_line;
 pub use route::{Cell, Inquiry, No, Route};

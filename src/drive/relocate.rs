@@ -1,8 +1,8 @@
 //! Moves a drive to another protocol, address, speed or parity without losing it.
 //!
 //! Every step is one write. After one that moves the drive, the line follows, and the drive has to answer there before
-//! the next. If it does not, but still answers where it was, everything is put back. Sources: CM-485 manual 5.2 (P.10,
-//! P.1375, P.1376, P.34), 6 (P.395), 11.2 (P.394); facts A1 (format of VABus).
+//! the next. If it does not, but still answers where it was, everything is put back. What the values mean and when they
+//! hold stands in the family's catalogue, `[link.line]`; format of VABus: facts A1.
 
 mod journey;
 mod plot;
@@ -16,23 +16,15 @@ use super::transfer::Target;
 use crate::failure::Failure;
 use crate::gate::Permit;
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
-use crate::profile::{Family, Lang, Param, Type};
+use crate::profile::{Family, Lang, Param, Text, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use journey::{Journey, Setback, follow, is_taken};
 use said::{left, lost, occupied, out_of_range};
 use std::fmt;
+use std::rc::Rc;
 
-/// P.395 (CM-485 manual 6). 1 is the P-Bus, which nobody but its maker speaks.
-const PROTOCOLS: [(i64, Protocol); 3] =
-    [(0, Protocol::Vabus), (2, Protocol::Modbus(Framing::Rtu)), (3, Protocol::Modbus(Framing::Ascii))];
-/// P.10 (CM-485 manual 5.2.1).
-const BAUD_RATES: [(i64, u32); 6] = [(1, 2_400), (2, 4_800), (3, 9_600), (4, 19_200), (5, 57_600), (6, 115_200)];
-/// P.1375 (CM-485 manual 5.2.1).
-const PARITIES: [(i64, Parity); 3] = [(0, Parity::Even), (1, Parity::Odd), (2, Parity::None)];
-/// P.34: restarts the software (CM-485 manual 5.2.1).
-const RESTART: i64 = 123;
 /// How a drive is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -60,6 +52,8 @@ pub struct Course {
     from: Place,
     to: Place,
     legs: Vec<Leg>,
+    /// When a stored setting takes effect, in the words of the family.
+    after_reset: Text,
 }
 
 /// One write of it.
@@ -78,8 +72,26 @@ enum Then {
     Stored,
     /// The drive is there, at once.
     At(Place),
+    /// It changes at once, or when it is switched on the next time (facts/readings.md); both are looked at.
+    Perhaps(Change),
     /// It restarts, and is there.
     Restart(Place),
+}
+
+/// What is another one of a place.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    Address(u8),
+    Line(LineSetting),
+}
+
+impl Change {
+    fn of(self, place: Place) -> Place {
+        match self {
+            Change::Address(address) => Place { address, ..place },
+            Change::Line(line) => Place { line, ..place },
+        }
+    }
 }
 
 impl Place {
@@ -119,15 +131,19 @@ impl fmt::Display for Place {
 impl Wish {
     /// Reads the name of a protocol that a drive can be set to: `rtu`, `ascii`, `vabus`.
     pub fn to_protocol(text: &str) -> Result<Self, String> {
-        let found = PROTOCOLS.iter().find(|row| row.1.name().eq_ignore_ascii_case(text.trim()));
-        let protocol = found.map(|row| row.1).ok_or_else(|| format!("expected rtu, ascii or vabus, got '{text}'"))?;
+        let found = text.trim().to_ascii_lowercase().parse().ok().filter(|found| *found != Framing::Tcp.into());
+        let protocol = found.ok_or_else(|| format!("expected rtu, ascii or vabus, got '{text}'"))?;
         Ok(Wish { protocol: Some(protocol), ..Wish::default() })
     }
 
-    /// Refuses what no drive can be set to.
-    pub fn check(&self, lang: Lang) -> Result<(), Failure> {
-        if let Some(baud) = self.baud.filter(|baud| number(&BAUD_RATES, baud).is_none()) {
-            let rates = BAUD_RATES.map(|row| row.1.to_string()).join(", ");
+    /// Refuses what no drive of these families can be set to.
+    pub fn check(&self, families: &[Rc<Family>], lang: Lang) -> Result<(), Failure> {
+        let mut rates: Vec<u32> =
+            families.iter().flat_map(|family| &family.link.line.baud_rates).map(|row| row.1).collect();
+        rates.sort_unstable();
+        rates.dedup();
+        if let Some(baud) = self.baud.filter(|baud| !rates.contains(baud)) {
+            let rates = rates.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
             return Err(out_of_range("baud", &rates, &baud, lang));
         }
         match self.address.filter(|address| !(1..=LAST_STATION).contains(address)) {
@@ -141,14 +157,15 @@ impl Wish {
 /// can be told without asking it.
 pub fn orders(wish: &Wish, protocol: Protocol, family: &Family) -> Vec<Inquiry> {
     let address = if protocol == Protocol::Vabus { "node-id" } else { "address" };
-    let baud = coded(&BAUD_RATES, wish.baud).map(|row| row.1);
-    let parity = coded(&PARITIES, wish.parity).map(|row| row.1);
-    let restart = baud.or(parity).map(|_| RESTART);
+    let line = &family.link.line;
+    let baud = coded(&line.baud_rates, wish.baud).map(|row| row.1);
+    let parity = coded(&parities(family), wish.parity).map(|row| row.1);
+    let restart = baud.or(parity).and(line.restart);
     let writes = [
-        ("protocol", coded(&PROTOCOLS, wish.protocol).map(|row| row.1)),
+        ("protocol", coded(&protocols(family), wish.protocol).map(|row| row.1)),
         (address, wish.address.map(i64::from)),
         ("baud-rate", baud),
-        ("parity", parity),
+        (line.parity.as_str(), parity),
         ("reset", restart),
     ];
     let order = |(role, raw): (&str, Option<i64>)| {
@@ -176,9 +193,14 @@ impl Course {
             let when = match leg.then {
                 Then::Stored => lang.pick("holds after the restart", "gilt nach dem Neustart"),
                 Then::At(_) => lang.pick("holds at once", "gilt sofort"),
+                Then::Perhaps(Change::Line(_)) => self.after_reset.get(lang),
+                Then::Perhaps(Change::Address(_)) => lang.pick(
+                    "holds at once or when the drive is switched on the next time: its manual does not say; both are looked at",
+                    "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird nachgesehen",
+                ),
                 Then::Restart(_) => lang.pick("restarts the drive", "startet den Antrieb neu"),
             };
-            format!("P.{} {}: {old}{}, {when}", leg.param.id, leg.param.name(lang), leg.raw)
+            format!("{} {}: {old}{}, {when}", leg.param.label(), leg.param.name(lang), leg.raw)
         };
         self.legs.iter().map(step).chain([format!("{} -> {}", self.from, self.to)]).collect()
     }
@@ -194,21 +216,25 @@ impl Course {
             moves: match leg.then {
                 Then::Stored => Moves::AfterRestart,
                 Then::At(_) => Moves::AtOnce,
+                Then::Perhaps(Change::Line(_)) => Moves::AfterRestart,
+                Then::Perhaps(Change::Address(_)) => Moves::Unsaid,
                 Then::Restart(_) => Moves::Restart,
             },
             result: StepResult::Planned,
             error: None,
         });
+        let waits = self.from != self.to;
         Relocation {
             address: self.from.address,
             drive: target.family.drive.clone(),
             from: self.from.doc(),
             to: self.to.doc(),
             steps: steps.collect(),
-            result: RelocationResult::Unchanged,
+            // What is stored already, but not in force yet, waits for nothing but the restart.
+            result: if self.is_done() && waits { RelocationResult::Stored } else { RelocationResult::Unchanged },
             now: Some(self.from.doc()),
             perhaps: Vec::new(),
-            after_restart: None,
+            after_restart: (self.is_done() && waits).then(|| self.to.doc()),
             way_back: None,
         }
     }
@@ -217,6 +243,7 @@ impl Course {
     pub async fn check_free(&self, session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<(), Failure> {
         let places = self.legs.iter().filter_map(|leg| match leg.then {
             Then::At(place) | Then::Restart(place) => Some(place),
+            Then::Perhaps(change) => Some(change.of(self.from)),
             Then::Stored => None,
         });
         for place in places.filter(|place| *place != self.from) {
@@ -256,6 +283,10 @@ impl Course {
         }
         if !self.is_done() {
             told.result = RelocationResult::Moved;
+        }
+        if journey.here != self.to {
+            told.result = RelocationResult::Stored;
+            told.after_restart = Some(self.to.doc());
         }
         told.now = Some(journey.here.doc());
         told.way_back = self.way_back(journey.here, journey.session.port());
@@ -306,18 +337,18 @@ impl Course {
 
     /// The command line that goes back from where the drive is.
     fn way_back(&self, here: Place, port: &str) -> Option<String> {
-        let from = self.from;
-        let wish = if from.protocol != here.protocol {
+        // What is stored has to be put back too, wherever the drive answers now.
+        let (from, to) = (self.from, self.to);
+        let wish = if from.protocol != to.protocol {
             format!("protocol set {}", from.protocol)
         } else {
-            let baud = (from.line.baud != here.line.baud).then(|| format!(" --baud {}", from.line.baud));
-            let parity =
-                (from.line.parity != here.line.parity).then(|| format!(" --parity {}", from.line.parity.name()));
-            let address = (from.address != here.address).then(|| format!(" --address {}", from.address));
+            let baud = (from.line.baud != to.line.baud).then(|| format!(" --baud {}", from.line.baud));
+            let parity = (from.line.parity != to.line.parity).then(|| format!(" --parity {}", from.line.parity.name()));
+            let address = (from.address != to.address).then(|| format!(" --address {}", from.address));
             let wished: String = [baud, parity, address].into_iter().flatten().collect();
             format!("line set{wished}")
         };
-        (from != here).then(|| format!("antrieb -p {port} {} {wish}", here.options()))
+        (from != to).then(|| format!("antrieb -p {port} {} {wish}", here.options()))
     }
 }
 
@@ -326,6 +357,20 @@ impl Leg {
     fn back(&self, then: Then) -> Option<Leg> {
         Some(Leg { param: self.param.clone(), old: Some(self.raw), raw: self.old?, then })
     }
+}
+
+/// What the drives of a family can be told to speak.
+fn protocols(family: &Family) -> Vec<(i64, Protocol)> {
+    named(&family.link.line.protocols)
+}
+
+/// The parities that they can be set to.
+fn parities(family: &Family) -> Vec<(i64, Parity)> {
+    named(&family.link.line.parities)
+}
+
+fn named<T: std::str::FromStr>(rows: &[(i64, String)]) -> Vec<(i64, T)> {
+    rows.iter().filter_map(|(raw, name)| Some((*raw, name.parse().ok()?))).collect()
 }
 
 /// What is wished for, with the value that stands for it.

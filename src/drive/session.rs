@@ -234,6 +234,7 @@ impl<'a> Session<'a> {
 
     /// Remembers what a drive is, for what is told of its telegrams from now on.
     pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, order: WordOrder) {
+        self.master.has_counters(address, family.counters.iter().map(|row| row.sub));
         if self.verbose {
             self.known.insert(address, Known { family: family.clone(), order });
         }

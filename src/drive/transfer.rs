@@ -4,7 +4,7 @@ use super::route::{Cell, Content, Inquiry, No, Route, Width};
 use super::session::{AccessError, Refusal, Session};
 use crate::exchange::Limits;
 use crate::gate::Permit;
-use crate::profile::{DataSets, Family, Param, Type, value};
+use crate::profile::{DataSets, Family, Param, Sets, Type, value};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{Exception, WordOrder};
 use std::collections::BTreeMap;
@@ -32,6 +32,8 @@ pub struct Target {
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
     pub(super) kept_register: Option<u16>,
+    /// It refused a question while it was recognised, which is its last synchronous error now.
+    pub refused_on_the_way: bool,
     /// The drive's watchdog in seconds, as it was read last.
     pub(super) known_watchdog: Option<i64>,
 }
@@ -89,6 +91,7 @@ impl Target {
             lacks_exchange: false,
             widths: BTreeMap::new(),
             kept_register: None,
+            refused_on_the_way: false,
             known_watchdog: None,
         }
     }
@@ -270,6 +273,17 @@ impl Target {
     /// The type of a parameter that was found out or set in this run.
     pub fn known_width(&self, param: u32) -> Option<Type> {
         self.widths.get(&param).copied()
+    }
+
+    /// The data set (0-4) in which the drive works with a parameter; 0 where it exists once.
+    pub async fn working_set(&mut self, session: &mut Session<'_>, param: &Param) -> Result<u8, AccessError> {
+        let active = self.family.role("active-set").filter(|_| param.sets == Some(Sets::Four)).cloned();
+        let Some(active) = active else { return Ok(0) };
+        match self.read_set(session, &active, 0).await {
+            Ok(reading) => Ok(u8::try_from(reading.raw).unwrap_or(1).clamp(1, 4)),
+            Err(AccessError::Refused(_)) => Ok(1),
+            Err(error) => Err(error),
+        }
     }
 
     /// Uses this width for a parameter, whatever the catalogue says.

@@ -119,6 +119,10 @@ const STRAGGLE: Span = Span::from_millis(50);
 /// telegrams on the bus, telegrams to this station (CM-485 manual 6.4.5; LXM05 manual, table 5.2, has the first).
 const BUSY_COUNTERS: [u16; 2] = [0x0B, 0x0E];
 
+/// Counters that every family has, for stations of which nobody knows more. Sub-functions 14 and 15 are reserved on an
+/// LXM05 (its table 5.2): being asked for them would overwrite its last synchronous error.
+pub(super) const COMMON_COUNTERS: [u16; 6] = [0x0B, 0x0C, 0x0D, 0x10, 0x11, 0x12];
+
 impl Dialect {
     pub(super) fn new(protocol: Protocol) -> Self {
         Dialect { protocol, transaction: 0 }
@@ -267,12 +271,14 @@ impl Dialect {
         missing: &[Question],
         question: &Question,
         mut known: impl Iterator<Item = &'k Question>,
+        counters: &[u16],
     ) -> Option<Question> {
         let fresh = |fence: &Question| !missing.contains(fence) && fence != question;
         match self.protocol {
             Protocol::Modbus(_) => {
                 let subs = BUSY_COUNTERS.into_iter().chain(COUNTERS.rev());
-                subs.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 })).find(fresh)
+                let had = subs.filter(|sub| counters.contains(sub));
+                had.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 })).find(fresh)
             }
             Protocol::Vabus => known.find(|known| fresh(known)).cloned(),
         }

@@ -9,7 +9,7 @@
 //! * What the adapter gives back of our own telegrams is told from replies (`echo`).
 
 use super::debt::{Debts, LATEST_REPLY};
-use super::dialect::{Dialect, Question, Said};
+use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
 use super::job::{Came, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
@@ -42,6 +42,8 @@ pub struct Master {
     orphan: Option<Orphan>,
     /// The last harmless questions that a station answered without a refusal.
     known: BTreeMap<u8, VecDeque<Question>>,
+    /// Counters (code 8) of stations whose family is known.
+    counters: BTreeMap<u8, Vec<u16>>,
     /// The last reply that was taken.
     last_reply: Option<Record>,
     /// Bytes that nobody waits for, until they make a telegram or pause.
@@ -67,6 +69,7 @@ impl Master {
             job: None,
             orphan: None,
             known: BTreeMap::new(),
+            counters: BTreeMap::new(),
             last_reply: None,
             loose: Loose::default(),
             replied_at: None,
@@ -206,7 +209,14 @@ impl Master {
     /// A question whose answer can be taken for none that the station owes.
     fn fence(&self, station: u8, question: &Question) -> Option<Question> {
         let known = self.known.get(&station).into_iter().flatten();
-        self.dialect.fence(self.debts.missing(station), question, known)
+        let counters = self.counters.get(&station).map_or(&COMMON_COUNTERS[..], Vec::as_slice);
+        self.dialect.fence(self.debts.missing(station), question, known, counters)
+    }
+
+    /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family
+    /// has.
+    pub fn has_counters(&mut self, station: u8, counters: impl IntoIterator<Item = u16>) {
+        self.counters.insert(station, counters.into_iter().collect());
     }
 
     /// What to do now. Call again after every step; after `Done` the question is over.

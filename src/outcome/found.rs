@@ -92,6 +92,8 @@ pub struct Identity {
     pub drive: String,
     /// Title of the family.
     pub title: String,
+    /// Product code as the drive itself tells it; null if it tells none.
+    pub product: Option<String>,
     /// What the device answered that tells the family.
     pub evidence: Vec<Evidence>,
     /// Option modules that answered, and those that did not.

@@ -124,8 +124,10 @@ pub struct StateReport {
     pub status: Option<Word>,
     /// Control word as last written, bit by bit, if it can be read.
     pub control: Option<Word>,
-    /// How the drive is controlled (P.412).
+    /// How the drive is controlled (P.412), as it works with it: in RAM, in the active data set.
     pub control_mode: Option<Value>,
+    /// What is stored and holds after the next power-on, where that differs; null where it is the same.
+    pub control_mode_stored: Option<Value>,
     /// Value of the fault parameter; null if it could not be read, 0 if there is no fault.
     pub fault_code: Option<i64>,
     /// Active fault; null if there is none, or if it could not be read.

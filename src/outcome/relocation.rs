@@ -77,6 +77,8 @@ pub enum Moves {
     AfterRestart,
     /// At once, after its reply.
     AtOnce,
+    /// At once or when the drive is switched on the next time: no source says which.
+    Unsaid,
     /// It is the restart.
     Restart,
 }
@@ -105,6 +107,8 @@ pub enum RelocationResult {
     Moved,
     /// It was there already; nothing was sent.
     Unchanged,
+    /// It is stored, and holds when the drive is switched on the next time; until then it answers where it did.
+    Stored,
     /// It did not work, and the drive was left as it was before.
     Restored,
     /// It did not work; the drive answers, but not all of it is as it was before.

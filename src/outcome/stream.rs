@@ -65,7 +65,7 @@ pub struct Column {
     pub param: u32,
     /// Data set, 0-4.
     pub data_set: u8,
-    /// `eeprom` or `ram`.
+    /// `eeprom`, `ram`, or `unknown` where no source tells whether the value outlives power-off.
     pub store: &'static str,
     /// Stable English name.
     pub slug: String,

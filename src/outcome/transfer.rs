@@ -38,7 +38,7 @@ pub struct Written {
     pub name: String,
     /// Data set, 0-4.
     pub data_set: u8,
-    /// `eeprom` or `ram`.
+    /// `eeprom`, `ram`, or `unknown` where no source tells whether the value outlives power-off.
     pub store: &'static str,
     /// Raw value before; null if it could not be read.
     pub old_raw: Option<i64>,
@@ -93,8 +93,10 @@ pub enum WriteResult {
 pub struct Plan {
     /// True: nothing was opened, nothing was sent.
     pub dry_run: bool,
-    /// The telegrams, as far as they do not depend on answers.
+    /// The telegrams in their order; what depends on answers stands as in the usual case.
     pub telegrams: Vec<TelegramDoc>,
+    /// What depends on answers, what is left out, what else is asked.
+    pub notes: Vec<String>,
 }
 
 /// Result of `dataset`.

@@ -51,7 +51,7 @@ pub struct Value {
     pub name: String,
     /// Data set, 0-4.
     pub data_set: u8,
-    /// `eeprom` or `ram`.
+    /// `eeprom`, `ram`, or `unknown` where no source tells whether the value outlives power-off.
     pub store: &'static str,
     /// The value without its decimal point; null if it could not be read.
     pub raw: Option<i64>,
@@ -72,6 +72,10 @@ pub struct Value {
     pub origin: String,
     /// Facts of the catalogue that no second source confirms.
     pub unconfirmed: Vec<String>,
+    /// What the catalogue expects, where the value lies outside of it and so is shown raw: a disturbed reply, two drives at
+    /// one address, or a drive that the catalogue does not describe. Missing otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expected: Option<String>,
     /// Why it could not be read.
     pub error: Option<ErrorDoc>,
     /// Shown in hexadecimal by habit.

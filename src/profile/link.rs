@@ -22,6 +22,39 @@ pub struct Link {
     pub echo: u16,
     /// When a value takes effect that does not do so at once.
     pub after_reset: Text,
+    /// How its line is set.
+    #[serde(default)]
+    pub line: LineTable,
+}
+
+/// How the line of a family is set: values of the parameters that hold it.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LineTable {
+    /// Values of the role `baud-rate`, and their speeds.
+    pub baud_rates: Vec<(i64, u32)>,
+    /// Role of the parameter that holds the parity.
+    pub parity: String,
+    /// Its values: `even`, `odd`, `none`.
+    pub parities: Vec<(i64, String)>,
+    /// Values of the role `protocol`; empty where a drive speaks one protocol only.
+    #[serde(default)]
+    pub protocols: Vec<(i64, String)>,
+    /// When a new address holds.
+    pub address: Holds,
+    /// Value of the role `reset` that restarts the drive; without one only switching it off and on does.
+    pub restart: Option<i64>,
+}
+
+/// When a value takes effect.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holds {
+    /// At once.
+    #[default]
+    AtOnce,
+    /// No source says whether at once or after the next power-on.
+    Unsaid,
 }
 
 /// Function codes, width and addressing of parameters.

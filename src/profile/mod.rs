@@ -17,7 +17,7 @@ pub mod value;
 
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultCodes, FaultRow, LookupError, StateRow, WordBit};
-pub use link::{Cause, Link, Route};
+pub use link::{Cause, Holds, LineTable, Link, Route};
 pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
 pub use motion::{
     Choice, Control, Convert, Floor, Interlock, Mode, Motion, Movement, Part, Preset, Setting, Show, Source, Start,

@@ -140,26 +140,27 @@ impl FromStr for Selector {
         if who_text.is_empty() {
             return Err(SelectError::Empty(text.to_owned()));
         }
-        let who = match who_text.split_once('-') {
-            _ if who_text.bytes().all(|byte| byte.is_ascii_digit()) => {
-                Who::Number(who_text.parse().map_err(|_| SelectError::Empty(text.to_owned()))?)
-            }
-            Some((first, last)) if is_number(first) && is_number(last) => {
-                let bad = || SelectError::Range(text.to_owned());
-                let (first, last): (u32, u32) = (first.parse().map_err(|_| bad())?, last.parse().map_err(|_| bad())?);
-                if first > last || last - first >= 1000 {
-                    return Err(bad());
-                }
-                Who::Range(first, last)
-            }
-            _ => Who::Name(who_text.to_owned()),
+        let ends = who_text.split_once('-').and_then(|(first, last)| Some((number(first)?, number(last)?)));
+        let who = match (number(who_text), ends) {
+            (Some(id), _) => Who::Number(id.ok_or_else(|| SelectError::Empty(text.to_owned()))?),
+            (None, Some((first, last))) => match (first, last) {
+                (Some(first), Some(last)) if first <= last && last - first < 1000 => Who::Range(first, last),
+                _ => return Err(SelectError::Range(text.to_owned())),
+            },
+            (None, None) => Who::Name(who_text.to_owned()),
         };
         Ok(Selector { who, sets })
     }
 }
 
-fn is_number(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+/// A number as manuals write addresses: `7700`, `0x1E14`, `1E14h` (a digit first, or it could be a name), `16#1E14`.
+/// `None` if it is none, `Some(None)` if it is too large.
+fn number(text: &str) -> Option<Option<u32>> {
+    let prefixed = ["0x", "0X", "16#"].iter().find_map(|start| text.strip_prefix(start));
+    let suffixed = text.strip_suffix(['h', 'H']).filter(|digits| digits.starts_with(|c: char| c.is_ascii_digit()));
+    let (digits, radix) = prefixed.or(suffixed).map_or((text, 10), |digits| (digits, 16));
+    let is_number = !digits.is_empty() && digits.chars().all(|digit| digit.is_digit(radix));
+    is_number.then(|| u32::from_str_radix(digits, radix).ok())
 }
 
 impl Selector {
@@ -206,6 +207,19 @@ impl Selector {
     }
 }
 
+/// As it is typed.
+impl fmt::Display for Selector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.who {
+            Who::Number(id) => write!(f, "{id}")?,
+            Who::Range(first, last) => write!(f, "{first}-{last}")?,
+            Who::Name(name) => write!(f, "{name}")?,
+            Who::Group(name) => write!(f, "@{name}")?,
+        }
+        if self.names_sets() { write!(f, "@{}", self.sets) } else { Ok(()) }
+    }
+}
+
 impl fmt::Display for DataSets {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -249,6 +263,14 @@ mod tests {
         let parsed = |text: &str| text.parse::<Selector>().map(|selector| selector.who);
         assert_eq!(parsed("372@2"), Ok(Who::Number(372)));
         assert_eq!(parsed("P.372"), Ok(Who::Number(372)));
+        for text in ["7700", "0x1E14", "0X1e14", "1E14h", "1e14H", "16#1E14"] {
+            assert_eq!(parsed(text), Ok(Who::Number(7700)), "{text}");
+        }
+        assert_eq!(parsed("0x1E14-1E18h@2"), Ok(Who::Range(7700, 7704)));
+        for name in ["beach", "each", "0x", "0xG", "h", "1Gh"] {
+            assert_eq!(parsed(name), Ok(Who::Name(name.to_owned())), "{name}");
+        }
+        assert!(parsed("0x123456789").is_err());
         assert_eq!(parsed("480-483@2"), Ok(Who::Range(480, 483)));
         assert_eq!(parsed("rated-speed@all"), Ok(Who::Name("rated-speed".to_owned())));
         assert_eq!(parsed("@actual"), Ok(Who::Group("actual".to_owned())));

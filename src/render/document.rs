@@ -164,6 +164,16 @@ enum OrMotion<D> {
     Plan(crate::outcome::Plan),
 }
 
+/// What ails the drives, or the line to them, or what would be asked under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum OrLine<D> {
+    Found(D),
+    Line(Box<crate::outcome::LineCheck>),
+    Plan(crate::outcome::Plan),
+}
+
 /// What a verb did to a drive's line, or the settings that it read.
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
@@ -189,7 +199,7 @@ pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
         Some("read") => of!(OrPlan<o::Read>),
         Some("write") => of!(o::Write),
         Some("dataset") => of!(OrWrite<o::Dataset>),
-        Some("diag") => of!(OrPlan<o::Diag>),
+        Some("diag") => of!(OrLine<o::Diag>),
         Some("statemachine") => of!(OrMotion<o::Statemachine>),
         Some("sollwert") => of!(OrMotion<o::Sollwert>),
         Some("protocol" | "line") => of!(OrRead<o::Relocation>),

@@ -4,8 +4,8 @@ use super::clean;
 use super::words::word;
 use crate::outcome::{
     Adapter, AdapterErrors, Bucket, Data, Dataset, Decimal, Decode, Diagnosis, Fault, FoundDrive, Identity, LineCheck,
-    LinkTest, Motion, ParamDoc, Relocation, RelocationResult, RelocationStep, Scan, SetpointReport, State, StateReport,
-    StepResult, TelegramDoc, Value, Word, WriteResult, Written,
+    LinkTest, Motion, ParamDoc, Plan, Relocation, RelocationResult, RelocationStep, Scan, SetpointReport, State,
+    StateReport, StepResult, TelegramDoc, Value, Word, WriteResult, Written,
 };
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -29,7 +29,7 @@ pub(super) fn render(data: &Data, lang: Lang, width: Option<u16>) -> String {
             several => page.params(several),
         },
         Data::Decode(decode) => page.decode(decode),
-        Data::Plan(plan) => page.telegrams(&plan.telegrams),
+        Data::Plan(plan) => page.plan(plan),
         Data::Sniff(sniff) => page.telegrams(&sniff.telegrams),
         // Its stream has shown everything.
         Data::Monitor(_) => String::new(),
@@ -125,6 +125,7 @@ impl Page {
         let result = match relocation.result {
             RelocationResult::Moved => "moved",
             RelocationResult::Unchanged => "unchanged",
+            RelocationResult::Stored => "stored, holds after power-on",
             RelocationResult::Restored => "left as it was",
             RelocationResult::Halfway => "halfway",
             RelocationResult::Lost => "lost",
@@ -184,7 +185,8 @@ impl Page {
         if let Some(error) = &identity.error {
             return text + &format!("{}\n", clean(&error.message));
         }
-        text += &format!("{}\n\n", clean(&identity.title));
+        let product = identity.product.as_ref().map_or_else(String::new, |product| format!(", {product}"));
+        text += &format!("{}\n\n", clean(&(identity.title.clone() + &product)));
         text += &self.values(&identity.values);
         let rows = identity.modules.iter().map(|module| {
             let present = if module.present { "present" } else { "not fitted" };
@@ -247,7 +249,9 @@ impl Page {
                 .collect();
             parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
         }
-        if value.value.is_none() && value.raw.is_some() {
+        if let Some(expected) = &value.expected {
+            parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
+        } else if value.value.is_none() && value.raw.is_some() {
             parts.push(format!("({})", self.word("raw, decimals unknown")));
         }
         if value.unconfirmed.iter().any(|field| field == "row") {
@@ -414,7 +418,8 @@ impl Page {
         }
         let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text));
         let nothing = format!("{}\n", self.word("nothing to complain of"));
-        let advice = if check.advice.is_empty() { nothing } else { advice.collect() };
+        let fine = check.drives.iter().all(|drive| drive.error.is_none());
+        let advice = if check.advice.is_empty() && fine { nothing } else { advice.collect() };
         text + "\n" + &advice
     }
 
@@ -492,12 +497,9 @@ impl Page {
         }
         let mut rows = Vec::new();
         rows.extend(report.state.iter().map(|state| ("state", state.name.clone())));
-        if let Some(mode) = &report.control_mode {
-            rows.push((
-                "control mode",
-                format!("P.{} = {} {}", mode.param, number(mode), mode.text.clone().unwrap_or_default()),
-            ));
-        }
+        let mode = |mode: &Value| format!("P.{} = {} {}", mode.param, number(mode), self.meaning(mode));
+        rows.extend(report.control_mode.iter().map(|value| ("control mode", mode(value))));
+        rows.extend(report.control_mode_stored.iter().map(|value| ("stored, not in force", mode(value))));
         match (&report.fault, report.fault_code) {
             (Some(fault), _) => rows.extend(self.fault(fault)),
             (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
@@ -679,6 +681,12 @@ impl Page {
         });
         let steps = self.table(&[">step", "command", "control word", "state", ">took"], steps.collect());
         if steps.is_empty() { text } else { text + "\n" + &steps }
+    }
+
+    fn plan(self, plan: &Plan) -> String {
+        let notes: String = plan.notes.iter().map(|note| format!("- {}\n", clean(note))).collect();
+        let gap = if notes.is_empty() { "" } else { "\n" };
+        self.telegrams(&plan.telegrams) + gap + &notes
     }
 
     fn telegrams(self, docs: &[TelegramDoc]) -> String {

@@ -125,7 +125,8 @@ impl Active {
                 equip(&mut active.store, spec, (number, set), spec.factory);
             }
         }
-        for (number, set, value) in setup.all_values() {
+        let (stored, in_ram): (Vec<_>, Vec<_>) = setup.all_values().into_iter().partition(|(_, set, _)| *set < 5);
+        for (number, set, value) in stored {
             let Some(spec) = active.specs.get(&number) else { continue };
             for set in cells(spec, set) {
                 equip(&mut active.store, spec, (number, set), value);
@@ -136,6 +137,8 @@ impl Active {
             true => active.power_up(Tick::ZERO, Tick::ZERO),
             false => active.power_down(Tick::ZERO),
         }
+        // What somebody has written to RAM since power-on (CM-485 manual 7).
+        in_ram.iter().for_each(|(number, set, value)| active.store.write_ram((*number, set - 5), *value));
         active
     }
 

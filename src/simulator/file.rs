@@ -328,9 +328,13 @@ impl Reader<'_> {
         let refuse = |message: String| self.error(value.span(), format!("set \"{key}\": {message}"));
         let (number, set) = match key.split_once('@') {
             None => (key, Some(0)),
-            Some((number, set)) => (number, set.parse().ok().filter(|set| (1..=4u8).contains(set))),
+            Some((number, text)) => {
+                let ram = text.strip_suffix("ram");
+                let set = ram.unwrap_or(text).parse().ok().filter(|set| (1..=4u8).contains(set));
+                (number, set.map(|set| if ram.is_some() { set + RAM_OFFSET } else { set }))
+            }
         };
-        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @".to_owned()))?;
+        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram".to_owned()))?;
         let param = number.parse().ok().and_then(|number| family?.param(number));
         let param = param.filter(|param| param.module.as_ref().is_none_or(|module| modules.contains(module)));
         let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number".to_owned()))?;
@@ -350,6 +354,9 @@ impl Reader<'_> {
         Ok((param.id, set, raw))
     }
 }
+
+/// RAM data sets are numbered 5 above their EEPROM twins (CM-485 manual 7).
+const RAM_OFFSET: u8 = 5;
 
 /// What a drive throws its dice with.
 fn own_seed(seed: u64, address: u8) -> u64 {

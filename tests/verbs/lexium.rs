@@ -297,6 +297,6 @@ fn a_drive_that_tells_of_itself_in_pieces_is_known() {
     let bench = bench("servo = { in_pieces = true, revision_object = 2 }");
     let document = antrieb("-a 1 identify").on(&bench).json().exits(0);
     assert_eq!(document.data("/drives/0/drive"), "lxm05");
-    let evidence = document.data("/drives/0/evidence/1/answered");
+    let evidence = document.data("/drives/0/evidence/0/answered");
     assert_eq!(evidence, "antrieb bench, LXM05-SIM, V02.001");
 }

@@ -1,7 +1,7 @@
 //! A drive on its way: step by step, and back where a step fails.
 
 use super::said::unmoved;
-use super::{Leg, PARITIES, PROTOCOLS, Place, Then, number};
+use super::{Leg, Place, Then, number, parities, protocols};
 use crate::drive::family::probe;
 use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::{Order, Target, WriteFate};
@@ -49,6 +49,7 @@ impl Journey<'_, '_> {
         match leg.then {
             Then::Stored => self.store(leg).await,
             Then::At(place) => self.hop(leg, place).await,
+            Then::Perhaps(change) => self.hop_or_store(leg, change.of(self.here)).await,
             Then::Restart(place) => self.restart(leg, place).await,
         }
     }
@@ -104,6 +105,43 @@ impl Journey<'_, '_> {
         Err(Setback { cause, perhaps: Vec::new() })
     }
 
+    /// Writes what may move the drive at once or with the next power-on, and looks under both. Nobody answered at the new
+    /// place before, so whoever does now is the drive.
+    async fn hop_or_store(&mut self, leg: &Leg, place: Place) -> Result<(), Setback> {
+        let both = [place, self.here];
+        let mut last = None;
+        for _ in 0..TRIES {
+            match self.write(leg, false).await {
+                Ok(WriteFate::Unknown(error)) => last = Some(error),
+                Ok(_) => {}
+                Err(error) if error.is_refused() => {
+                    return Err(Setback { cause: self.failure(&error), perhaps: Vec::new() });
+                }
+                Err(error) => last = Some(error),
+            }
+            let found = self.arrives(&[both, both].concat()).await;
+            let stored = match found {
+                Ok(Some(found)) if found == place => {
+                    self.undo.extend(leg.back(Then::At(self.here)));
+                    self.here = place;
+                    return Ok(());
+                }
+                Ok(Some(_)) => self.target.read_set(self.session, &leg.param, 0).await,
+                Ok(None) => {
+                    let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+                    return Err(Setback { cause, perhaps: both.to_vec() });
+                }
+                Err(error) => return Err(Setback { cause: self.failure(&error), perhaps: both.to_vec() }),
+            };
+            if stored.is_ok_and(|reading| reading.raw == leg.raw) {
+                self.undo.extend(leg.back(Then::Stored));
+                return Ok(());
+            }
+        }
+        let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+        Err(Setback { cause, perhaps: Vec::new() })
+    }
+
     /// Restarts the drive, and waits for it where it will be.
     async fn restart(&mut self, leg: &Leg, place: Place) -> Result<(), Setback> {
         let both = vec![place, self.here];
@@ -151,7 +189,7 @@ impl Journey<'_, '_> {
     fn landings(&self, place: Place) -> Vec<Place> {
         let mut places = vec![place];
         if self.here.protocol == Protocol::Vabus && place.protocol != Protocol::Vabus {
-            let others = PARITIES.iter().filter(|row| row.1 != place.line.parity);
+            let others = parities(&self.target.family).into_iter().filter(|row| row.1 != place.line.parity);
             places.extend(others.map(|row| Place { line: place.protocol.line(place.line.baud, row.1), ..place }));
         }
         places
@@ -172,13 +210,18 @@ impl Journey<'_, '_> {
     async fn answers(&mut self, place: Place, retries: Option<u8>) -> Result<bool, AccessError> {
         follow(self.session, self.target, place).await?;
         let usual = retries.map(|retries| self.session.set_retries(retries));
-        let Some(param) = self.target.family.role("protocol").cloned() else { return Ok(false) };
+        let protocol = self.target.family.role("protocol").cloned();
+        let spoken = number(&protocols(&self.target.family), &place.protocol);
+        // Where a drive speaks one protocol only, its address is as good a sign as any.
+        let Some(param) = protocol.clone().or_else(|| self.target.family.role("address").cloned()) else {
+            return Ok(false);
+        };
         let reading = self.target.read_set(self.session, &param, 0).await;
         if let Some(usual) = usual {
             self.session.set_retries(usual);
         }
         match reading {
-            Ok(reading) => Ok(Some(reading.raw) == number(&PROTOCOLS, &place.protocol)),
+            Ok(reading) => Ok(protocol.is_none() || Some(reading.raw) == spoken),
             Err(error) if error.is_fatal() => Err(error),
             Err(_) => Ok(false),
         }

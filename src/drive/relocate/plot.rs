@@ -1,13 +1,13 @@
 //! Finds the way from where a drive is to what is wished for.
 
-use super::said::{behind_another, cannot_follow, out_of_range, unknown_settings};
-use super::{BAUD_RATES, Course, Leg, PARITIES, PROTOCOLS, Place, RESTART, Then, Wish, coded, meaning, number};
+use super::said::{behind_another, cannot_follow, out_of_range, speaks_one_only, unknown_settings};
+use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, parities, protocols};
 use crate::drive::session::Session;
 use crate::drive::transfer::Target;
 use crate::failure::Failure;
-use crate::profile::{Lang, Param};
+use crate::profile::{Holds, Lang, Param};
 use crate::protocol::Protocol;
-use crate::protocol::line::Parity;
+use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::LAST_STATION;
 use crate::protocol::vabus::Address;
 
@@ -18,35 +18,44 @@ pub async fn course(
     wish: &Wish,
     lang: Lang,
 ) -> Result<Course, Failure> {
-    wish.check(lang)?;
+    let family = target.family.clone();
+    wish.check(std::slice::from_ref(&family), lang)?;
     if session.node() != 0 {
         return Err(behind_another(lang));
     }
     let from = Place { protocol: session.protocol(), line: session.line(), address: target.address };
     let mut plot = Plot { session, target, lang, here: from, legs: Vec::new(), restarts: false };
-    if let Some((protocol, raw)) = coded(&PROTOCOLS, wish.protocol.filter(|to| *to != from.protocol)) {
+    if let Some(protocol) = wish.protocol.filter(|to| *to != from.protocol) {
+        let (protocol, raw) =
+            coded(&protocols(&family), Some(protocol)).ok_or_else(|| speaks_one_only(&from.protocol, lang))?;
         plot.speak(protocol, raw).await?;
     }
     if let Some(address) = wish.address.filter(|address| *address != plot.here.address) {
         plot.readdress(address)?;
     }
-    if let Some((baud, raw)) = coded(&BAUD_RATES, wish.baud) {
-        plot.restarts |= plot.store("baud-rate", raw).await? || from.line.baud != baud;
+    if let Some((baud, raw)) = coded(&family.link.line.baud_rates, wish.baud) {
+        let line = LineSetting { baud, ..plot.here.line };
+        plot.restarts |= plot.store("baud-rate", raw, line).await? || from.line.baud != baud;
         plot.here.line.baud = baud;
     }
-    if let Some((parity, raw)) = coded(&PARITIES, wish.parity) {
-        plot.restarts |= plot.store("parity", raw).await?;
+    if let Some((parity, raw)) = coded(&parities(&family), wish.parity) {
+        let line = plot.here.protocol.line(plot.here.line.baud, parity);
+        plot.restarts |= plot.store(&family.link.line.parity, raw, line).await?;
         plot.check(parity);
     }
-    if plot.restarts {
-        let then = Then::Restart(plot.here);
-        let leg = Leg { param: plot.row("reset")?, old: None, raw: RESTART, then };
+    if let Some(raw) = family.link.line.restart.filter(|_| plot.restarts) {
+        let leg = Leg { param: plot.row("reset")?, old: None, raw, then: Then::Restart(plot.here) };
         plot.legs.push(leg);
     }
-    if plot.here.line != from.line && !plot.session.can_retune() {
+    let moves = |leg: &Leg| match leg.then {
+        Then::At(place) | Then::Restart(place) => place.line != from.line,
+        Then::Perhaps(change) => change.of(from).line != from.line,
+        Then::Stored => false,
+    };
+    if plot.legs.iter().any(moves) && !plot.session.can_retune() {
         return Err(cannot_follow(plot.session.port(), lang));
     }
-    Ok(Course { from, to: plot.here, legs: plot.legs })
+    Ok(Course { from, to: plot.here, legs: plot.legs, after_reset: family.link.after_reset.clone() })
 }
 
 /// A way that is being drawn.
@@ -64,13 +73,16 @@ struct Plot<'p, 's> {
 impl Plot<'_, '_> {
     /// Another protocol; the address is the one that the drive has for it.
     async fn speak(&mut self, protocol: Protocol, raw: i64) -> Result<(), Failure> {
-        let old = number(&PROTOCOLS, &self.here.protocol);
+        let family = self.target.family.clone();
+        let old = number(&protocols(&family), &self.here.protocol);
         let address = self.stored(address_role(protocol)).await?;
         let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address, self.lang))?;
         // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
         let parity = match self.here.protocol {
             Protocol::Modbus(_) => self.here.line.parity,
-            Protocol::Vabus => meaning(&PARITIES, self.stored("parity").await?).unwrap_or(Parity::Even),
+            Protocol::Vabus => {
+                meaning(&parities(&family), self.stored(&family.link.line.parity).await?).unwrap_or(Parity::Even)
+            }
         };
         self.here = Place::usual(protocol, self.here.line.baud, parity, address);
         let leg = Leg { param: self.row("protocol")?, old, raw, then: Then::At(self.here) };
@@ -86,15 +98,22 @@ impl Plot<'_, '_> {
         let param = self.row(address_role(self.here.protocol))?;
         let old = Some(self.here.address.into());
         self.here.address = address;
-        self.legs.push(Leg { param, old, raw: address.into(), then: Then::At(self.here) });
+        let then = match self.target.family.link.line.address {
+            Holds::AtOnce => Then::At(self.here),
+            Holds::Unsaid => Then::Perhaps(Change::Address(address)),
+        };
+        self.legs.push(Leg { param, old, raw: address.into(), then });
         Ok(())
     }
 
     /// Writes a setting that waits for a restart, unless it stands there already; tells whether.
-    async fn store(&mut self, role: &str, raw: i64) -> Result<bool, Failure> {
+    async fn store(&mut self, role: &str, raw: i64, line: LineSetting) -> Result<bool, Failure> {
         let old = self.stored(role).await?;
+        // Without a restart at hand nobody waits for one: it is looked whether the drive has changed already.
+        let restarts = self.target.family.link.line.restart.is_some();
+        let then = if restarts { Then::Stored } else { Then::Perhaps(Change::Line(line)) };
         if old != raw {
-            let leg = Leg { param: self.row(role)?, old: Some(old), raw, then: Then::Stored };
+            let leg = Leg { param: self.row(role)?, old: Some(old), raw, then };
             self.legs.push(leg);
         }
         Ok(old != raw)

@@ -15,6 +15,14 @@ pub(super) fn unknown_settings(lang: Lang) -> Failure {
         .hint(lang.pick("`write` sets single parameters", "`write` setzt einzelne Parameter"))
 }
 
+pub(super) fn speaks_one_only(protocol: &dyn Display, lang: Lang) -> Failure {
+    let message = match lang {
+        Lang::En => format!("this drive speaks {protocol} and nothing else"),
+        Lang::De => format!("dieser Antrieb spricht {protocol} und sonst nichts"),
+    };
+    Failure::new(Class::Data, "data.protocol", message)
+}
+
 pub(super) fn behind_another(lang: Lang) -> Failure {
     let text = lang.pick(
         "a node is reached through another drive: it has no line here that could be set",

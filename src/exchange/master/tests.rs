@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::protocol::line::Parity;
-use crate::protocol::modbus::pdu::{Exception, Reply, Request};
+use crate::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};
 use crate::protocol::modbus::{Framing, mbap, rtu};
 use crate::protocol::vabus::{self, Address, Data, Header, ParamNumber};
 use crate::tick::Span;
@@ -19,7 +19,8 @@ struct Line {
 impl Line {
     fn new(framing: Framing) -> Self {
         let line = LineSetting::rtu(19_200, Parity::Even);
-        let master = Master::new(framing.into(), line, Limits::default());
+        let mut master = Master::new(framing.into(), line, Limits::default());
+        master.has_counters(1, COUNTERS);
         Line { master, now: Tick::ZERO, coming: Vec::new(), sent: Vec::new() }
     }
 
@@ -216,6 +217,19 @@ fn the_echo_of_a_fence_settles_nothing() {
     let echo = frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 });
     let outcome = line.ask(1, OTHER, &[&[(1, echo), (300, fence_reply())], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn a_station_of_unknown_family_is_asked_only_for_counters_that_all_have() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    let counter = Request::Diagnostics { sub: 0x0B, data: 0 };
+    assert!(line.ask(2, READ, &[]).is_err());
+    assert!(line.ask(2, counter, &[]).is_err());
+    assert!(line.ask(2, OTHER, &[]).is_err());
+    let reserved =
+        |sent: &Vec<u8>| sent.get(1..4).is_some_and(|pdu| [[8, 0, 14], [8, 0, 15]].contains(&[pdu[0], pdu[1], pdu[2]]));
+    assert!(!line.sent.iter().any(reserved), "{:?}", line.sent);
 }
 
 #[test]

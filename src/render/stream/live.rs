@@ -568,6 +568,7 @@ mod tests {
             kind: None,
             origin: String::new(),
             unconfirmed: Vec::new(),
+            expected: None,
             error: error.clone(),
             hex: false,
         };

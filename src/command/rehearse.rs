@@ -1,0 +1,189 @@
+//! `--dry-run` of what moves a drive: every telegram of the run in its order, as far as it can be told without asking
+//! anybody. What depends on answers is shown for the usual case, and the notes say on which.
+
+use super::telegram_reader;
+use crate::args::{MotionArgs, Settings, StopArg};
+use crate::drive::motion::watchdog_raw;
+use crate::drive::{Cell, Inquiry, decode};
+use crate::outcome::{Data, Outcome, Plan};
+use crate::profile::{DataSets, Facts, Family, Lang, Param, Sets, Type, value};
+
+/// A run that is only told.
+pub(super) struct Rehearsal<'r> {
+    reader: decode::Reader<'r>,
+    family: &'r Family,
+    address: u8,
+    lang: Lang,
+    plan: Plan,
+    /// What was changed for the run and is given back, by name.
+    changed: Vec<String>,
+}
+
+/// Where a walk begins that nobody can look up.
+const FROM: &str = "switch-on-disabled";
+/// The active data set that is taken where nobody can be asked.
+const ACTIVE_SET: u8 = 1;
+
+impl<'r> Rehearsal<'r> {
+    /// Begins with what every run reads first.
+    pub(super) fn new(settings: &Settings, family: &'r Family, address: u8) -> Self {
+        let reader = telegram_reader(settings, family);
+        let plan = Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() };
+        let mut told = Rehearsal { reader, family, address, lang: settings.lang, plan, changed: Vec::new() };
+        if settings.drive.is_none() {
+            told.note(
+                &format!(
+                    "taken for '{}': without --drive the drive is recognised first (code 43, P.411, code 100)",
+                    family.drive
+                ),
+                &format!(
+                    "angenommen ist '{}': ohne --drive wird der Antrieb zuerst erkannt (Code 43, P.411, Code 100)",
+                    family.drive
+                ),
+            );
+        }
+        let interlocks = family.motion.interlocks.iter().filter_map(|row| row.setting.as_ref());
+        let settings: Vec<_> = interlocks.map(|setting| setting.role.as_str()).collect();
+        for role in ["status-word", "watchdog", "active-set", "control-mode", "fault", "digital-inputs"]
+            .into_iter()
+            .chain(settings)
+        {
+            if let Some(param) = family.role(role) {
+                let set = if role == "control-mode" { told.ram(param) } else { 0 };
+                told.read(param, set);
+            }
+        }
+        told.note(
+            "a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may part old from new replies",
+            "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler 11) alte von neuen Antworten",
+        );
+        told
+    }
+
+    fn note(&mut self, en: &str, de: &str) {
+        self.plan.notes.push(self.lang.pick(en, de).to_owned());
+    }
+
+    fn ask(&mut self, inquiry: Inquiry) {
+        self.plan.telegrams.extend(self.reader.question(self.address, inquiry));
+    }
+
+    /// The data set on the wire in which a setting is changed for a run.
+    fn ram(&self, param: &Param) -> u8 {
+        let set = if param.sets == Some(Sets::Four) { ACTIVE_SET } else { 0 };
+        if self.family.link.route.has_data_sets() { set + DataSets::RAM_OFFSET } else { 0 }
+    }
+
+    pub(super) fn read(&mut self, param: &Param, set: u8) {
+        self.ask(Inquiry::Read(Cell { number: param.id, set }, param.kind.unwrap_or(Type::Word)));
+    }
+
+    /// A write; in a run it is proven by what the drive does, not by reading it back.
+    pub(super) fn write(&mut self, param: &Param, set: u8, raw: i64) {
+        let kind = param.kind.unwrap_or(Type::Long);
+        let Ok(bits) = value::to_wire(raw, self.family.link.route.carried(kind)) else { return };
+        let cell = Cell { number: param.id, set };
+        self.ask(Inquiry::Write(cell, kind, bits));
+    }
+
+    /// A setting that is changed for the run, in RAM, and given back at its end.
+    pub(super) fn change(&mut self, param: &Param, raw: i64) {
+        let set = self.ram(param);
+        self.read(param, set);
+        self.write(param, set, raw);
+        self.changed.push(param.label());
+        if param.sets == Some(Sets::Four) {
+            let label = param.label();
+            self.note(
+                &format!("{label} goes to RAM of the active data set; here of set {ACTIVE_SET}, P.249 tells which"),
+                &format!("{label} geht in das RAM des aktiven Datensatzes; hier Satz {ACTIVE_SET}, P.249 sagt welcher"),
+            );
+        }
+    }
+
+    /// What the options set before anything moves.
+    pub(super) fn bounds(&mut self, motion: &MotionArgs, needs_control: bool) {
+        let family = self.family;
+        if let (Some(span), Some(param)) = (motion.watchdog, family.role("watchdog")) {
+            self.change(param, watchdog_raw(family, span));
+        }
+        let control = family.motion.control.filter(|_| motion.take_control && needs_control);
+        if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
+            self.change(param, control.obeys);
+        }
+    }
+
+    /// A control word, and the look that proves what it did.
+    pub(super) fn control(&mut self, word: u16) {
+        if let Some(param) = self.family.role("control-word") {
+            self.write(param, 0, word.into());
+        }
+        if let Some(param) = self.family.role("status-word") {
+            self.read(param, 0);
+        }
+    }
+
+    pub(super) fn command(&mut self, slug: &str) {
+        let Some(command) = self.family.machine.command(slug) else { return };
+        if command.edge {
+            self.control(command.word & !command.mask);
+        }
+        self.control(command.word);
+        if command.edge {
+            self.control(command.word & !command.mask);
+        }
+    }
+
+    /// The way to a state.
+    pub(super) fn walk(&mut self, goal: &str) {
+        let family = self.family;
+        let begin = family.motion.begin.as_ref().filter(|_| goal == "operation-enabled");
+        begin.into_iter().for_each(|slug| self.command(slug));
+        let way = family.machine.plan(FROM, goal, &Facts::default()).unwrap_or_default();
+        way.iter().filter_map(|transition| transition.command.as_ref()).for_each(|slug| self.command(slug));
+        let from = family.states.iter().find(|row| row.slug == FROM).map_or(FROM, |row| row.name(self.lang));
+        self.note(
+            &format!("the control words are those from '{from}' on; from another state it is another way"),
+            &format!("die Steuerwörter gelten ab '{from}'; von einem anderen Zustand aus ist der Weg ein anderer"),
+        );
+    }
+
+    /// The end of a held run: the stop, then what is given back.
+    pub(super) fn end(&mut self, motion: &MotionArgs, zeroed: Option<&Param>) {
+        let family = self.family;
+        let slug = match motion.on_exit {
+            StopArg::Ramp => "ramp",
+            StopArg::QuickStop => "quick-stop",
+            StopArg::Coast => "coast",
+            StopArg::Keep => "keep",
+        };
+        if motion.hold {
+            self.note(
+                "--hold: until the stop the status word is read and the setpoint given again and again",
+                "--hold: bis zum Halt wird immer wieder das Statuswort gelesen und der Sollwert gegeben",
+            );
+            let row = family.motion.stop(slug);
+            let other = row.and_then(|row| row.otherwise.as_ref()).filter(|_| zeroed.is_none());
+            let row = other.and_then(|slug| family.motion.stop(slug)).or(row);
+            if let (Some(param), true) = (zeroed, row.is_some_and(|row| row.zero)) {
+                self.write(param, 0, 0);
+            }
+            row.iter().flat_map(|row| &row.commands).for_each(|slug| self.command(slug));
+        }
+        if family.motion.control.is_some() && motion.take_control {
+            // So that no contact closes when control goes back.
+            self.control(0);
+        }
+        let changed = std::mem::take(&mut self.changed).join(", ");
+        if !changed.is_empty() {
+            self.note(
+                &format!("at the end what was read before is written back: {changed}"),
+                &format!("am Ende wird zurückgeschrieben, was zuvor gelesen wurde: {changed}"),
+            );
+        }
+    }
+
+    pub(super) fn told(self) -> Outcome {
+        Outcome::of(Data::Plan(self.plan))
+    }
+}
