@@ -93,6 +93,12 @@ impl Trial {
         Trial { bench: bench(framing, faults), line, now: Tick::ZERO }
     }
 
+    fn master(&self, framing: Framing, limits: Limits) -> Master {
+        let mut master = Master::new(framing.into(), self.line, limits);
+        master.set_wired(true);
+        master
+    }
+
     /// Waits on the bench; what comes, comes at once.
     fn wait(&mut self, until: Tick) -> Vec<u8> {
         while self.now < until {
@@ -146,7 +152,7 @@ fn judge(count: &mut Count, reply: Option<Reply>, right: &Reply) {
 fn ours(framing: Framing, rounds: u64) -> (Count, Tally, f64) {
     let mut trial = Trial::new(framing, FAULTS);
     let limits = Limits { reply_timeout: Span::from_millis(100), ..Limits::default() };
-    let mut master = Master::new(framing.into(), trial.line, limits);
+    let mut master = trial.master(framing, limits);
     let mut count = Count::default();
     for round in 0..rounds {
         let (station, request, right) = question(round);
@@ -168,6 +174,35 @@ fn ten_thousand_disturbed_reads_believe_no_wrong_value() {
         assert!(count.right > rounds * 9 / 10, "{count:?} {tally:?}");
         assert!([tally.fences, tally.strays, tally.echoes].iter().all(|&count| count > rounds / 20), "{tally:?}");
     }
+}
+
+/// A repeater, a radio link: every n-th reply comes once more, up to half a second later. Every row is a session of its own.
+#[test]
+fn doubled_replies_believe_no_wrong_value() {
+    let mut all = Count::default();
+    for every in 1..=7 {
+        for by in [0, 2, 5, 9, 14, 17, 23, 38, 50, 55, 77, 100, 120, 150, 200, 333, 500] {
+            let faults = format!("[[disturb]]\nevery = {every}\nkind = \"doubled\"\nby = \"{by}ms\"\n");
+            let mut trial = Trial::new(Framing::Rtu, &faults);
+            let mut master = trial.master(Framing::Rtu, Limits::default());
+            let mut count = Count::default();
+            for round in 0..48 {
+                let (station, request, right) = question(round);
+                let reply = trial.read(&mut master, station, request);
+                judge(&mut count, reply, &right);
+            }
+            let seconds = trial.now.as_micros() as f64 / 1e6;
+            if count.wrong + count.unread > 0 || seconds > 4.0 {
+                println!("every {every} by {by} ms: {count:?}, {seconds:.1} s, {:?}", master.tally());
+            }
+            all.wrong += count.wrong;
+            all.right += count.right;
+            all.unread += count.unread;
+        }
+    }
+    println!("doubled: {all:?}");
+    assert_eq!(all.wrong, 0, "{all:?}");
+    assert!(all.unread * 50 < all.right, "{all:?}");
 }
 
 /// The same trial with a master that does what most do: take the next telegram with the right address, code and check

@@ -152,7 +152,9 @@ impl<'a> Session<'a> {
         for deviation in link.deviations() {
             observe(Event::Note(format!("{port}: {deviation}")));
         }
-        let (port, master) = (port.to_string(), Master::new(protocol, line, limits));
+        let wired = is_wired(port);
+        let (port, mut master) = (port.to_string(), Master::new(protocol, line, limits));
+        master.set_wired(wired);
         Ok(Session {
             port,
             link,
@@ -442,6 +444,19 @@ impl Drop for Session<'_> {
         if let Some(until) = self.master.owes_until(self.link.now()) {
             self.link.outlast(until);
         }
+    }
+}
+
+/// Whether every character takes its time on the way: on the bench and on a serial port, but not on a pty, which hands over
+/// what it gets at once, nor behind a network.
+fn is_wired(port: &Port) -> bool {
+    match port {
+        Port::Sim(_) => true,
+        Port::Serial(name) => {
+            let real = std::fs::canonicalize(name).unwrap_or_else(|_| name.into());
+            !(real.starts_with("/dev/pts") || real.starts_with("/dev/ttys"))
+        }
+        _ => false,
     }
 }
 

@@ -166,6 +166,18 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
                  einem Repeater oder zwei Antrieben mit einer Adresse suchen",
             ))
         }
+        ExchangeError::TwoAnswers { .. } => {
+            let said = lang.pick(
+                "two different answers came to one question, again and again",
+                "auf eine Frage kamen immer wieder zwei verschiedene Antworten",
+            );
+            Failure::new(Class::Garbled, "garbled.two_answers", format!("{at}: {said}")).hint(lang.pick(
+                "two drives have this address, or another master asks the same drive: leave one drive on the line and give \
+                 it another address",
+                "zwei Antriebe haben diese Adresse, oder ein zweiter Master fragt denselben: nur einen Antrieb am Bus lassen \
+                 und ihm eine andere Adresse geben",
+            ))
+        }
         ExchangeError::BroadcastRead => {
             let message = lang.pick("a broadcast can only write", "an alle kann nur geschrieben werden");
             Failure::new(Class::Usage, "usage.broadcast_read", message)

@@ -57,14 +57,17 @@ impl Debts {
     }
 
     /// A reply that nobody waited for: if it answers what its station was asked, that is one less that it owes.
-    pub(super) fn pays(&mut self, station: u8, said: &Said) {
-        let Some(debt) = self.by_station.get_mut(&station) else { return };
-        if debt.missing.iter().any(|missing| missing.is_answered_by(said)) {
+    /// Tells whether it does.
+    pub(super) fn pays(&mut self, station: u8, said: &Said) -> bool {
+        let Some(debt) = self.by_station.get_mut(&station) else { return false };
+        let pays = debt.missing.iter().any(|missing| missing.is_answered_by(said));
+        if pays {
             debt.owed = debt.owed.saturating_sub(1);
         }
         if debt.owed == 0 {
             self.by_station.remove(&station);
         }
+        pays
     }
 
     /// Everything that a station owed has come, or cannot come any more.

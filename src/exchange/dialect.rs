@@ -70,6 +70,15 @@ impl Question {
         }
     }
 
+    /// What kind of question it is, as far as that decides how soon it is answered.
+    pub(super) fn function(&self) -> u8 {
+        match self {
+            Question::Modbus(request) => request.function(),
+            Question::Vabus(vabus::Request::Enquiry { .. }) => 0,
+            Question::Vabus(vabus::Request::Select { .. }) => 1,
+        }
+    }
+
     /// Whether asking it once more, for nothing but its answer, changes nothing in the drive; the error register of
     /// VABus is cleared by reading.
     pub(super) fn is_harmless(&self) -> bool {
@@ -109,6 +118,7 @@ pub(super) struct Dialect {
 #[derive(Debug)]
 pub(super) struct Found {
     pub(super) start: usize,
+    pub(super) end: usize,
     pub(super) said: Said,
 }
 
@@ -156,7 +166,7 @@ impl Dialect {
     fn find_modbus(self, came: &[u8], station: u8, request: &Request) -> Option<Found> {
         (0..came.len()).find_map(|start| {
             let rest = came.get(start..)?;
-            let adu = match self.protocol {
+            let (adu, length) = match self.protocol {
                 Protocol::Modbus(Framing::Rtu) => rtu_frame(rest, station, request),
                 Protocol::Modbus(Framing::Ascii) => ascii_frame(rest),
                 Protocol::Modbus(Framing::Tcp) => self.tcp_frame(rest),
@@ -164,14 +174,30 @@ impl Dialect {
             }?;
             let reply = Reply::decode(&adu.pdu).ok()?;
             let fits = adu.station == station && request.is_answered_by(&reply);
-            fits.then_some(Found { start, said: Said::Modbus(reply) })
+            fits.then_some(Found { start, end: start + length, said: Said::Modbus(reply) })
         })
     }
 
     /// A frame with the number of the last question; others are late.
-    fn tcp_frame(self, rest: &[u8]) -> Option<Adu> {
-        let (transaction, adu) = mbap::decode(rest.get(..mbap::length(rest)?)?).ok()?;
-        (transaction == self.transaction).then_some(adu)
+    fn tcp_frame(self, rest: &[u8]) -> Option<(Adu, usize)> {
+        let length = mbap::length(rest)?;
+        let (transaction, adu) = mbap::decode(rest.get(..length)?).ok()?;
+        (transaction == self.transaction).then_some((adu, length))
+    }
+
+    /// Whether telegrams carry numbers, so that no reply is taken for another.
+    pub(super) fn is_numbered(self) -> bool {
+        self.protocol == Protocol::Modbus(Framing::Tcp)
+    }
+
+    /// The least time from the end of a question to the start of its reply: in RTU the silence by which a station knows that
+    /// the question is over (MODBUS over Serial Line V1.02, 2.5.1.1), over VABus 1 ms (facts A2).
+    pub(super) fn least_turnaround(self, line: LineSetting) -> Span {
+        match self.protocol {
+            Protocol::Modbus(Framing::Rtu) => line.t35(),
+            Protocol::Modbus(Framing::Ascii | Framing::Tcp) => Span::ZERO,
+            Protocol::Vabus => Span::from_millis(1),
+        }
     }
 
     /// The station that one whole valid telegram names, and what it says if it is a reply.
@@ -336,30 +362,30 @@ fn find_vabus(came: &[u8], request: &vabus::Request) -> Option<Found> {
     loop {
         match vabus::arrival(request, came.get(start..)?) {
             Arrival::Pending => return None,
-            Arrival::Reply { reply, noise, .. } => {
-                return Some(Found { start: start + noise, said: Said::Vabus(reply) });
+            Arrival::Reply { reply, noise, len } => {
+                return Some(Found { start: start + noise, end: start + len, said: Said::Vabus(reply) });
             }
             Arrival::Stray { len, .. } | Arrival::Spoilt { len, .. } => start += len,
         }
     }
 }
 
-fn rtu_frame(rest: &[u8], station: u8, request: &Request) -> Option<Adu> {
+fn rtu_frame(rest: &[u8], station: u8, request: &Request) -> Option<(Adu, usize)> {
     let (&first, pdu) = rest.split_first()?;
     if first != station {
         return None;
     }
-    let length = request.reply_end().length(pdu)?;
-    rtu::decode(rest.get(..length + rtu::OVERHEAD)?).ok()
+    let length = request.reply_end().length(pdu)? + rtu::OVERHEAD;
+    rtu::decode(rest.get(..length)?).ok().map(|adu| (adu, length))
 }
 
-fn ascii_frame(rest: &[u8]) -> Option<Adu> {
+fn ascii_frame(rest: &[u8]) -> Option<(Adu, usize)> {
     // Some drivers leave the parity bit of 7-bit characters in place.
     let mask = |byte: &u8| byte & 0x7F;
     if rest.first().map(mask) != Some(ascii::START) {
         return None;
     }
-    let masked: Vec<u8> = rest.iter().map(mask).collect();
+    let masked: Vec<u8> = rest.iter().take(ascii::MAX_FRAME).map(mask).collect();
     let end = masked.windows(2).position(|pair| pair == ascii::END)? + ascii::END.len();
-    ascii::decode(masked.get(..end)?).ok()
+    ascii::decode(masked.get(..end)?).ok().map(|adu| (adu, end))
 }

@@ -1,6 +1,7 @@
 //! A question on its way: what is asked now, what it waits for, and when it is over at the latest.
 
-use super::dialect::Question;
+use super::dialect::{Question, Said};
+use super::heard::Weight;
 use super::master::Outcome;
 use super::{Limits, MOST_BYTES};
 use crate::tick::{Span, Tick};
@@ -56,8 +57,10 @@ pub(super) enum Parting {
     None,
     /// This is asked first, but not before the time.
     Fence(Question, Tick),
-    /// Nothing is sent before the time.
+    /// Nothing is sent before the time, and then nothing is owed any more.
     Until(Tick),
+    /// Nothing is sent before the time: copies of what was heard may come until then.
+    Quiet(Tick),
 }
 
 #[derive(Debug)]
@@ -83,6 +86,19 @@ pub(super) struct Waiting {
     pub(super) echoed: bool,
     pub(super) stray: Option<u8>,
     pub(super) garbage: Vec<u8>,
+    /// An answer that is believed only if no other comes.
+    pub(super) held: Option<Held>,
+}
+
+/// An answer that may be somebody else's, or to something else.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
+    pub(super) said: Said,
+    pub(super) bytes: Vec<u8>,
+    pub(super) at: Tick,
+    pub(super) weight: Weight,
+    /// When it is decided upon.
+    pub(super) until: Tick,
 }
 
 /// What has come when the line fell silent, or the time was over.
@@ -99,7 +115,7 @@ impl Job {
     pub(super) fn asks(&self) -> &Question {
         match &self.parting {
             Parting::Fence(fence, _) => fence,
-            Parting::None | Parting::Until(_) => &self.question,
+            Parting::None | Parting::Until(_) | Parting::Quiet(_) => &self.question,
         }
     }
 
@@ -111,7 +127,7 @@ impl Job {
     /// goes out nevertheless, or never.
     pub(super) fn slot(&self, since: Tick, ready_at: Tick, orphan: Option<Tick>) -> (Tick, Tick) {
         let parted = match self.parting {
-            Parting::Fence(_, until) | Parting::Until(until) => until,
+            Parting::Fence(_, until) | Parting::Until(until) | Parting::Quiet(until) => until,
             Parting::None => since,
         };
         let due = parted.max(orphan.unwrap_or(since)).max(since);
@@ -133,13 +149,15 @@ impl Waiting {
             echoed: false,
             stray: None,
             garbage: Vec::new(),
+            held: None,
         }
     }
 
     /// When what has come is looked at, if a telegram straggles for so long: when the line falls silent, but soon after the
     /// deadline in any case.
     pub(super) fn over(&self, straggle: Span) -> Tick {
-        if self.came.is_empty() { self.deadline } else { self.last.min(self.deadline) + straggle }
+        let over = if self.came.is_empty() { self.deadline } else { self.last.min(self.deadline) + straggle };
+        self.held.as_ref().map_or(over, |held| held.until.min(over))
     }
 }
 

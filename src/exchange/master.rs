@@ -11,6 +11,7 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
+use super::heard::{Heard, Sample, Weight};
 use super::job::{Came, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
 use super::{
@@ -44,8 +45,12 @@ pub struct Master {
     known: BTreeMap<u8, VecDeque<Question>>,
     /// Counters (code 8) of stations whose family is known.
     counters: BTreeMap<u8, Vec<u16>>,
-    /// The last reply that was taken.
-    last_reply: Option<Record>,
+    /// What came lately, and how soon stations answer.
+    heard: Heard,
+    /// The last question that was answered, and when.
+    answered: Option<(u8, Question, Tick)>,
+    /// Characters take their time on this line, and nothing comes sooner than that allows.
+    wired: bool,
     /// Bytes that nobody waits for, until they make a telegram or pause.
     loose: Loose,
     /// When the last reply ended, until something is sent.
@@ -70,7 +75,9 @@ impl Master {
             orphan: None,
             known: BTreeMap::new(),
             counters: BTreeMap::new(),
-            last_reply: None,
+            heard: Heard::default(),
+            answered: None,
+            wired: false,
             loose: Loose::default(),
             replied_at: None,
             pauses: Pauses { required: dialect.gap(line, limits.pause), ..Pauses::default() },
@@ -82,9 +89,15 @@ impl Master {
     /// The same line from now on with another protocol or setting. What was owed under the old one is no valid telegram
     /// under the new.
     pub fn retune(&mut self, protocol: Protocol, line: LineSetting, now: Tick) {
-        let (tally, records, pause) = (self.tally, std::mem::take(&mut self.records), self.ready_at);
-        *self = Master { tally, records, ..Master::new(protocol, line, self.limits) };
+        let (tally, records, pause, wired) = (self.tally, std::mem::take(&mut self.records), self.ready_at, self.wired);
+        *self = Master { tally, records, wired, ..Master::new(protocol, line, self.limits) };
         self.ready_at = pause.max(now + self.dialect.silence(line));
+    }
+
+    /// Whether the line is one of wires, on which every character takes its time: then a reply that ends sooner than
+    /// question, reply and the silence between them allow is none. Not behind a network or a gateway, nor on a pty.
+    pub fn set_wired(&mut self, wired: bool) {
+        self.wired = wired;
     }
 
     /// What is spoken.
@@ -222,7 +235,8 @@ impl Master {
     /// What to do now. Call again after every step; after `Done` the question is over.
     pub fn step(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
-        if self.debts.due(job.station).is_none() && job.asked == 0 {
+        let is_paid = self.debts.due(job.station).is_none() && job.asked == 0;
+        if is_paid && !matches!(job.parting, Parting::Quiet(_)) {
             job.parting = Parting::None; // what was owed has come meanwhile
         }
         if now >= job.until && !matches!(job.phase, Phase::Done(_) | Phase::Farewell(..)) {
@@ -345,32 +359,6 @@ impl Master {
         }
     }
 
-    /// The answer to what was asked, if it has come, with what came before it and when the question was out.
-    fn found(&mut self, at: Tick) -> Option<(Tick, Said)> {
-        let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &self.job else { return None };
-        let job = self.job.as_ref()?;
-        let mut from = 0;
-        let found = loop {
-            let found = self.dialect.find(waiting.came.get(from..)?, *station, job.asks())?;
-            from += found.start;
-            if !self.is_echo(waiting, from) && self.proves(job, &found.said) {
-                break found;
-            }
-            from += 1;
-        };
-        let (before, reply) = waiting.came.split_at_checked(from)?;
-        let (before, reply, sent, sent_end) = (before.to_vec(), reply.to_vec(), waiting.sent.clone(), waiting.sent_end);
-        if !waiting.echoed {
-            self.echo.learn(&sent, &before);
-        }
-        self.note_before(at, &before, &sent);
-        let record = Record { at, verdict: Verdict::Reply, bytes: reply };
-        self.last_reply = Some(record.clone());
-        self.replied_at = Some(at);
-        self.record(record);
-        Some((sent_end, found.said))
-    }
-
     /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
     fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
         let before = waiting.came.get(..from).unwrap_or_default();
@@ -383,7 +371,7 @@ impl Master {
     fn proves(&self, job: &Job, said: &Said) -> bool {
         match &job.parting {
             Parting::Fence(fence, _) => self.dialect.settles(fence, said, self.debts.missing(job.station)),
-            Parting::None | Parting::Until(_) => true,
+            _ => true,
         }
     }
 
@@ -419,6 +407,9 @@ impl Master {
     fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
+        if self.are_twins() {
+            return;
+        }
         if self.may_be_old(&said) {
             return self.ask_behind_fence(at, sent_end);
         }
@@ -445,6 +436,7 @@ impl Master {
             known.truncate(MOST_KNOWN - 1);
             known.push_front(job.question.clone());
         }
+        self.answered = Some((job.station, job.question.clone(), at));
         let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
         let by = at + self.dialect.gap(self.line, job.limits.pause).times(2);
         job.phase =
@@ -453,6 +445,9 @@ impl Master {
 
     /// The line has been silent for long enough, or the time is over: name what came, then wait on, repeat or end.
     fn look(&mut self, now: Tick) -> Step<Outcome> {
+        if let Some(step) = self.decide(now) {
+            return step;
+        }
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
         let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
@@ -465,7 +460,7 @@ impl Master {
             Came::Noise | Came::Garbage => waiting.garbage = rest,
         }
         // Behind an echo, a stray telegram or a little noise the reply may still come.
-        if now < deadline && !matches!(verdict, Came::Garbage) {
+        if now < deadline && (!matches!(verdict, Came::Garbage) || waiting.held.is_some()) {
             return Step::Wait(deadline);
         }
         let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
@@ -613,10 +608,7 @@ impl Master {
                 if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
                     job.heard = true;
                 }
-                let doubled = self.last_reply.as_ref().is_some_and(|last| last.is_doubled_by(at, bytes));
-                if let Some(said) = said.filter(|_| !doubled) {
-                    self.debts.pays(station, &said);
-                }
+                self.explain(at, station, said, bytes);
                 self.tally.strays += 1;
                 Verdict::Stray { station }
             }
@@ -638,5 +630,6 @@ impl Conversation for Master {
     }
 }
 
+mod believe;
 #[cfg(test)]
 mod tests;

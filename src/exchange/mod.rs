@@ -7,6 +7,7 @@
 mod debt;
 pub mod dialect;
 mod echo;
+mod heard;
 mod job;
 mod limits;
 pub mod master;
@@ -53,21 +54,11 @@ pub struct Record {
     pub bytes: Vec<u8>,
 }
 
-impl Record {
-    /// Whether `bytes` that have come by `at` are the same telegram once more, right behind this one.
-    fn is_doubled_by(&self, at: Tick, bytes: &[u8]) -> bool {
-        self.bytes == bytes && at.since(self.at) < DOUBLED_WITHIN
-    }
-}
-
 /// Bytes that are kept of what is no telegram yet: more than any telegram has (Modbus ASCII: 513, MODBUS over Serial Line
 /// V1.02, 2.5.2.1).
 const MOST_BYTES: usize = 1_024;
 /// Telegrams that are kept until somebody takes them.
 const MOST_RECORDS: usize = 4_096;
-
-/// A telegram that comes twice comes twice in a row; a late reply comes when it likes.
-const DOUBLED_WITHIN: Span = Span::from_millis(20);
 
 /// What a telegram was to the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -188,6 +179,12 @@ pub enum ExchangeError {
     Unproven {
         /// How often it was asked.
         asked: u8,
+    },
+    /// A station answered one question in two ways, again and again.
+    #[error("station {station} gives two answers to one question")]
+    TwoAnswers {
+        /// The station.
+        station: u8,
     },
     /// A broadcast that asks for a reply.
     #[error("a broadcast can only write")]

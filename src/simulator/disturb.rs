@@ -22,8 +22,8 @@ pub(super) enum Kind {
     Noise(u8),
     /// The master hears its own request: concerns the request, not the reply.
     Echo,
-    /// It comes twice.
-    Doubled,
+    /// It comes twice, the second time so long after the end of the first.
+    Doubled(Option<Span>),
     /// A reply of the next station comes in its place.
     Foreign,
 }
@@ -113,8 +113,8 @@ impl Disturber {
                     out.iter_mut().for_each(|(_, frame)| frame.truncate(frame.len() - frame.len().div_ceil(3)));
                 }
                 Kind::Noise(byte) => out.iter_mut().for_each(|(_, frame)| frame.insert(0, byte)),
-                Kind::Doubled => {
-                    let pause = reply.line.t35() + reply.line.chars(1);
+                Kind::Doubled(by) => {
+                    let pause = by.unwrap_or(reply.line.t35() + reply.line.chars(1));
                     let again: Vec<_> = out
                         .iter()
                         .map(|(at, frame)| (*at + reply.line.chars(frame.len() as u64) + pause, frame.clone()))
@@ -184,7 +184,9 @@ mod tests {
         assert_eq!(once(Kind::Late(Span::from_millis(150)))[0].0, Tick::from_micros(150_000));
         assert_eq!(once(Kind::Truncated)[0].1, [1, 3, 2, 5]);
         assert_eq!(once(Kind::Noise(0))[0].1[..3], [0, 1, 3]);
-        assert_eq!(once(Kind::Doubled).len(), 2);
+        assert_eq!(once(Kind::Doubled(None)).len(), 2);
+        let later = once(Kind::Doubled(Some(Span::from_millis(30))))[1].0;
+        assert_eq!(later.since(Tick::ZERO), Span::from_millis(30) + LineSetting::rtu(19_200, Parity::Even).chars(7));
         assert_eq!(Framing::Rtu.decode(&once(Kind::Foreign)[0].1).unwrap().station, 2);
         assert!(Framing::Rtu.decode(&once(Kind::Garbled)[0].1).is_err());
         let other = Rule::new(When::Every(1), Kind::Lost, Some(2));

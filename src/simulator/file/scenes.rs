@@ -125,12 +125,12 @@ impl Reader<'_> {
             ("truncated", Kind::Truncated),
             ("noise", Kind::Noise(row.byte.unwrap_or(0))),
             ("echo", Kind::Echo),
-            ("doubled", Kind::Doubled),
+            ("doubled", Kind::Doubled(row.by.as_ref().map(|_| by))),
             ("foreign", Kind::Foreign),
         ];
         let kind = self.word("kind", &row.kind, &kinds)?;
-        if let Some(by) = row.by.as_ref().filter(|_| !matches!(kind, Kind::Late(_))) {
-            return Err(self.error(by.span(), "by goes only with kind = \"late\"".to_owned()));
+        if let Some(by) = row.by.as_ref().filter(|_| !matches!(kind, Kind::Late(_) | Kind::Doubled(_))) {
+            return Err(self.error(by.span(), "by goes only with kind = \"late\" or \"doubled\"".to_owned()));
         }
         if row.byte.is_some() && !matches!(kind, Kind::Noise(_)) {
             return Err(self.error(table.span(), "byte goes only with kind = \"noise\"".to_owned()));

@@ -1,0 +1,211 @@
+//! Whether what has the form of the answer is the answer.
+
+use super::*;
+use crate::exchange::job::Held;
+use crate::tick::Span;
+
+/// From the last answer on, another to the same question within this time is a second one.
+const SECOND_WITHIN: Span = Span::from_secs(1);
+
+impl Master {
+    /// The answer to what was asked, if it has come and is to be believed, and when the question was out.
+    pub(super) fn found(&mut self, at: Tick) -> Option<(Tick, Said)> {
+        let mut from = 0;
+        loop {
+            let job = self.job.as_ref()?;
+            let Phase::Reply(waiting) = &job.phase else { return None };
+            let found = self.dialect.find(waiting.came.get(from..)?, job.station, job.asks())?;
+            let (start, end) = (from + found.start, from + found.end);
+            if self.is_echo(waiting, start) || !self.proves(job, &found.said) {
+                from = start + 1;
+                continue;
+            }
+            let bytes = waiting.came.get(start..end)?.to_vec();
+            let noise = waiting.came.get(..start).is_some_and(|before| !before.is_empty() && before != waiting.sent);
+            let doubtful = noise || !waiting.garbage.is_empty();
+            let weight = self.weigh(job, waiting.sent_end, &bytes, at, doubtful);
+            match weight {
+                Some(Weight::Answer) if !self.rivals(&bytes) => return self.accept(at, start, end, found.said),
+                weight => self.hold(at, start, end, found.said, weight),
+            }
+            from = 0;
+        }
+    }
+
+    /// `None`: it cannot be the answer.
+    fn weigh(&self, job: &Job, sent_end: Tick, bytes: &[u8], at: Tick, doubtful: bool) -> Option<Weight> {
+        if self.dialect.is_numbered() {
+            return Some(Weight::Answer);
+        }
+        let sample = self.sample(job, sent_end, bytes, at);
+        let least = self.dialect.least_turnaround(self.line).as_micros();
+        if self.wired && sample.after + SLACK_US < i64::try_from(least).unwrap_or(0) {
+            return None;
+        }
+        if job.is_fenced() {
+            return (!self.heard.is_copy(at, bytes)).then_some(Weight::Answer);
+        }
+        Some(self.heard.weigh(&sample, doubtful))
+    }
+
+    fn sample<'a>(&self, job: &'a Job, sent_end: Tick, bytes: &'a [u8], at: Tick) -> Sample<'a> {
+        let micros = |tick: Tick| i64::try_from(tick.as_micros()).unwrap_or(i64::MAX);
+        let reply = i64::try_from(self.dialect.duration(self.line, bytes.len()).as_micros()).unwrap_or(0);
+        let (question, function) = (job.asks(), job.asks().function());
+        Sample { station: job.station, function, question, bytes, at, after: micros(at) - micros(sent_end) - reply }
+    }
+
+    /// Whether another answer to the same question came before, in other words, and was no copy.
+    fn rivals(&mut self, bytes: &[u8]) -> bool {
+        let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &mut self.job else { return false };
+        let Some(held) = waiting.held.as_mut().filter(|held| held.bytes != bytes) else { return false };
+        if matches!(held.weight, Weight::Copy | Weight::Stale(_)) {
+            return false;
+        }
+        (held.weight, held.until) = (Weight::Copy, waiting.deadline);
+        self.heard.sees_twins(*station);
+        true
+    }
+
+    /// Takes the answer out of what has come; what stands before it is an echo or nobody's, and so is what follows.
+    fn accept(&mut self, at: Tick, start: usize, end: usize, said: Said) -> Option<(Tick, Said)> {
+        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return None };
+        let (came, sent, sent_end) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.sent_end);
+        let (held, echoed) = (waiting.held.take(), waiting.echoed);
+        let (before, rest) = came.split_at_checked(start)?;
+        let (reply, behind) = rest.split_at_checked(end - start)?;
+        if !echoed {
+            self.echo.learn(&sent, before);
+        }
+        self.note_before(at, before, &sent);
+        if let Some(held) = held {
+            self.note_stray(held.at, &held.bytes);
+        }
+        self.reply(at, sent_end, reply, true);
+        if !behind.is_empty() {
+            self.loose.last = at;
+            self.loose.bytes.extend_from_slice(behind);
+        }
+        Some((sent_end, said))
+    }
+
+    fn reply(&mut self, at: Tick, sent_end: Tick, bytes: &[u8], is_sure: bool) {
+        if let Some(job) = self.job.take() {
+            let sample = self.sample(&job, sent_end, bytes, at);
+            self.heard.note(at, bytes, Some(sample.question));
+            if is_sure && !job.is_fenced() {
+                self.heard.learn(&sample);
+            }
+            self.job = Some(job);
+        }
+        self.replied_at = Some(at);
+        self.record(Record { at, verdict: Verdict::Reply, bytes: bytes.to_vec() });
+    }
+
+    /// Keeps an answer that is not sure, or throws one away that is none.
+    fn hold(&mut self, at: Tick, start: usize, end: usize, said: Said, weight: Option<Weight>) {
+        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return };
+        let bytes: Vec<u8> = waiting.came.drain(..end).collect();
+        let (before, reply) = bytes.split_at(start.min(bytes.len()));
+        let (sent, echoed) = (waiting.sent.clone(), waiting.echoed);
+        waiting.echoed |= before.ends_with(&sent);
+        let until = match weight {
+            Some(Weight::Wait(span) | Weight::Stale(span)) => {
+                let reply = self.dialect.duration(self.line, reply.len());
+                (waiting.sent_end + span + reply).min(waiting.deadline).max(at)
+            }
+            _ => waiting.deadline,
+        };
+        let held = weight.map(|weight| Held { said, bytes: reply.to_vec(), at, weight, until });
+        let other = match (&held, &waiting.held) {
+            // The same once more: the first stays.
+            (Some(new), Some(old)) if old.bytes == new.bytes || new.weight == Weight::Answer => None,
+            (Some(_), _) => std::mem::replace(&mut waiting.held, held),
+            (None, _) => None,
+        };
+        let kept = waiting.held.as_ref().is_some_and(|kept| kept.at == at && kept.bytes == reply);
+        if !echoed {
+            self.note_before(at, before, &sent);
+        }
+        if let Some(other) = other {
+            self.note_stray(other.at, &other.bytes);
+        }
+        if !kept {
+            self.note_stray(at, reply);
+        }
+    }
+
+    /// The time is over for an answer that was not sure: it is believed, or the question is asked anew when no copy of anything
+    /// can come any more.
+    pub(super) fn decide(&mut self, now: Tick) -> Option<Step<Outcome>> {
+        let job = self.job.as_mut()?;
+        let Phase::Reply(waiting) = &mut job.phase else { return None };
+        let held = waiting.held.take_if(|held| now >= held.until)?;
+        let (sent_end, station, question) = (waiting.sent_end, job.station, job.question.clone());
+        let is_sure = matches!(held.weight, Weight::Wait(_));
+        // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
+        let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
+        if !is_doubted && (is_sure || matches!(held.weight, Weight::Stale(_))) {
+            self.reply(held.at, sent_end, &held.bytes, is_sure);
+            self.take(held.at, sent_end, held.said);
+            if !is_sure {
+                self.debts.owes(station, question, sent_end + LATEST_REPLY, now);
+            }
+            return Some(self.step(now));
+        }
+        self.note_stray(held.at, &held.bytes);
+        self.debts.owes(station, question, sent_end + LATEST_REPLY, now);
+        let quiet = self.heard.quiet_at(now);
+        self.tally.garbled += 1;
+        Some(self.ask_anew(now, Parting::Quiet(quiet)))
+    }
+
+    fn ask_anew(&mut self, now: Tick, parting: Parting) -> Step<Outcome> {
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        if job.rounds >= ROUNDS {
+            let asked = job.asked;
+            return self.finish(Err(ExchangeError::Unproven { asked }));
+        }
+        (job.parting, job.rounds, job.phase) = (parting, job.rounds + 1, Phase::Gap(now));
+        (job.asked, job.same_fence, job.echoed, job.patient) = (0, 0, false, false);
+        self.step(now)
+    }
+
+    /// Whether the station is known to give two answers; then the question ends with that. What insists goes on.
+    pub(super) fn are_twins(&mut self) -> bool {
+        let Some(job) = &mut self.job else { return false };
+        if !self.heard.are_twins(job.station) || job.limits.insist.is_some() {
+            return false;
+        }
+        self.heard.forgives(job.station);
+        job.phase = Phase::Done(Err(ExchangeError::TwoAnswers { station: job.station }));
+        true
+    }
+
+    /// A valid telegram came that is not the answer: a copy, a reply that was missing, or one too many.
+    pub(super) fn explain(&mut self, at: Tick, station: u8, said: Option<Said>, bytes: &[u8]) {
+        let is_copy = self.heard.is_copy(at, bytes);
+        self.heard.note(at, bytes, None);
+        let fits = |missing: &Question| said.as_ref().is_some_and(|said| missing.is_answered_by(said));
+        let owed = self.debts.missing(station).iter().any(fits);
+        match is_copy {
+            true if owed => return, // a copy, or what is owed: nobody knows
+            true => return self.heard.sees_surplus(),
+            false => {}
+        }
+        let Some(said) = said else { return };
+        if self.debts.pays(station, &said) {
+            return;
+        }
+        let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {
+            *answering == station && question.is_answered_by(&said) && at.since(*then) < SECOND_WITHIN
+        });
+        let alone = self.job.as_ref().is_none_or(|job| job.station != station || !job.asks().is_answered_by(&said));
+        if second && alone {
+            self.heard.sees_twins(station);
+        }
+    }
+}
+
+/// Clocks of adapters and drives differ a little, in microseconds.
+const SLACK_US: i64 = 200;
