@@ -14,6 +14,8 @@ mod decoding;
 mod exits;
 #[path = "verbs/judge.rs"]
 mod judge;
+#[path = "verbs/leftovers.rs"]
+mod leftovers;
 #[path = "verbs/lexium.rs"]
 mod lexium;
 #[path = "verbs/line.rs"]

@@ -66,6 +66,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("reached", "erreicht"),
     ("running", "läuft weiter"),
     ("setpoint", "Sollwert"),
+    ("makes", "ergibt"),
     ("stop", "Halt"),
     ("took", "Dauer"),
     ("active set", "aktiver Datensatz"),

@@ -22,6 +22,7 @@ pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
 pub use port::{Endpoint, Port};
 pub use rs485::{Rs485, Rs485Mode};
 pub use serial::{PortInfo, list_ports};
+pub use sim::witness;
 pub use trace::{Trace, TraceLine, read_trace};
 
 use crate::protocol::line::LineSetting;
