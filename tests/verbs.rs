@@ -18,6 +18,8 @@ mod exits;
 mod files;
 #[path = "verbs/judge.rs"]
 mod judge;
+#[path = "verbs/leftovers.rs"]
+mod leftovers;
 #[path = "verbs/lexium.rs"]
 mod lexium;
 #[path = "verbs/line.rs"]

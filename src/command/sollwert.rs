@@ -27,6 +27,10 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// left another setpoint that turns the shaft the other way. Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
+///
+/// What the drive makes of it by its own settings (an ACTIVE adds its internal setpoint with P.434 = 3, and bounds it by
+/// P.418 and P.419) is worked out and told before you are asked. What stands in a drive from before and would turn the
+/// shaft is set to 0 before it is enabled.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// The setpoint: 25Hz, -12,5Hz, 30%, 1450rpm, 48usr, 10A, 2/3; with --mode also without a unit
@@ -134,13 +138,14 @@ async fn give(
                 Some(_) => zero::relief(session, target, before, &wanted, lang).await?,
                 None => None,
             };
-            plan.announce = announce(&wanted, &target.family, enable, lang);
             plan.details.extend(
                 wanted.start.as_ref().and_then(|start| start.note.as_ref()).map(|note| note.get(lang).to_owned()),
             );
             let needs_control = enable && !motion.take_control;
             let mut check = Check { args, session, target, before, lang };
-            Ok((check.run(wanted, enable, needs_control).await?, plan.relief))
+            let wanted = check.run(wanted, enable, needs_control).await?;
+            plan.announce = announce(&wanted, &target.family, enable, lang);
+            Ok((wanted, plan.relief))
         },
         async |motor, (wanted, relief)| match relief {
             Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
@@ -160,6 +165,10 @@ async fn carry_out(
 ) -> Result<(), Failure> {
     let unit = wanted.param.unit.as_deref().unwrap_or("");
     motor.prepare(&wanted.mode);
+    // Only frequencies are shown behind their ramp.
+    let last = wanted.schedule.at(u64::MAX);
+    let runs_at = wanted.effective.filter(|_| wanted.mode.source.is_some()).and_then(|effective| effective.of(last));
+    motor.expects = runs_at.map(|sum| (last, sum));
     for (param, raw) in &wanted.settings {
         motor.change_param(param, *raw).await?;
     }
@@ -182,7 +191,6 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        let last = wanted.schedule.at(u64::MAX);
         let keeps = wanted.mode.zero;
         motor
             .hold(motion.duration, async |motor: &mut Motor<'_, '_>, _| match keeps {
@@ -219,6 +227,11 @@ fn announce(wanted: &Wanted, family: &Family, enable: bool, lang: Lang) -> Strin
     let value = |raw: i64| wanted.shown(raw, family, lang);
     let (from, to) = (wanted.schedule.at(0), wanted.schedule.at(u64::MAX));
     let what = if wanted.schedule.end_us() == 0 { value(to) } else { format!("{} … {}", value(from), value(to)) };
+    let makes = wanted.effective.and_then(|effective| effective.of(to)).filter(|&sum| sum != to).map(value);
+    let what = match makes {
+        Some(sum) => format!("{what} ({} {sum})", lang.pick("the drive runs at", "der Antrieb läuft mit")),
+        None => what,
+    };
     let what = format!("{} {what}", lang.pick("setpoint", "Sollwert"));
     let what = match &wanted.mode.value {
         Some(_) => format!("{}, {what}", wanted.mode.name(lang)),

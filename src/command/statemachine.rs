@@ -4,11 +4,11 @@ use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings};
-use crate::drive::motion::{Motor, Situation, look, missing, no_control};
+use crate::drive::motion::{Motor, Situation, look, missing, no_control, runs_at, upon_enabling};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, ErrorDoc, Outcome, StateReport, StateRow, Statemachine};
+use crate::outcome::{Data, ErrorDoc, Event, Outcome, StateReport, StateRow, Statemachine};
 use crate::profile::{Family, Lang, Param, Registry};
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -100,9 +100,12 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     running::run(
         context,
         plan,
-        async |_, target, before, plan| match plan.relief {
-            Some(_) => Ok(()),
-            None => obeyed(target, before, plan, lang),
+        async |session, target, before, plan| {
+            if plan.relief.is_some() {
+                return Ok(());
+            }
+            obeyed(target, before, plan, lang)?;
+            if slug == "enable" { enabling(session, target, before, plan, lang).await } else { Ok(()) }
         },
         async |motor, ()| {
             match (slug, relief_of(slug)) {
@@ -144,6 +147,22 @@ fn obeyed(target: &Target, before: &Situation, plan: &Plan<'_>, lang: Lang) -> R
     }
 }
 
+/// Tells what the shaft will do as soon as the drive is enabled.
+async fn enabling(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    before: &Situation,
+    plan: &mut Plan<'_>,
+    lang: Lang,
+) -> Result<(), Failure> {
+    if before.state != "operation-enabled" {
+        let told = upon_enabling(session, target, lang).await?;
+        told.iter().for_each(|text| session.tell(Event::Note(text.clone())));
+        plan.details.extend(told);
+    }
+    Ok(())
+}
+
 async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> Result<Outcome, Failure> {
     let lang = context.settings.lang;
     let family = offline_family(context.settings, context.registry)?;
@@ -162,7 +181,10 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     running::run(
         context,
         plan,
-        async |_, target, before, plan| obeyed(target, before, plan, lang),
+        async |session, target, before, plan| {
+            obeyed(target, before, plan, lang)?;
+            if runs { enabling(session, target, before, plan, lang).await } else { Ok(()) }
+        },
         async |motor, ()| {
             motor.walk(state).await?;
             if let (Some(duration), true) = (hold, runs) {
@@ -206,13 +228,18 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
     running::run(
         context,
         plan,
-        async |_, target, before, _| {
+        async |session, target, before, plan| {
             let Some(control) = target.family.motion.control else {
                 let text =
                     lang.pick("this drive has no virtual contacts", "dieser Antrieb hat keine virtuellen Kontakte");
                 return Err(Failure::new(Class::Forbidden, "forbidden.no_contacts", text));
             };
             if before.mode == Some(control.contacts) || take {
+                if word != 0 {
+                    let told = runs_at(session, target, lang).await?;
+                    told.iter().for_each(|text| session.tell(Event::Note(text.clone())));
+                    plan.details.extend(told);
+                }
                 return Ok(control.contacts);
             }
             let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());

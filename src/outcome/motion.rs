@@ -57,6 +57,8 @@ pub struct Setpoint {
     pub param: u32,
     /// Last value.
     pub value: Decimal,
+    /// What the drive makes of it by its own settings: sources that it adds, limits; null if that is not known.
+    pub effective: Option<Decimal>,
     /// Unit.
     pub unit: String,
     /// How often a value was written.

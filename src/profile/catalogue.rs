@@ -481,6 +481,10 @@ impl Origin {
             self.check_text(at, text)?;
         }
         let decimals = row.decimals.unwrap_or(0);
+        if decimals > MOST_DECIMALS {
+            let message = format!("parameter {}: {decimals} decimals; expected at most {MOST_DECIMALS}", row.id);
+            return Err(self.error(at, message));
+        }
         let raw = |number: &Option<Number>| {
             let parsed = number.as_ref().map(|number| parse_decimal(&number.0, decimals)).transpose();
             parsed.map_err(|error| self.error(at, format!("parameter {}: {error}", row.id)))
@@ -616,6 +620,9 @@ fn shorten(message: &str) -> String {
     printable.take(300).collect()
 }
 
+/// Decimals of a parameter: a value of 32 bits has no more digits.
+const MOST_DECIMALS: u8 = 9;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -670,6 +677,7 @@ mod tests {
         assert!(refused(&row(", min = 2, max = 1")).starts_with("mine.toml:4:3: parameter 1500: min is above max"));
         assert!(refused(&row(", enum = \"no\"")).contains("there is no table [enums.no]"));
         assert!(refused(&row(", decimals = 1, min = 0.25")).contains("more decimals"));
+        assert!(refused(&row(", decimals = 40")).contains("at most 9"));
         assert!(refused("schema = 1\nfamily = \"x").starts_with("mine.toml:2:"));
         assert!(refused("schema = 2\nfamily = \"active\"").contains("reads schema 1"));
         assert!(refused("schema = 1\nfamily = \"toaster\"").contains("unknown family 'toaster' (expected: active"));

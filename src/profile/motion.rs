@@ -24,6 +24,9 @@ pub struct Motion {
     /// What must be given before the drive runs, and how it is seen.
     #[serde(default)]
     pub interlocks: Vec<Interlock>,
+    /// What turns the shaft as soon as it is enabled, if it is not 0: setpoints and their sources.
+    #[serde(default)]
+    pub rest: Vec<Rest>,
     /// Ways to stop, for `--on-exit`.
     pub stops: Vec<StopRow>,
     /// Roles of times, in their own units, that braking may take longer.
@@ -49,6 +52,16 @@ pub struct Show {
     pub actual: Vec<u32>,
     /// What decides how the setpoint is formed.
     pub sources: Vec<u32>,
+}
+
+/// A setpoint, or the source of one, that may stand in a drive from before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rest {
+    /// Parameter that is set to 0.
+    pub param: u32,
+    /// Parameter that shows it, where it cannot be read itself; it may show more than that.
+    pub shown: Option<u32>,
 }
 
 /// Who controls a drive.
@@ -215,6 +228,8 @@ pub struct Mode {
     pub limit: Option<u32>,
     /// A setting that decides whether the setpoint counts.
     pub source: Option<Source>,
+    /// What the drive adds to the setpoint.
+    pub adds: Option<Adds>,
     /// A setting that lifts small setpoints.
     pub floor: Option<Floor>,
     #[serde(default)]
@@ -286,6 +301,21 @@ pub struct Choice {
     pub value: i64,
 }
 
+/// What a drive adds to a setpoint by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Adds {
+    /// Parameter that shows what is added.
+    pub param: u32,
+    /// It is added only with this value of the mode's source; always without one.
+    pub source: Option<i64>,
+    /// Parameter that selects where it comes from.
+    pub by: u32,
+    /// The parameter shows the sum, so that the part that is added is not known.
+    #[serde(default)]
+    pub sum: bool,
+}
+
 /// A setting that lifts small setpoints.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -308,7 +338,8 @@ impl Mode {
     pub(super) fn params(&self) -> impl Iterator<Item = u32> + '_ {
         let single = [Some(self.setpoint), self.denominator, self.limit, self.source.as_ref().map(|row| row.param)];
         let engage = self.engage.iter().map(|row| row.param);
-        single.into_iter().flatten().chain(engage).chain(self.options.iter().copied())
+        let adds = self.adds.iter().flat_map(|row| [row.param, row.by]);
+        single.into_iter().flatten().chain(engage).chain(adds).chain(self.options.iter().copied())
     }
 }
 

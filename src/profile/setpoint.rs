@@ -39,7 +39,11 @@ pub fn parse(family: &Family, mode: &Mode, text: &str) -> Result<Said, ValueErro
         value::parse(text, &param, &family.choices(&param))
     };
     if let (Some(denominator), Some((above, below))) = (mode.denominator, ratio(text)) {
-        return Ok(Said { denominator: Some(raw(denominator, below)?), ..said(raw(mode.setpoint, above)?) });
+        let below = match raw(denominator, below)? {
+            0 => return Err(ValueError::Denominator { text: text.to_owned() }),
+            below => below,
+        };
+        return Ok(Said { denominator: Some(below), ..said(raw(mode.setpoint, above)?) });
     }
     if is_speed(mode, text) {
         let (number, _) = value::split_unit(text);
@@ -61,10 +65,10 @@ fn ratio(text: &str) -> Option<(&str, &str)> {
 }
 
 /// The frequency (0.01 Hz) that turns a motor with so many pole pairs at a speed (0.01 1/min), without slip; rounded
-/// to the nearest hundredth.
-pub fn frequency_of_speed(speed: i64, pole_pairs: i64) -> i64 {
-    let product = speed * pole_pairs;
-    (product + 30 * product.signum()) / 60
+/// to the nearest hundredth. `None` if no number here can hold it.
+pub fn frequency_of_speed(speed: i64, pole_pairs: i64) -> Option<i64> {
+    let product = i128::from(speed) * i128::from(pole_pairs);
+    i64::try_from((product + 30 * product.signum()) / 60).ok()
 }
 
 /// A setpoint that changes with time: points of time in microseconds, and raw values.
@@ -91,11 +95,10 @@ impl Schedule {
         }
     }
 
-    /// The same with every value converted.
-    #[must_use]
-    pub fn map(&self, convert: impl Fn(i64) -> i64) -> Self {
-        let points = self.points.iter().map(|&(us, raw)| (us, convert(raw))).collect();
-        Schedule { points, straight: self.straight }
+    /// The same with every value converted; `None` if one of them cannot be.
+    pub fn map(&self, convert: impl Fn(i64) -> Option<i64>) -> Option<Self> {
+        let points = self.points.iter().map(|&(us, raw)| Some((us, convert(raw)?))).collect::<Option<_>>()?;
+        Some(Schedule { points, straight: self.straight })
     }
 
     /// When the last value is reached.
@@ -105,7 +108,7 @@ impl Schedule {
 
     /// Largest magnitude of any value.
     pub fn peak(&self) -> i64 {
-        self.points.iter().map(|point| point.1.abs()).max().unwrap_or(0)
+        self.points.iter().map(|point| point.1.saturating_abs()).max().unwrap_or(0)
     }
 
     /// Every value that it passes or jumps to.
@@ -123,9 +126,11 @@ impl Schedule {
         if !self.straight {
             return before.1;
         }
-        let (span, gone) = ((next.0 - before.0) as i128, (us - before.0) as i128);
-        let rise = i128::from(next.1 - before.1) * gone / span;
-        before.1 + rise as i64
+        let (span, gone) = (i128::from(next.0 - before.0), i128::from(us.saturating_sub(before.0)));
+        let (whole, span) = (i128::from(next.1) - i128::from(before.1), span.max(1));
+        let rise = whole.checked_mul(gone).map_or_else(|| whole / span * gone, |product| product / span);
+        // Between two numbers of its type it is one of them too.
+        i64::try_from(i128::from(before.1) + rise).unwrap_or(last)
     }
 }
 
@@ -133,6 +138,7 @@ impl Schedule {
 mod tests {
     use super::*;
     use crate::profile::Registry;
+    use proptest::prelude::*;
 
     /// Mode, raw value, whether by speed, and denominator of what a drive's user says.
     fn said(drive: &str, text: &str) -> Option<(String, i64, bool, Option<i64>)> {
@@ -175,15 +181,51 @@ mod tests {
 
     #[test]
     fn speed_becomes_frequency_by_pole_pairs() {
-        assert_eq!(frequency_of_speed(150_000, 2), 5_000);
-        assert_eq!(frequency_of_speed(145_000, 2), 4_833);
-        assert_eq!(frequency_of_speed(-145_000, 2), -4_833);
+        assert_eq!(frequency_of_speed(150_000, 2), Some(5_000));
+        assert_eq!(frequency_of_speed(145_000, 2), Some(4_833));
+        assert_eq!(frequency_of_speed(-145_000, 2), Some(-4_833));
+        assert_eq!(frequency_of_speed(i64::MAX, 120), None);
+    }
+
+    #[test]
+    fn the_lower_number_of_a_ratio_is_never_0() {
+        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
+        let gear = family.mode("gear").unwrap();
+        assert!(matches!(parse(&family, gear, "2/0"), Err(ValueError::Denominator { .. })));
+        assert!(matches!(parse(&family, gear, "2/-0"), Err(ValueError::Denominator { .. })));
+    }
+
+    proptest! {
+        /// Whatever is typed as a setpoint of whatever drive: understood or refused, never a panic; led from the one to
+        /// the other it never leaves the span between them.
+        #[test]
+        fn nothing_that_is_typed_panics_or_wraps(
+            text in "[-+−]?[0-9a-fx./,]{0,24} ?(Hz|rpm|%|A|mA|usr|kHz|U/min)?", any in ".{0,16}", us: u64, end: u64,
+            from: i64, to: i64, pairs: i64,
+        ) {
+            let registry = Registry::open(&[]).unwrap();
+            for drive in ["act", "acu", "lxm05"] {
+                let family = registry.family(drive).unwrap();
+                for text in [&text, &any] {
+                    let _either = mode_of(&family, text);
+                    for mode in &family.modes {
+                        let _either = parse(&family, mode, text).map(|said| frequency_of_speed(said.raw, pairs));
+                    }
+                }
+            }
+            let ramp = Schedule::ramp(from, to, end);
+            let (value, _) = (ramp.at(us), ramp.peak());
+            prop_assert!((from.min(to)..=from.max(to)).contains(&value));
+            let _either = ramp.map(|raw| frequency_of_speed(raw, pairs));
+        }
     }
 
     #[test]
     fn ramps_are_straight_and_profiles_step() {
         let ramp = Schedule::ramp(0, 1_000, 10_000_000);
         assert_eq!([0, 5_000_000, 10_000_000, 20_000_000].map(|us| ramp.at(us)), [0, 500, 1_000, 1_000]);
+        let long = Schedule::ramp(6_825_505_067_119_499_983, -7_662_278_336_939_238_498, u64::MAX);
+        assert!(long.at(u64::MAX / 2) < 0, "numbers at the end of their type do not wrap");
         let steps = Schedule::steps(vec![(0, 500), (2_000_000, 1_000)]).unwrap();
         assert_eq!([0, 1_999_999, 2_000_000].map(|us| steps.at(us)), [500, 500, 1_000]);
         assert_eq!(Schedule::steps(vec![(5, 1), (5, 2)]), Err(2));

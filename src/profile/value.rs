@@ -35,6 +35,12 @@ pub enum ValueError {
         /// Decimals of the parameter.
         decimals: u8,
     },
+    /// The lower number of a ratio is 0.
+    #[error("'{text}': the lower number of a ratio is never 0")]
+    Denominator {
+        /// What came.
+        text: String,
+    },
     /// Out of the printed range.
     #[error("{value} is out of the range {min} … {max}")]
     Range {
@@ -155,8 +161,10 @@ fn unit_power(typed: &str, unit: Option<&str>) -> Option<i32> {
 pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<i64, ValueError> {
     let text = text.trim();
     if let Some(hex) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        return i64::from_str_radix(hex, 16)
-            .map_err(|_| ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() });
+        // `from_str_radix` takes a sign; a raw pattern of bits has none.
+        let digits = Some(hex).filter(|hex| hex.chars().all(|c| c.is_ascii_hexdigit()));
+        let raw = digits.and_then(|hex| i64::from_str_radix(hex, 16).ok());
+        return raw.ok_or_else(|| ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() });
     }
     let by_text = || choice(text, choices);
     let (number, unit) = split_unit(text);
@@ -257,6 +265,7 @@ pub fn format_value(param: &Param, bits: u32, long: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn param(unit: &str, decimals: u8) -> Param {
         Param { unit: Some(unit.to_owned()), decimals: Some(decimals), ..Param::unknown(1) }
@@ -295,7 +304,8 @@ mod tests {
         let hertz = param("Hz", 2);
         assert!(matches!(parse("5 A", &hertz, &[]), Err(ValueError::Unit { .. })));
         assert!(matches!(parse("5.001", &hertz, &[]), Err(ValueError::Decimals { .. })));
-        for text in ["", "abc", "-", "1.2.3", "--1", "99999999999999999999", "0xZZ", "1e5"] {
+        let hex = ["0xZZ", "0x", "0x+", "0x-1", "0x+1", "0x-8000000000000000", "0x8000000000000000", "0x1_0"];
+        for text in ["", "abc", "-", "1.2.3", "--1", "99999999999999999999", "1e5"].into_iter().chain(hex) {
             assert!(parse(text, &hertz, &[]).is_err(), "{text}");
         }
     }
@@ -325,5 +335,40 @@ mod tests {
         assert_eq!(from_wire(0xFFFF, Type::Word, Some(-100)), -1);
         assert_eq!(to_wire(-1, Type::Int), Ok(0xFFFF));
         assert!(to_wire(65_536, Type::Uint).is_err());
+    }
+
+    proptest! {
+        /// Whatever is typed: a value or a word why not, never a panic.
+        #[test]
+        fn nothing_that_is_typed_panics(text in ".{0,24}", decimals in 0u8..=9, number in "[-+−0-9.,x ]{0,40}[A-Za-z/%]{0,3}") {
+            for unit in ["Hz", "ms", "s", "kW", "A", "1/min", ""] {
+                for text in [&text, &number] {
+                    let param = param(unit, decimals);
+                    if let Ok(raw) = parse(text, &param, &[(1, ["One", "Eins"])]) {
+                        let _either = (check_range(raw, &param), to_wire(raw, Type::Long), format_decimal(raw, decimals));
+                    }
+                }
+            }
+        }
+
+        /// A number is that number exactly, or refused: it never wraps.
+        #[test]
+        fn a_number_is_exact_or_refused(minus: bool, whole in "[0-9]{1,30}", places in 0usize..6, decimals in 0u8..=6) {
+            let fraction = "1".repeat(places);
+            let text = format!("{}{whole}{}{fraction}", if minus { "-" } else { "" }, if places > 0 { "." } else { "" });
+            let exact = format!("{whole}{fraction}{}", "0".repeat(usize::from(decimals).saturating_sub(places)));
+            let exact = exact.parse::<i128>().ok().map(|raw| if minus { -raw } else { raw });
+            let fits = exact.filter(|_| places <= usize::from(decimals)).and_then(|raw| i64::try_from(raw).ok());
+            let told = parse(&text, &param("Hz", decimals), &[]).ok();
+            prop_assert_eq!(told, fits.filter(|&raw| raw != i64::MIN));
+        }
+
+        /// What goes on the wire comes back as it was, or does not go.
+        #[test]
+        fn the_wire_keeps_every_value(raw: i64, kind in prop::sample::select(vec![Type::Uint, Type::Int, Type::Word, Type::Long])) {
+            if let Ok(bits) = to_wire(raw, kind) {
+                prop_assert_eq!(from_wire(bits, kind, Some(raw.min(0))), raw);
+            }
+        }
     }
 }

@@ -652,7 +652,14 @@ impl Page {
             let actual = setpoint.actual.map_or_else(String::new, |actual| {
                 format!(", {} {} {}", self.word("actual value"), shown(actual, false), setpoint.unit)
             });
-            rows.push(("setpoint", format!("{} {}{reached}{actual}", shown(setpoint.value, false), setpoint.unit)));
+            let runs = setpoint.effective.filter(|effective| effective.raw != setpoint.value.raw);
+            let runs = runs.map_or_else(String::new, |effective| {
+                format!(" ({} {} {})", self.word("makes"), shown(effective, false), setpoint.unit)
+            });
+            rows.push((
+                "setpoint",
+                format!("{} {}{runs}{reached}{actual}", shown(setpoint.value, false), setpoint.unit),
+            ));
         }
         for change in &motion.changed {
             let back = if change.restored { "given back" } else { "NOT given back" };

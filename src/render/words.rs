@@ -70,6 +70,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("reached", "erreicht"),
     ("running", "läuft weiter"),
     ("setpoint", "Sollwert"),
+    ("makes", "ergibt"),
     ("stop", "Halt"),
     ("took", "Dauer"),
     ("active set", "aktiver Datensatz"),

@@ -23,6 +23,7 @@ pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
 pub use port::{Endpoint, Port};
 pub use ports::{PortInfo, list_ports};
 pub use rs485::{Rs485, Rs485Mode};
+pub use sim::witness;
 pub use trace::{Trace, TraceLine, read_trace};
 
 use crate::protocol::line::LineSetting;

@@ -1,13 +1,13 @@
 //! Holding a setpoint against what the drive says.
 
 use super::Args;
-use super::wanted::Wanted;
+use super::wanted::{Total, Wanted, out_of_range};
 use crate::drive::motion::{Situation, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::value::check_range;
-use crate::profile::{Lang, Param, setpoint};
+use crate::profile::{Adds, Family, Lang, Param, setpoint};
 
 /// Holds a setpoint against what the drive says, before anybody is asked.
 pub(super) struct Check<'c, 's> {
@@ -36,18 +36,19 @@ impl Check<'_, '_> {
         }
         if wanted.by_speed {
             let pairs = self.pole_pairs().await?;
-            wanted.schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
+            let schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
+            wanted.schedule = schedule.ok_or_else(|| too_large(&wanted, &self.target.family, self.lang))?;
             wanted.by_speed = false;
         }
+        wanted.check_widths()?;
         for raw in wanted.schedule.values().filter(|_| !self.args.force) {
-            check_range(raw, &wanted.param).map_err(|error| {
-                Failure::new(Class::Data, "data.range", format!("{}: {error}", wanted.param.label()))
-                    .with("param", wanted.param.id)
-            })?;
+            check_range(raw, &wanted.param).map_err(|error| out_of_range(&wanted.param, &error))?;
         }
         let source = self.source(&wanted).await?;
-        self.limit(&wanted).await?;
-        self.floor(&wanted, source).await?;
+        let added = self.added(&wanted, source).await?;
+        let limit = self.limit(&wanted, added.unwrap_or(0)).await?;
+        let lifted = self.floor(&wanted, source).await?;
+        wanted.effective = added.filter(|_| !lifted).map(|added| Total { added, limit });
         Ok(wanted)
     }
 
@@ -78,10 +79,66 @@ impl Check<'_, '_> {
         Err(Failure::new(Class::Forbidden, "forbidden.ramp_setpoint", source.why.get(self.lang)).hint(hint))
     }
 
-    async fn limit(&mut self, wanted: &Wanted) -> Result<(), Failure> {
-        let Some(id) = wanted.mode.limit.filter(|_| !self.args.force) else { return Ok(()) };
-        let (param, peak) = (self.target.family.param_or_unknown(id), wanted.schedule.peak());
-        let Some(limit) = self.will_be(id, wanted).await?.filter(|&limit| peak > limit) else { return Ok(()) };
+    /// What the drive adds by itself; told, because it turns the shaft too. `None` if that is not known.
+    async fn added(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<Option<i64>, Failure> {
+        let Some(adds) = wanted.mode.adds.filter(|adds| adds.source.is_none_or(|with| source == Some(with))) else {
+            // Who chooses between sources must say which; who has nothing to choose adds nothing.
+            return Ok((wanted.mode.source.is_none() || source.is_some()).then_some(0));
+        };
+        let family = self.target.family.clone();
+        let (shows, by) = (family.param_or_unknown(adds.param), family.param_or_unknown(adds.by));
+        let Some(value) = working(self.session, self.target, &shows, self.lang).await? else { return Ok(None) };
+        if value != 0 {
+            let selected = working(self.session, self.target, &by, self.lang).await?;
+            let text = self.told_addition(wanted, adds, (&shows, value), (&by, selected));
+            self.session.tell(Event::Note(text));
+        }
+        Ok(Some(value).filter(|_| !adds.sum))
+    }
+
+    fn told_addition(
+        &self,
+        wanted: &Wanted,
+        adds: Adds,
+        (shows, value): (&Param, i64),
+        (by, selected): (&Param, Option<i64>),
+    ) -> String {
+        let family = &self.target.family;
+        let (own, label) = (wanted.shown(value, family, self.lang), shows.label());
+        let by = format!("{} = {}", by.label(), selected.map_or_else(|| "?".to_owned(), |raw| raw.to_string()));
+        if adds.sum {
+            return match self.lang {
+                Lang::En => format!("the drive adds what {by} selects; {label} shows {own} now, before this setpoint"),
+                Lang::De => {
+                    format!("der Antrieb addiert, was {by} wählt; {label} zeigt jetzt {own}, vor diesem Sollwert")
+                }
+            };
+        }
+        let last = wanted.schedule.at(u64::MAX);
+        let sum = last.checked_add(value).map_or_else(|| "?".to_owned(), |sum| wanted.shown(sum, family, self.lang));
+        let source = wanted.mode.source.as_ref();
+        let without = source.and_then(|source| source.choices.iter().find(|row| Some(row.value) != adds.source));
+        let way = without.map_or_else(String::new, |row| match self.lang {
+            Lang::En => format!("; --source {} leaves it out", row.slug),
+            Lang::De => format!("; --source {} lässt ihn weg", row.slug),
+        });
+        match self.lang {
+            Lang::En => format!("{sum}: {own} internal setpoint are added ({label}, {by}){way}"),
+            Lang::De => format!("{sum}: {own} interner Sollwert kommen dazu ({label}, {by}){way}"),
+        }
+    }
+
+    /// The bound of the setpoint, if there is one; refused beyond it, with what the drive adds.
+    async fn limit(&mut self, wanted: &Wanted, added: i64) -> Result<Option<i64>, Failure> {
+        let Some(id) = wanted.mode.limit else { return Ok(None) };
+        let sums = wanted.schedule.values().map(|raw| raw.saturating_add(added));
+        let peak = sums.max_by_key(|sum| sum.unsigned_abs()).unwrap_or(0);
+        let param = self.target.family.param_or_unknown(id);
+        let Some(limit) = self.will_be(id, wanted).await? else { return Ok(None) };
+        // What only takes motion away is not refused.
+        if self.args.force || wanted.schedule.peak() == 0 || i128::from(peak).abs() <= i128::from(limit) {
+            return Ok(Some(limit));
+        }
         let family = &self.target.family;
         let (peak, limit) = (wanted.shown(peak, family, self.lang), wanted.shown(limit, family, self.lang));
         let (name, label) = (param.name(self.lang), param.label());
@@ -94,16 +151,18 @@ impl Check<'_, '_> {
         Err(Failure::new(Class::Data, "data.range", text).hint(hint))
     }
 
-    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<(), Failure> {
+    /// Whether the drive lifts a setpoint to its least one; told.
+    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<bool, Failure> {
         let Some(floor) = wanted.mode.floor.as_ref().filter(|floor| source == Some(floor.source)) else {
-            return Ok(());
+            return Ok(false);
         };
-        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(()) };
-        if wanted.schedule.values().any(|raw| raw.abs() < least) {
+        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(false) };
+        let lifted = wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
+        if lifted {
             let least = wanted.shown(least, &self.target.family, self.lang);
             self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least)));
         }
-        Ok(())
+        Ok(lifted)
     }
 
     /// The value that a parameter will have in this run.
@@ -114,4 +173,13 @@ impl Check<'_, '_> {
         let param = self.target.family.param_or_unknown(id);
         working(self.session, self.target, &param, self.lang).await
     }
+}
+
+fn too_large(wanted: &Wanted, family: &Family, lang: Lang) -> Failure {
+    let value = wanted.shown(wanted.schedule.peak(), family, lang);
+    let text = match lang {
+        Lang::En => format!("{value} is more than any drive can be told"),
+        Lang::De => format!("{value} ist mehr, als ein Antrieb gesagt bekommen kann"),
+    };
+    Failure::new(Class::Data, "data.range", text).with("param", wanted.param.id)
 }

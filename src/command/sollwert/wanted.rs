@@ -6,7 +6,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
 use crate::profile::value::{self, check_range, format_decimal};
-use crate::profile::{Family, Lang, Mode, Param, Start};
+use crate::profile::{Family, Lang, Mode, Param, Start, Type};
 use std::path::{Path, PathBuf};
 
 /// Setpoints as they were typed, with their times in microseconds.
@@ -97,9 +97,39 @@ pub(super) struct Wanted {
     pub(super) start: Option<Start>,
     /// Settings for the run, in the order in which they were given.
     pub(super) settings: Vec<(Param, i64)>,
+    /// What the drive makes of the setpoint, if that is known.
+    pub(super) effective: Option<Total>,
+}
+
+/// What a drive makes of a setpoint by its own settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Total {
+    /// Setpoint of its own that it adds.
+    pub(super) added: i64,
+    /// Bound in both directions.
+    pub(super) limit: Option<i64>,
+}
+
+impl Total {
+    pub(super) fn of(self, raw: i64) -> Option<i64> {
+        let limit = self.limit.unwrap_or(i64::MAX).max(0);
+        raw.checked_add(self.added).map(|sum| sum.clamp(-limit, limit))
+    }
 }
 
 impl Wanted {
+    /// Every value fits into its telegram: nothing is sent of a run that could not be sent whole. A speed is held against
+    /// it once it is a frequency.
+    pub(super) fn check_widths(&self) -> Result<(), Failure> {
+        let led = self.schedule.values().filter(|_| !self.by_speed).map(|raw| (&self.param, raw));
+        let rest = self.denominator.iter().chain(&self.settings).map(|(param, raw)| (param, *raw));
+        for (param, raw) in led.chain(rest) {
+            let kind = param.kind.unwrap_or(Type::Long);
+            value::check_width(raw, kind, param.decimals_or_zero()).map_err(|error| out_of_range(param, &error))?;
+        }
+        Ok(())
+    }
+
     /// The same setpoint in another mode.
     pub(super) fn in_mode(self, mode: &Mode, family: &Family) -> Self {
         Wanted { mode: mode.clone(), param: family.param_or_unknown(mode.setpoint), ..self }
@@ -156,9 +186,11 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
         denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),
         start: start(args, mode)?,
         settings,
+        effective: None,
         schedule,
         mode: mode.clone(),
     };
+    wanted.check_widths()?;
     if args.until.is_some() && mode.endless {
         let text = lang.pick("nothing tells that this is reached:", "nichts zeigt an, dass das erreicht ist:");
         return Err(bad(format!("{text} {}", mode.name(lang))));
@@ -169,6 +201,10 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
         return Err(bad(format!("{text}: {}", mode.name(lang))));
     }
     Ok(wanted)
+}
+
+pub(super) fn out_of_range(param: &Param, error: &value::ValueError) -> Failure {
+    Failure::new(Class::Data, "data.range", format!("{}: {error}", param.label())).with("param", param.id)
 }
 
 /// The mode that was named.

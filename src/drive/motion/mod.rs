@@ -13,7 +13,8 @@ mod shaft;
 mod stop;
 
 pub use look::{
-    Situation, look, missing, no_control, role_raw, tripped, watchdog_raw, watchdog_seconds, working, working_raw,
+    Situation, Standing, look, missing, no_control, role_raw, runs_at, standing, tripped, upon_enabling, watchdog_raw,
+    watchdog_seconds, working, working_raw,
 };
 pub use stop::{StopChoice, watchdog_words};
 
@@ -67,6 +68,10 @@ pub struct Motor<'a, 's> {
     pub changes: Vec<Change>,
     /// The setpoint that was given.
     pub setpoint: Option<Setpoint>,
+    /// A setpoint, and what the drive makes of it by its own settings, if that is known; raw.
+    pub expects: Option<(i64, i64)>,
+    /// Setpoint of the mode that the drive shows; the stop sets it to 0.
+    zeroes: Option<u32>,
     /// What is worth knowing besides.
     pub notes: Vec<String>,
 }
@@ -108,6 +113,8 @@ impl<'a, 's> Motor<'a, 's> {
             steps,
             changes,
             setpoint: None,
+            expects: None,
+            zeroes: None,
             notes: Vec::new(),
         }
     }
@@ -167,6 +174,7 @@ impl<'a, 's> Motor<'a, 's> {
         let family = self.target.family.clone();
         let mut from = situation.state.clone();
         if goal == "operation-enabled" && from != goal {
+            self.clear().await?;
             from = self.begin(&from).await?;
         }
         let facts = situation.facts(&family);

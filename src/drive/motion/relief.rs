@@ -97,6 +97,8 @@ impl Motor<'_, '_> {
                 self.pass(&transition).await?;
                 if transition.to == "quick-stop-active" { self.end_quick_stop().await } else { Ok(()) }
             }
+            // No command is obeyed there but the one that leads out.
+            None if from == "quick-stop-active" => self.leave_quick_stop().await.map(|_state| ()),
             None => {
                 // A stop is never refused: it goes out even if the state says that there is nothing to stop.
                 let command = machine.command(slug).cloned();

@@ -1,19 +1,57 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
-use super::look::raw;
+use super::look::{Standing, raw, standing};
 use super::patience::ROUND;
 use super::shaft::Watch;
 use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Decimal, Setpoint};
+use crate::outcome::{Change, Decimal, Setpoint};
 use crate::profile::{Mode, Movement, Param, Start};
 use crate::tick::Span;
+
+/// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
+const RAMP_BAND: u64 = 10;
 
 impl Motor<'_, '_> {
     /// What is going to be set: decides how the run is stopped and when a setpoint is reached.
     pub fn prepare(&mut self, mode: &Mode) {
         self.mode = Some(mode.clone());
+    }
+
+    /// Takes away what stands in the drive from before and would turn the shaft as soon as it is enabled.
+    pub(super) async fn clear(&mut self) -> Result<(), Failure> {
+        for row in standing(self.session, self.target, self.lang).await? {
+            let Standing { param, shown } = &row;
+            let sent = self.write(param, 0, 0).await;
+            let left = match param.id == shown.0.id {
+                true => raw(self.session, self.target, param, 0, self.lang).await?,
+                // What shows it may show more than that.
+                false => sent.is_err().then_some(shown.1),
+            };
+            if left.is_some_and(|left| left != 0) {
+                let text = self.lang.pick(
+                    "what stands in the drive would turn the shaft as soon as it is enabled, and cannot be set to 0:",
+                    "was im Antrieb steht, würde die Welle mit der Freigabe drehen und lässt sich nicht auf 0 setzen:",
+                );
+                let failure =
+                    Failure::new(Class::Forbidden, "forbidden.standing_setpoint", format!("{text} {}", param.label()));
+                return Err(failure.with("param", param.id));
+            }
+            self.notes.push(row.told(self.lang));
+        }
+        Ok(())
+    }
+
+    /// Writes a setting of the mode; it is given back at the end of a run that is bounded.
+    async fn engage(&mut self, param: &Param, value: i64, known: impl Fn(i64) -> bool) -> Result<(), Failure> {
+        let old = raw(self.session, self.target, param, 0, self.lang).await?;
+        self.touched = true;
+        if let Some(old) = old.filter(|&old| old != value && known(old)) {
+            let (param, name) = (param.id, param.label());
+            self.changes.push(Change { param, name, data_set: 0, old, new: value, restored: false });
+        }
+        self.write(param, 0, value).await
     }
 
     /// Selects the operating mode, if the family has any, proves that it is active, and writes what it needs.
@@ -22,13 +60,12 @@ impl Motor<'_, '_> {
         let family = self.target.family.clone();
         if let (Some(value), Some(selects), Some(shows)) = (mode.value, family.role("mode"), family.role("mode-active"))
         {
-            self.touched = true;
-            self.write(selects, 0, value).await?;
+            // 0 is no mode that could be given back.
+            self.engage(selects, value, |old| family.modes.iter().any(|mode| mode.value == Some(old))).await?;
             self.until_mode(shows, value, mode.name(self.lang)).await?;
         }
         for preset in &mode.engage {
-            self.touched = true;
-            self.write(&family.param_or_unknown(preset.param), 0, preset.value).await?;
+            self.engage(&family.param_or_unknown(preset.param), preset.value, |_| true).await?;
         }
         Ok(())
     }
@@ -64,9 +101,18 @@ impl Motor<'_, '_> {
     pub async fn give(&mut self, param: &Param, raw: i64, unit: &str) -> Result<(), Failure> {
         self.set(param, raw).await?;
         let value = Decimal { raw, decimals: param.decimals_or_zero() };
+        let makes = self.expects.filter(|makes| makes.0 == raw).map(|makes| makes.1);
+        let effective = makes.map(|raw| Decimal { raw, ..value });
         let writes = self.setpoint.as_ref().map_or(0, |setpoint| setpoint.writes) + 1;
-        self.setpoint =
-            Some(Setpoint { param: param.id, value, unit: unit.to_owned(), writes, reached: None, actual: None });
+        self.setpoint = Some(Setpoint {
+            param: param.id,
+            value,
+            effective,
+            unit: unit.to_owned(),
+            writes,
+            reached: None,
+            actual: None,
+        });
         Ok(())
     }
 
@@ -99,7 +145,8 @@ impl Motor<'_, '_> {
             let status = self.look_on().await?;
             let movement = self.movement().await?;
             let changed = watch.see(self.session.now(), movement);
-            let reached = status >> bit & 1 == 1;
+            // The drive's own band may be wide: what its ramp asks for must be what it will run at.
+            let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
             told = if reached && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
             if told == looks {
@@ -120,6 +167,13 @@ impl Motor<'_, '_> {
             }
             self.rest(self.beat()).await?;
         }
+    }
+
+    /// Whether the ramp asks for what the drive will run at, as far as both are known.
+    async fn ramp_is_through(&mut self) -> Result<bool, Failure> {
+        let Some((_, goal)) = self.expects else { return Ok(true) };
+        let ramp = self.role_raw("setpoint-ramp").await?;
+        Ok(ramp.is_none_or(|ramp| ramp.abs_diff(goal) <= (goal.unsigned_abs() / 500).max(RAMP_BAND)))
     }
 
     /// A position is no actual value of a speed or a current.

@@ -1,16 +1,19 @@
 //! The stop at the end of a run, and giving back what was changed for it.
 
-use super::look::{ram_set, watchdog_seconds};
+use super::look::{ram_set, raw, watchdog_seconds};
 use super::shaft::Watch;
 use super::{Lever, Motor, guard};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Decimal, Event, State, Stop};
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Family, Lang, Need, Param, StopRow, Takes};
+use crate::profile::{DataSets, Family, Lang, Mode, Need, Param, StopRow, Takes};
 
 /// How long the stop at the end is tried on a line that does not answer.
 const STOP_TRIES: u8 = 5;
+
+/// The state of a quick stop.
+const QUICK_STOP: &str = "quick-stop-active";
 
 /// How a run is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -221,18 +224,34 @@ impl Motor<'_, '_> {
         stop
     }
 
-    /// The row of the catalogue that says how: another one in modes that no setpoint 0 stops.
-    fn way_to_stop(&self, choice: StopChoice) -> Option<StopRow> {
-        let motion = &self.target.family.motion;
-        let row = motion.stop(choice.slug())?;
-        let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
-        let other = row.otherwise.as_ref().filter(|_| row.zero && !zeroed);
-        other.map_or(Some(row), |slug| motion.stop(slug)).cloned()
+    /// The row of the catalogue that says how: another one in modes that no setpoint 0 stops. What counts is the mode
+    /// that the drive shows: it may have refused the one that was wanted.
+    async fn way_to_stop(&mut self, choice: StopChoice) -> Option<StopRow> {
+        let family = self.target.family.clone();
+        let row = family.motion.stop(choice.slug())?;
+        if !row.zero {
+            return Some(row.clone());
+        }
+        self.zeroes = self.mode_shown().await.filter(|mode| mode.zero).map(|mode| mode.setpoint);
+        let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
+        other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
+    }
+
+    /// The mode that the drive shows; of a family without modes what was set. Asked once: what needs no mode can stop it
+    /// too.
+    async fn mode_shown(&mut self) -> Option<Mode> {
+        let family = self.target.family.clone();
+        let Some(shows) = family.role("mode-active") else { return self.mode.clone() };
+        let retries = self.session.set_retries(0);
+        let value = raw(self.session, self.target, shows, 0, self.lang).await;
+        self.session.set_retries(retries);
+        let value = value.ok().flatten()?;
+        family.modes.iter().find(|mode| mode.value == Some(value)).cloned()
     }
 
     /// Sends a stop once and waits for what proves it. `hurry`: the state must do, the shaft is not waited for.
     async fn try_stop(&mut self, way: StopChoice, hurry: bool, last: bool) -> Result<Proof, Failure> {
-        let Some(row) = self.way_to_stop(way) else {
+        let Some(row) = self.way_to_stop(way).await else {
             return Err(Failure::new(Class::Data, "data.stop", format!("no stop '{}'", way.slug())));
         };
         let state = match self.lever {
@@ -279,7 +298,10 @@ impl Motor<'_, '_> {
     }
 
     async fn stop_by_commands(&mut self, row: &StopRow, last: bool) -> Result<State, Failure> {
-        if row.zero && self.setpoint.is_some() {
+        if self.state().await?.slug == QUICK_STOP {
+            return self.leave_quick_stop().await;
+        }
+        if row.zero {
             match self.ramp_down().await {
                 // On a line without answers the commands must go out all the same, in the end.
                 Err(failure) if last && matches!(failure.class, Class::Silence | Class::Garbled) => {}
@@ -304,9 +326,28 @@ impl Motor<'_, '_> {
     }
 
     async fn zero(&mut self) -> Result<(), Failure> {
-        let Some(param) = self.setpoint.as_ref().map(|setpoint| setpoint.param) else { return Ok(()) };
+        let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
+        let Some(param) = self.zeroes.or(given) else { return Ok(()) };
         let param = self.target.family.param_or_unknown(param);
         self.write(&param, 0, 0).await
+    }
+
+    /// A quick stop that the drive began by itself, because of its watchdog: no command is obeyed there but the one that
+    /// leads out, where the drive does not leave it by itself.
+    pub(super) async fn leave_quick_stop(&mut self) -> Result<State, Failure> {
+        let family = self.target.family.clone();
+        let ways = || family.machine.transitions.iter().filter(|row| row.from == QUICK_STOP);
+        if let Some(way) = ways().find(|way| way.command.is_none())
+            && let Ok(state) = self.until(STOPPED, way.takes, true).await
+        {
+            return Ok(state);
+        }
+        let still = self.until_still().await?;
+        let Some(command) = ways().find_map(|way| family.machine.command(way.command.as_ref()?)) else {
+            return Ok(still);
+        };
+        self.write_control(command.word).await?;
+        self.until(STOPPED, None, true).await
     }
 
     async fn watchdog_note(&mut self) -> String {
