@@ -298,9 +298,6 @@ impl Motor<'_, '_> {
     }
 
     async fn stop_by_commands(&mut self, row: &StopRow, last: bool) -> Result<State, Failure> {
-        if self.state().await?.slug == QUICK_STOP {
-            return self.leave_quick_stop().await;
-        }
         if row.zero {
             match self.ramp_down().await {
                 // On a line without answers the commands must go out all the same, in the end.
@@ -315,6 +312,10 @@ impl Motor<'_, '_> {
                 self.until_still().await?;
             }
             self.write_control(word).await?;
+        }
+        // Looked at behind the commands: on a line without answers they must have gone out.
+        if self.state().await?.slug == QUICK_STOP {
+            return self.leave_quick_stop().await;
         }
         // A drive that tripped, or that lies in a state below the goal, has no power either.
         self.until(STOPPED, row.takes, true).await
