@@ -6,7 +6,7 @@ use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::Target;
 use crate::drive::{describe, family};
 use crate::exchange::Answer;
-use crate::exchange::survey::{Sign, Survey};
+use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Lang, Registry};
 
@@ -173,7 +173,9 @@ pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warnin
     } else if survey.is_noisy() {
         warn("noise", noise(tuning, lang));
     }
-    for (&address, known) in survey.attendance().iter().filter(|(_, known)| known.surplus() > 0) {
+    // Beside another master replies are too many because he asked too.
+    let surplus = |known: &Attendance| known.surplus() > 0 && !survey.is_shared();
+    for (&address, known) in survey.attendance().iter().filter(|(_, known)| surplus(known)) {
         let (asked, replies) = (known.asked, known.replies.len());
         match known.differ() {
             true => warn("same_address", two_voices(address, asked, replies, lang)),
