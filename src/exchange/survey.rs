@@ -9,12 +9,12 @@
 //! * Who is heard is told at once ([`News::Heard`]), so that it can be asked what it is. Meanwhile somebody else has the
 //!   line ([`Survey::resume`]); what he overhears is handed in ([`Survey::overhear`]).
 
+mod foreign;
+
 use super::dialect::{Dialect, Question, Said};
 use super::{Conversation, MOST_RECORDS, Record, Step, Verdict};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{Reply, Request};
-use crate::protocol::vabus;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -504,7 +504,7 @@ impl Survey {
 
     /// Says what bytes are that are no reply: a telegram all the same, or garbage, which has its suspects.
     fn note(&mut self, at: Tick, bytes: &[u8]) {
-        self.foreign += foreign_questions(self.dialect.protocol(), bytes, &self.ours);
+        self.foreign += foreign::questions(self.dialect.protocol(), bytes, &self.ours);
         let Some((station, _)) = self.dialect.sender(bytes) else {
             self.record(Record { at, verdict: Verdict::Garbage, bytes: bytes.to_vec() });
             return self.suspect();
@@ -550,42 +550,6 @@ impl Survey {
             return self.dialect.straggle(&self.came);
         }
         ADAPTER + self.dialect.duration(self.line, 2)
-    }
-}
-
-/// How many questions stand among bytes that are no reply to us: what only a master sends, and not `ours`, which a line may
-/// double. Question and reply of somebody else come as one piece where his pauses are short.
-fn foreign_questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
-    let (mut rest, mut count) = (bytes, 0);
-    while !rest.is_empty() {
-        let ends = 1..=rest.len().min(LONGEST_QUESTION);
-        let question =
-            ends.filter_map(|end| rest.split_at_checked(end)).find(|(piece, _)| is_question(protocol, piece));
-        match question {
-            Some((piece, after)) => {
-                count += u32::from(piece != ours);
-                rest = after;
-            }
-            None => rest = rest.get(1..).unwrap_or_default(),
-        }
-    }
-    count
-}
-
-/// Longest question that is looked for, in bytes; one in ASCII takes 17.
-const LONGEST_QUESTION: usize = 32;
-
-/// Whether this is a telegram that asks or orders. A reply to an order looks like the order, and a survey orders nothing.
-fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
-    let framing = match protocol {
-        Protocol::Vabus => return vabus::Request::decode(bytes).is_ok(),
-        Protocol::Modbus(framing) => framing,
-    };
-    let Ok(adu) = framing.decode(bytes) else { return false };
-    match Request::decode(&adu.pdu) {
-        Ok(Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. }) | Err(_) => false,
-        Ok(request) if request.is_write() => true,
-        Ok(_) => !Reply::decode(&adu.pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. })),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Files that a user names, and output that cannot be written: refused in words, at once, with the right exit code.
 
 use crate::run::antrieb;
-use std::path::Path;
 
 /// Every way to name a file, with what reads it.
 const NAMED: [&str; 8] = [
@@ -16,7 +15,7 @@ const NAMED: [&str; 8] = [
 ];
 
 #[cfg(target_os = "linux")]
-fn pipe(path: &Path) {
+fn pipe(path: &std::path::Path) {
     rustix::fs::mknodat(rustix::fs::CWD, path, rustix::fs::FileType::Fifo, 0o600.into(), 0).unwrap();
 }
 

@@ -1,0 +1,65 @@
+//! Questions that somebody else asks: the sign of another master on the line.
+
+use crate::protocol::Protocol;
+use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::vabus;
+
+/// How many questions stand among bytes that are no reply to us: what only a master sends, and not `ours`, which a line may
+/// double. Question and reply of somebody else come as one piece where his pauses are short.
+pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
+    let (mut rest, mut count) = (bytes, 0);
+    while !rest.is_empty() {
+        let ends = 1..=rest.len().min(LONGEST_QUESTION);
+        let question =
+            ends.filter_map(|end| rest.split_at_checked(end)).find(|(piece, _)| is_question(protocol, piece));
+        match question {
+            Some((piece, after)) => {
+                count += u32::from(piece != ours);
+                rest = after;
+            }
+            None => rest = rest.get(1..).unwrap_or_default(),
+        }
+    }
+    count
+}
+
+/// Longest question that is looked for, in bytes; one in ASCII takes 17.
+const LONGEST_QUESTION: usize = 32;
+
+/// Whether this is a telegram that asks or orders. A reply to an order looks like the order, and a survey orders nothing.
+fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
+    let framing = match protocol {
+        Protocol::Vabus => return vabus::Request::decode(bytes).is_ok(),
+        Protocol::Modbus(framing) => framing,
+    };
+    let Ok(adu) = framing.decode(bytes) else { return false };
+    match Request::decode(&adu.pdu) {
+        Ok(Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. }) | Err(_) => false,
+        Ok(request) if request.is_write() => true,
+        Ok(_) => !Reply::decode(&adu.pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. })),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::modbus::{Framing, rtu};
+
+    const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
+
+    fn telegram(station: u8, pdu: &[u8]) -> Vec<u8> {
+        rtu::encode(station, pdu)
+    }
+
+    #[test]
+    fn questions_are_found_among_replies_and_noise_but_not_our_own() {
+        let (read, order) = (telegram(9, &[3, 1, 0x9B, 0, 1]), telegram(9, &[6, 1, 0x9A, 0, 15]));
+        let (reply, refusal) = (telegram(9, &[3, 2, 0, 35]), telegram(9, &[0x83, 2]));
+        let mixed = [&[0x55, 0][..], &read, &reply, &order, &refusal, &read].concat();
+        assert_eq!(questions(RTU, &mixed, &[]), 3);
+        assert_eq!(questions(RTU, &mixed, &read), 1);
+        for alone in [reply, refusal, telegram(9, &[8, 0, 0, 1, 2]), vec![0x55; 200], Vec::new()] {
+            assert_eq!(questions(RTU, &alone, &[]), 0, "{alone:?}");
+        }
+    }
+}
