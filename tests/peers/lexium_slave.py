@@ -67,7 +67,8 @@ def _(line):
         asked = servo_drive.asked()
     expect("drive", (drive["address"], drive["drive"]), (servo.STATION, "lxm05"))
     expect_text("evidence", str(drive["evidence"]), servo.VENDOR, servo.PRODUCT, servo.REVISION)
-    expect("first two", asked[:2], [(READ, "019b0001"), (IDENTIFY, "0e0100")])
+    # 411 comes later: an LXM05 refuses it, which overwrites its last synchronous error.
+    expect("first", asked[:1], [(IDENTIFY, "0e0100")])
 
 
 @case("{}: code 3, `read` takes neighbours in one telegram", each=LINES)
