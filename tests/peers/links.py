@@ -179,7 +179,7 @@ def _():
         tape = f"tape:{directory}/run.trace"
         for words in COMMANDS:
             words = ["--parity", "none", *words]
-            done = antrieb(served.port, "--trace", tape.removeprefix("tape:"), *words).exits(0)
+            done = antrieb(served.port, "--force", "--trace", tape.removeprefix("tape:"), *words).exits(0)
             played = antrieb(tape, *words).exits(0)
             by_tty, by_tape = (out.replace(str(port), "PORT") for out, port in ((done.out, served.port), (played.out, tape)))
             expect(" ".join(words), json.loads(by_tape)["data"], json.loads(by_tty)["data"])

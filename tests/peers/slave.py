@@ -28,7 +28,9 @@ WORDS = {
     address_word(270): 0,  # warnings
     address_word(411): 0x0023,  # status word
     address_word(412): 0,  # control mode
+    address_word(412, 5): 0,  # the one in force: RAM
     address_word(413): 0,  # watchdog
+    address_word(413, 5): 0,
     **{address_word(372, data_set): 1_300 + 10 * data_set for data_set in (1, 2, 3, 4)},
     **{address_word(376, data_set): 8 for data_set in (1, 2, 3, 4)},
 }
