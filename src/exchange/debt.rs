@@ -12,10 +12,23 @@ const HOLD: Span = Span::from_secs(2);
 /// The longest that a drive takes to answer but under high load (CM-485 manual 6.8).
 pub(super) const LATEST_REPLY: Span = Span::from_millis(500);
 
+/// Replies that are remembered of every station although a fence was answered before they came.
+const MOST_OVERTAKEN: usize = 16;
+
+/// A reply that was missing when a later one came: it is lost, or a link that mixes up telegrams brings it afterwards.
+#[derive(Clone, Debug)]
+pub(super) struct Overtaken {
+    pub(super) missing: Question,
+    /// When it was missed.
+    pub(super) since: Tick,
+}
+
 /// What one station owes.
 #[derive(Clone, Debug, Default)]
 struct Debt {
     missing: Vec<Question>,
+    /// The same, every asking for itself, without those that were answered by garbage.
+    lately: Vec<Overtaken>,
     since: Tick,
     /// Nothing else can overtake the missing replies after this; a drive under load may still be late.
     due: Tick,
@@ -28,24 +41,38 @@ struct Debt {
 pub(super) struct Debts {
     by_station: BTreeMap<u8, Debt>,
     heard: BTreeSet<u8>,
+    overtaken: BTreeMap<u8, Vec<Overtaken>>,
+    /// A reply came after a later one: the line mixes them up.
+    mixes: bool,
 }
 
 impl Debts {
     /// A station owes the reply to a question, which is due at a time.
     pub(super) fn owes(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
+        self.note(station, &missing, due, now).remember(&missing, now);
+    }
+
+    /// A question was answered by garbage, which most likely was the reply.
+    pub(super) fn may_owe(&mut self, station: u8, missing: &Question, now: Tick) {
+        self.note(station, missing, now, now);
+    }
+
+    fn note(&mut self, station: u8, missing: &Question, due: Tick, now: Tick) -> &mut Debt {
         let debt = self.by_station.entry(station).or_default();
         debt.since = now;
         debt.due = debt.due.max(due);
         debt.owed = debt.owed.saturating_add(1);
-        if !debt.missing.contains(&missing) {
-            debt.missing.push(missing);
+        if !debt.missing.contains(missing) {
+            debt.missing.push(missing.clone());
         }
+        debt
     }
 
     /// A station owes the reply to a fence too. That is none to be waited for.
-    pub(super) fn owes_fence(&mut self, station: u8, fence: Question) {
+    pub(super) fn owes_fence(&mut self, station: u8, fence: Question, now: Tick) {
         let Some(debt) = self.by_station.get_mut(&station) else { return };
         debt.owed = debt.owed.saturating_add(1);
+        debt.remember(&fence, now);
         if !debt.missing.contains(&fence) {
             debt.missing.push(fence);
         }
@@ -63,6 +90,7 @@ impl Debts {
         let pays = debt.missing.iter().any(|missing| missing.is_answered_by(said));
         if pays {
             debt.owed = debt.owed.saturating_sub(1);
+            take_first(&mut debt.lately, said);
         }
         if debt.owed == 0 {
             self.by_station.remove(&station);
@@ -70,9 +98,34 @@ impl Debts {
         pays
     }
 
-    /// Everything that a station owed has come, or cannot come any more.
-    pub(super) fn settle(&mut self, station: u8) {
-        self.by_station.remove(&station);
+    /// Everything that a station owed has come, or cannot come any more, as stations answer in order. What has not come is
+    /// remembered for as long as a line that mixes up telegrams may take.
+    pub(super) fn settle(&mut self, station: u8, now: Tick) {
+        let Some(debt) = self.by_station.remove(&station) else { return };
+        let overtaken = self.overtaken.entry(station).or_default();
+        overtaken.extend(debt.lately);
+        overtaken.retain(|old| now < old.since + LATEST_OF_ALL);
+        let surplus = overtaken.len().saturating_sub(MOST_OVERTAKEN);
+        overtaken.drain(..surplus);
+    }
+
+    /// Replies of a station that may still come although later ones have.
+    pub(super) fn overtaken(&self, station: u8, now: Tick) -> impl Iterator<Item = &Overtaken> {
+        self.overtaken.get(&station).into_iter().flatten().filter(move |old| now < old.since + LATEST_OF_ALL)
+    }
+
+    /// A reply came that nobody waited for: it is one that was overtaken, if it answers what was asked then.
+    pub(super) fn arrives(&mut self, station: u8, said: &Said, now: Tick) -> bool {
+        let Some(overtaken) = self.overtaken.get_mut(&station) else { return false };
+        overtaken.retain(|old| now < old.since + LATEST_OF_ALL);
+        let arrives = take_first(overtaken, said);
+        self.mixes |= arrives;
+        arrives
+    }
+
+    /// Whether a reply came after a later one.
+    pub(super) fn mixes(&self) -> bool {
+        self.mixes
     }
 
     /// Questions whose replies may still come from a station.
@@ -90,4 +143,19 @@ impl Debts {
         let owing = self.by_station.iter().filter(|(station, _)| self.heard.contains(station));
         owing.map(|(_, debt)| debt.since + HOLD)
     }
+}
+
+impl Debt {
+    fn remember(&mut self, missing: &Question, since: Tick) {
+        if self.lately.len() >= MOST_OVERTAKEN {
+            self.lately.remove(0);
+        }
+        self.lately.push(Overtaken { missing: missing.clone(), since });
+    }
+}
+
+/// Takes away the first that is answered by this.
+fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said) -> bool {
+    let place = overtaken.iter().position(|old| old.missing.is_answered_by(said));
+    place.map(|place| overtaken.remove(place)).is_some()
 }

@@ -41,6 +41,10 @@ pub(super) struct Job {
     pub(super) same_fence: u8,
     /// How often it was asked anew because its answer may have been an older one.
     pub(super) rounds: u8,
+    /// Answers that may be overtaken ones to something else, until others agree with them.
+    pub(super) witnesses: Vec<Said>,
+    /// The answer came behind garbage as long as a telegram.
+    pub(super) doubted: bool,
     /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
     pub(super) echoed: bool,
     /// The station sent something valid meanwhile: it is there, and late.

@@ -43,17 +43,20 @@ pub(super) const BUSY: Span = Span::from_secs(1);
 pub(super) const LATEST_OF_ALL: Span = Span::from_secs(7);
 /// How often a question is asked anew because its answer may be an older one.
 pub(super) const ROUNDS: u8 = 2;
+/// How often it is asked so that answers agree, where one that was overtaken may come.
+pub(super) const WITNESSES: usize = 3;
 
 impl Limits {
     /// The longest that one question takes, whatever comes over the line. It is asked, and in the worst case asked again
-    /// twice behind a fence, every time as often as it is repeated; once the line must become silent, once a reply that is
-    /// still owed is waited for, and once more the answer to a fence.
+    /// twice behind a fence and three times for a witness, every time as often as it is repeated; once the line must become
+    /// silent, once a reply that is still owed is waited for, once one that was overtaken, and once more the answer to a
+    /// fence.
     pub fn longest(&self, protocol: Protocol, line: LineSetting) -> Span {
         let dialect = Dialect::new(protocol);
         let telegram = dialect.duration(line, rtu::MAX_FRAME);
         let one_try = telegram + self.reply_timeout + dialect.longest_straggle();
-        let tries = (u64::from(self.retries) + 1) * (1 + 2 * u64::from(ROUNDS));
-        one_try.times(tries) + self.patience(protocol, line) + LATEST_OF_ALL.times(2) + self.turnaround
+        let tries = (u64::from(self.retries) + 1) * (1 + 2 * u64::from(ROUNDS) + WITNESSES as u64);
+        one_try.times(tries) + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
     }
 
     /// How long all telegrams of a question together wait for a silent line.

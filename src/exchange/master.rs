@@ -173,6 +173,8 @@ impl Master {
             asked: 0,
             same_fence: 0,
             rounds: 0,
+            witnesses: Vec::new(),
+            doubted: false,
             echoed: false,
             heard: false,
             patient: false,
@@ -304,7 +306,7 @@ impl Master {
             job.patience = job.patience.min(last.since(now));
         }
         if matches!(job.parting, Parting::Until(until) if now >= until) {
-            self.debts.settle(job.station);
+            self.debts.settle(job.station, now);
             job.parting = Parting::None;
         }
         let verdict = if fence { Verdict::Fence } else { Verdict::Request };
@@ -413,11 +415,12 @@ impl Master {
         if self.may_be_old(&said) {
             return self.ask_behind_fence(at, sent_end);
         }
+        let Some(said) = self.witnessed(at, said) else { return };
         let Some(job) = &mut self.job else { return };
         self.debts.hears(job.station);
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
             // Everything older has come; of a fence that was asked more than once further replies may.
-            self.debts.settle(job.station);
+            self.debts.settle(job.station, at);
             for _ in 1..job.same_fence {
                 self.debts.owes(job.station, fence.clone(), sent_end + LATEST_REPLY, at);
             }
@@ -465,7 +468,7 @@ impl Master {
         }
         let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
         // Garbage as long as a reply most likely was the reply.
-        let due = if matches!(verdict, Came::Garbage) { now } else { waiting.sent_end + LATEST_REPLY };
+        let due = (!matches!(verdict, Came::Garbage)).then_some(waiting.sent_end + LATEST_REPLY);
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         job.echoed |= echoed;
         let asked = job.asked;
@@ -497,14 +500,17 @@ impl Master {
         (verdict, rest.to_vec())
     }
 
-    /// No answer came: repeat, or end.
-    fn miss(&mut self, now: Tick, due: Tick, error: ExchangeError) -> Step<Outcome> {
+    /// No answer came: repeat, or end. What came may have been it: then nothing is due.
+    fn miss(&mut self, now: Tick, due: Option<Tick>, error: ExchangeError) -> Step<Outcome> {
         let Some(job) = &self.job else { return Step::Wait(now) };
         let station = job.station;
         let old = self.debts.due(station).map_or(now + LATEST_OF_ALL, |(_, end)| end);
         match job.is_fenced() {
-            true => self.debts.owes_fence(station, job.asks().clone()),
-            false => self.debts.owes(station, job.asks().clone(), due, now),
+            true => self.debts.owes_fence(station, job.asks().clone(), now),
+            false => match due {
+                Some(due) => self.debts.owes(station, job.asks().clone(), due, now),
+                None => self.debts.may_owe(station, job.asks(), now),
+            },
         }
         match error {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
@@ -551,13 +557,14 @@ impl Master {
     fn feed_orphan(&mut self, at: Tick, bytes: &[u8]) -> bool {
         let Some(orphan) = &mut self.orphan else { return false };
         orphan.came.extend_from_slice(bytes);
-        if self.dialect.find(&orphan.came, orphan.station, &orphan.question).is_none() {
+        let Some(found) = self.dialect.find(&orphan.came, orphan.station, &orphan.question) else {
             keep(&mut orphan.came, &[]);
             return true;
-        }
+        };
         let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
         self.orphan = None;
-        self.debts.settle(station);
+        self.debts.pays(station, &found.said);
+        self.debts.settle(station, at);
         if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
             job.parting = Parting::None;
         }
@@ -609,6 +616,7 @@ impl Master {
                     job.heard = true;
                 }
                 self.explain(at, station, said, bytes);
+                self.note_foreign(at, bytes);
                 self.tally.strays += 1;
                 Verdict::Stray { station }
             }
@@ -633,3 +641,4 @@ impl Conversation for Master {
 mod believe;
 #[cfg(test)]
 mod tests;
+mod witness;

@@ -9,7 +9,7 @@
 //! * Who is heard is told at once ([`News::Heard`]), so that it can be asked what it is. Meanwhile somebody else has the
 //!   line ([`Survey::resume`]); what he overhears is handed in ([`Survey::overhear`]).
 
-mod foreign;
+pub(super) mod foreign;
 
 use super::dialect::{Dialect, Question, Said};
 use super::{Conversation, MOST_RECORDS, Record, Step, Verdict};

@@ -63,7 +63,10 @@ impl Master {
             return false;
         }
         (held.weight, held.until) = (Weight::Copy, waiting.deadline);
-        self.heard.sees_twins(*station);
+        // One of the two may have been overtaken: that makes no second drive.
+        if !self.debts.arrives(*station, &held.said, held.at) {
+            self.heard.sees_twins(*station);
+        }
         true
     }
 
@@ -71,11 +74,16 @@ impl Master {
     fn accept(&mut self, at: Tick, start: usize, end: usize, said: Said) -> Option<(Tick, Said)> {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return None };
         let (came, sent, sent_end) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.sent_end);
-        let (held, echoed) = (waiting.held.take(), waiting.echoed);
+        let (held, echoed, garbage) = (waiting.held.take(), waiting.echoed, waiting.garbage.len());
         let (before, rest) = came.split_at_checked(start)?;
         let (reply, behind) = rest.split_at_checked(end - start)?;
         if !echoed {
             self.echo.learn(&sent, before);
+        }
+        let noise = before.strip_suffix(&sent[..]).unwrap_or(before);
+        let noise = if self.dialect.sender(noise).is_some() { 0 } else { noise.len() };
+        if let Some(job) = self.job.as_mut().filter(|job| !job.is_fenced()) {
+            job.doubted |= noise.max(garbage) >= self.dialect.shortest_reply();
         }
         self.note_before(at, before, &sent);
         if let Some(held) = held {
@@ -194,7 +202,7 @@ impl Master {
             false => {}
         }
         let Some(said) = said else { return };
-        if self.debts.pays(station, &said) {
+        if self.debts.pays(station, &said) || self.debts.arrives(station, &said, at) {
             return;
         }
         let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {

@@ -138,7 +138,7 @@ fn a_fence_is_never_one_of_the_missing_questions() {
     assert!(line.ask(1, counter(0x0B), &[]).is_err());
     assert!(line.ask(1, READ, &[]).is_err());
     let late = counted(0x0B, 99);
-    let outcome = line.ask(1, OTHER, &[&[(10, late), (60, counted(0x0E, 5))], &[(10, value(7))]]);
+    let outcome = line.ask(1, OTHER, &[&[(10, late), (60, counted(0x0E, 5))], &[(10, value(7))], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
 }
 
@@ -331,7 +331,11 @@ fn another_fence_each_time_tells_its_answer_from_a_late_one() {
     assert!(line.ask(1, READ, &[]).is_err());
     // The first fence is answered only after the second was sent; the reply to the second comes later still.
     let second = frame(1, &Reply::Diagnostics { sub: 0x0E, data: 9 });
-    let outcome = line.ask(1, OTHER, &[&[(700, fence_reply())], &[(400, second)], &[(10, value(7))]]);
+    let outcome = line.ask(
+        1,
+        OTHER,
+        &[&[(700, fence_reply())], &[(400, second)], &[(10, value(7))], &[(10, value(7))], &[(10, value(7))]],
+    );
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
     assert_eq!(line.master.owes_until(line.now), None);
 }
@@ -570,7 +574,7 @@ fn a_question_given_up_is_waited_for_before_the_next_is_sent() {
         line.now += Span::from_micros(100);
     }
     let begun = line.now;
-    let outcome = line.ask(1, OTHER, &[&[(10, fence_reply())], &[(10, value(7))]]);
+    let outcome = line.ask(1, OTHER, &[&[(10, fence_reply())], &[(10, value(7))], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
     assert!(line.now.since(begun) > Span::from_millis(500));
     assert_eq!(line.master.tally().fences, 1);
@@ -584,4 +588,50 @@ fn ascii_replies_may_dawdle() {
     let pieces = [(10, head.to_vec()), (40, tail.to_vec())];
     assert_eq!(taken(line.ask(1, READ, &[&pieces])), Reply::Registers(vec![1390]));
     assert_eq!(line.sent, [b":010321740001 66\r\n".iter().copied().filter(|&b| b != b' ').collect::<Vec<_>>()]);
+}
+
+#[test]
+fn a_reply_that_a_fence_has_overtaken_is_never_a_value() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    // The reply to READ comes 700 ms after it was asked, behind the fence's, and the answer to OTHER later still.
+    assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+    let replies: [&[(u64, Vec<u8>)]; 4] =
+        [&[(10, fence_reply())], &[(300, value(7))], &[(10, value(7))], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn a_value_that_changes_is_read_behind_a_lost_reply_all_the_same() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(1, READ, &[]).is_err());
+    let replies: [&[(u64, Vec<u8>)]; 6] = [
+        &[(10, fence_reply())],
+        &[(10, value(1))],
+        &[(10, value(2))],
+        &[(10, value(3))],
+        &[(10, value(4))],
+        &[(10, value(5))],
+    ];
+    assert!(matches!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(_)));
+    assert!(line.now < Tick::from_micros(1_800_000), "nothing waits for what never comes");
+}
+
+#[test]
+fn the_answer_to_another_master_is_not_ours() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.feed(line.now, &rtu::encode(1, &OTHER.encode()));
+    let outcome = line.ask(1, READ, &[&[(6, value(7)), (17, value(1390))]]);
+    assert!(
+        !matches!(&outcome, Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. }) if *words == [7])
+    );
+}
+
+#[test]
+fn an_answer_behind_garbage_as_long_as_a_telegram_is_heard_twice() {
+    let mut line = Line::new(Framing::Rtu);
+    assert_eq!(taken(line.ask(1, READ, &[&[(11, value(1390))]])), Reply::Registers(vec![1390]));
+    let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40];
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, value(7))], &[(11, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
 }

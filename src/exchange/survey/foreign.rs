@@ -1,5 +1,6 @@
 //! Questions that somebody else asks: the sign of another master on the line.
 
+use super::super::dialect::Question;
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::vabus;
@@ -25,6 +26,20 @@ pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
 
 /// Longest question that is looked for, in bytes; one in ASCII takes 17.
 const LONGEST_QUESTION: usize = 32;
+
+/// The station that is asked, and what, if this is a telegram that can only come from a master.
+pub(in crate::exchange) fn question(protocol: Protocol, bytes: &[u8]) -> Option<(u8, Question)> {
+    if !is_question(protocol, bytes) {
+        return None;
+    }
+    match protocol {
+        Protocol::Vabus => vabus::Request::decode(bytes).ok().map(|asked| (asked.address().id(), asked.into())),
+        Protocol::Modbus(framing) => {
+            let adu = framing.decode(bytes).ok()?;
+            Some((adu.station, Request::decode(&adu.pdu).ok()?.into()))
+        }
+    }
+}
 
 /// Whether this is a telegram that asks or orders. A reply to an order looks like the order, and a survey orders nothing.
 fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
