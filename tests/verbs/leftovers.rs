@@ -152,7 +152,9 @@ fn every_stop_leads_out_of_a_quick_stop_that_stays() {
             },
             |bench| {
                 let servo = bench.drive(1).unwrap().servo(Tick::ZERO).unwrap();
-                assert_eq!((servo.state, bench.totals().turning, bench.totals().energised), (0x40, 0, 0), "{slug}");
+                assert_eq!((servo.state, bench.totals().energised), (0x40, 0), "{slug}");
+                // Disable voltage goes out at once, into a quick stop too: the shaft coasts.
+                assert!(bench.totals().turning == 0 || slug == "disable-voltage", "{slug}");
             },
         );
     }
