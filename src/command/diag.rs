@@ -183,10 +183,15 @@ async fn diagnose(
     let mut reader = Reader::new(session, &mut target, settings);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
-    let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
+    // Once for both: on some drives reading moves on to the entry before.
+    let memory = memory(&mut reader, &family).await?;
+    let newest = memory.iter().find(|value| family.role("fault").is_some_and(|param| param.id == value.param));
+    let fault = match newest {
+        Some(newest) => newest.raw,
+        None => reader.vital_role("fault").await?.and_then(|value| value.raw),
+    };
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
     let watchdog = reader.in_force("watchdog").await?.value;
-    let memory = memory(&mut reader, &family).await?;
     let (mut failures, good) = reader.into_failures();
     let present = status.as_ref().zip(fault).map(|(word, code)| family.present_fault(word.raw, code as u32));
     let code = present.map(|code| code.unwrap_or(0));

@@ -5,6 +5,7 @@ use super::telegram_reader;
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::watchdog_raw;
 use crate::drive::{Cell, Inquiry, decode};
+use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plan};
 use crate::profile::{DataSets, Facts, Family, Lang, Param, Sets, Type, value};
 
@@ -102,15 +103,16 @@ impl<'r> Rehearsal<'r> {
     }
 
     /// What the options set before anything moves.
-    pub(super) fn bounds(&mut self, motion: &MotionArgs, needs_control: bool) {
+    pub(super) fn bounds(&mut self, motion: &MotionArgs, needs_control: bool) -> Result<(), Failure> {
         let family = self.family;
         if let (Some(span), Some(param)) = (motion.watchdog, family.role("watchdog")) {
-            self.change(param, watchdog_raw(family, span));
+            self.change(param, watchdog_raw(family, span, self.lang)?);
         }
         let control = family.motion.control.filter(|_| motion.take_control && needs_control);
         if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
             self.change(param, control.obeys);
         }
+        Ok(())
     }
 
     /// A control word, and the look that proves what it did.

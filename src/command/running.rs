@@ -43,10 +43,26 @@ impl Plan<'_> {
 /// The only drive that is meant; several at once are not moved by one command.
 pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
     match addresses_to_write(context.settings)?.as_slice() {
-        [0] => Err(usage("expected the address of one drive, got 0 (everybody)")),
+        [0] => Err(not_everybody(context)),
         [only] => Ok(*only),
         _ => Err(usage("expected the address of one drive, got several; motion is one drive at a time")),
     }
+}
+
+/// A run is one drive's; to all at once goes only what a single telegram does, unproven.
+fn not_everybody(context: &Context<'_>) -> Failure {
+    let lang = context.settings.lang;
+    let failure = usage("expected the address of one drive, got 0 (everybody)");
+    let family = super::offline_family(context.settings, context.registry).ok();
+    let word = family
+        .as_ref()
+        .and_then(|family| Some((family.role("control-word")?, family.machine.command("disable-voltage")?)));
+    let Some((param, command)) = word else { return failure };
+    let (name, word) = (param.short.clone().unwrap_or_else(|| param.id.to_string()), command.word);
+    failure.hint(match lang {
+        Lang::En => format!("`-a 0 write {name}={word}` takes the power from all of them at once; no answer proves it"),
+        Lang::De => format!("`-a 0 write {name}={word}` nimmt allen auf einmal die Spannung; keine Antwort belegt es"),
+    })
 }
 
 fn usage(text: &str) -> Failure {
@@ -71,6 +87,7 @@ pub(super) async fn run<'p, C>(
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
+    let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
     // A command that relieves looks for itself, and goes out even where little can be seen.
     let before = match look(&mut session, &mut target, lang).await {
         Err(failure) if plan.relief.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => {
@@ -97,7 +114,7 @@ pub(super) async fn run<'p, C>(
     }
     let ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
-            prepare(motor, &plan, &family).await?;
+            prepare(motor, &plan, &family, watchdog).await?;
             work(motor, checked).await
         })
         .await;
@@ -113,9 +130,14 @@ pub(super) async fn run<'p, C>(
 }
 
 /// Changes for the run what the user wants changed.
-async fn prepare(motor: &mut Motor<'_, '_>, plan: &Plan<'_>, family: &Family) -> Result<(), Failure> {
-    if let Some(watchdog) = plan.args.watchdog {
-        motor.change("watchdog", watchdog_raw(family, watchdog)).await?;
+async fn prepare(
+    motor: &mut Motor<'_, '_>,
+    plan: &Plan<'_>,
+    family: &Family,
+    watchdog: Option<i64>,
+) -> Result<(), Failure> {
+    if let Some(watchdog) = watchdog {
+        motor.change("watchdog", watchdog).await?;
     }
     if let Some(control) = family.motion.control.filter(|_| plan.args.take_control && plan.needs_control) {
         motor.change("control-mode", control.obeys).await?;
@@ -143,7 +165,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     let state = |situation: &Situation| describe::state(family, situation.status, lang);
     let to = seen.after.as_ref().map(state);
     let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
-    let mut notes = done.notes;
+    let mut notes = done.notes.clone();
     if running == Some(true) {
         let keeps = match plan.relief {
             Some(Relief::Zero) => {
@@ -165,7 +187,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
         notes.push(watchdog_words(family, watchdog_s, lang));
     }
-    let failure = verdict::of(plan, family, &seen, &ended, running, done.setpoint.as_ref(), lang);
+    let failure = verdict::of(plan, family, &seen, &ended, running, &done, lang);
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),

@@ -187,7 +187,10 @@ async fn carry_out(
     lead(motor, wanted, unit).await?;
     match &wanted.start {
         Some(start) => motor.travel(start).await?,
-        None if until_reached => motor.until_reached().await?,
+        None if until_reached => {
+            motor.until_reached().await?;
+            as_told(motor, wanted)?;
+        }
         None => {}
     }
     if motion.hold {
@@ -200,6 +203,18 @@ async fn carry_out(
             .await?;
     }
     Ok(())
+}
+
+/// What a drive bends to its limits is not reached, whatever its own bit says.
+fn as_told(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
+    let last = wanted.schedule.at(u64::MAX);
+    let Some(runs_at) = wanted.effective.filter(|total| total.bends(last)).and_then(|total| total.of(last)) else {
+        return Ok(());
+    };
+    if let Some(setpoint) = &mut motor.setpoint {
+        setpoint.reached = Some(false);
+    }
+    Err(motor.bent(last, runs_at))
 }
 
 /// Leads the setpoint along its schedule.
@@ -253,7 +268,7 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
     let mut motion = args.motion.clone();
     motion.hold |= args.jog.is_some();
     let mut told = Rehearsal::new(context.settings, family, address);
-    told.bounds(&motion, enable);
+    told.bounds(&motion, enable)?;
     wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
     if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
         told.write(&wanted.param, 0, 0);
@@ -272,7 +287,7 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
         told.control(start.word);
         told.command("enable");
     }
-    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero));
+    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()));
     Ok(told.told())
 }
 

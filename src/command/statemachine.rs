@@ -301,7 +301,7 @@ fn dry_run(
 ) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
     let mut told = Rehearsal::new(context.settings, family, address);
-    told.bounds(motion, needs_control);
+    told.bounds(motion, needs_control)?;
     way(&mut told);
     told.end(motion, None);
     Ok(told.told())
@@ -352,7 +352,9 @@ async fn show(
     let present = status.as_ref().zip(fault).map(|(word, code)| (word.raw, code as u32));
     let (failures, good) = reader.into_failures();
     let missing = if failures.is_empty() {
-        let situation = look(session, &mut target, lang).await?;
+        let mut situation = look(session, &mut target, lang).await?;
+        // The first reading is the newest entry, where each moves on to the one before.
+        situation.fault = present.map(|(status, code)| target.family.present_fault(status, code).unwrap_or(0).into());
         missing(&situation, &target, lang)
     } else {
         Vec::new()

@@ -18,6 +18,8 @@ use clap::Args as ClapArgs;
 /// set, @ram and @2ram write to RAM only, which is lost at power-off but does not wear the EEPROM. Without @ the value
 /// goes to data set 0, which sets all four sets of a switchable parameter.
 ///
+/// What cuts the line at once (P.1376, P.395) or restarts the drive goes last; two of these are refused beside each other.
+///
 /// Everything is checked before anything is sent. Then old and new values are shown and you are asked; every write is
 /// read back. What the drive has already is not sent again.
 #[derive(Clone, Debug, ClapArgs)]
@@ -140,7 +142,22 @@ fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure>
             steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
         }
     }
-    Ok(steps)
+    cutting_last(steps, lang)
+}
+
+/// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.
+fn cutting_last(mut steps: Vec<Step>, lang: Lang) -> Result<Vec<Step>, Failure> {
+    steps.sort_by_key(|step| cuts(&step.param));
+    let mut cutting = steps.iter().rev().take_while(|step| cuts(&step.param)).map(|step| step.param.label());
+    let (Some(last), Some(other)) = (cutting.next(), cutting.next()) else { return Ok(steps) };
+    let message = match lang {
+        Lang::En => format!("{other} and {last} both cut the line or restart the drive at once; write them one by one"),
+        Lang::De => format!("{other} und {last} kappen beide sofort die Leitung oder starten den Antrieb neu"),
+    };
+    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(lang.pick(
+        "behind the first the drive is reached with its new setting only; `line set` changes several and follows",
+        "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und folgt",
+    )))
 }
 
 /// The raw value, if everything that the catalogue knows allows it.
@@ -319,6 +336,11 @@ pub(super) async fn permit(
     }
     hazards.sort_unstable();
     hazards.dedup();
+    if todo.len() > 1 && todo.iter().any(|(_, (step, _))| cuts(&step.param)) {
+        let last =
+            lang.pick("what cuts the line at once goes last", "was die Leitung sofort kappt, geht zuletzt hinaus");
+        details.push(last.to_owned());
+    }
     details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard, lang)).map(str::to_owned));
     let title = match (todo.len(), lang) {
         (1, Lang::En) => "write 1 value".to_owned(),
@@ -449,12 +471,16 @@ async fn begin(session: &mut Session<'_>, target: &mut Target, step: &Step) -> R
 
 /// Whether reading back proves anything: not where the line or the drive is gone at once.
 fn reads_back(param: &Param) -> bool {
-    let cuts = match param.hazard {
+    param.access.reads() && !cuts(param)
+}
+
+/// Whether the line or the drive is gone at once behind a write.
+fn cuts(param: &Param) -> bool {
+    match param.hazard {
         Some(HazardKind::Line) => param.effective == Effective::AtOnce,
         Some(HazardKind::Reset) => true,
         Some(HazardKind::Motion) | None => false,
-    };
-    param.access.reads() && !cuts
+    }
 }
 
 fn result(fate: &WriteFate) -> WriteResult {

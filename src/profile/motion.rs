@@ -154,7 +154,7 @@ pub struct StopRow {
     pub slug: String,
     /// Commands, in this order; before the second the shaft must stand.
     pub commands: Vec<String>,
-    /// First the setpoint goes to 0 and the shaft must stand, in modes whose setpoint 0 stands still.
+    /// First the setpoint goes to 0 and the shaft must stand, in modes whose setpoint 0 brings it to rest.
     #[serde(default)]
     pub zero: bool,
     /// The way that is taken in its place in other modes.
@@ -218,16 +218,20 @@ pub struct Mode {
     /// Nothing says that the setpoint is reached.
     #[serde(default)]
     pub endless: bool,
-    /// The setpoint 0 stands still: it is written before the drive is enabled, and is how a ramp stop begins.
+    /// The setpoint 0 moves nothing: it is written before the drive is enabled, and, where it also holds, is how a ramp stop
+    /// begins.
     #[serde(default)]
     pub zero: bool,
-    /// The setpoint 0 leaves the shaft without torque, or acts on something else than its speed: a load may move it.
+    /// The setpoint 0 leaves the shaft without torque, or acts on something else than its speed: a load or its own mass may
+    /// turn it, and it stops nothing.
     #[serde(default)]
     pub slack: bool,
     /// Parameter that bounds the setpoint's magnitude.
     pub limit: Option<u32>,
     /// A setting that decides whether the setpoint counts.
     pub source: Option<Source>,
+    /// The setpoint is a code: only what its table names is sent. What to do in place of another number.
+    pub codes: Option<Text>,
     /// What the drive adds to the setpoint.
     pub adds: Option<Adds>,
     /// A setting that lifts small setpoints.
@@ -332,6 +336,11 @@ impl Mode {
     /// Name in `lang`.
     pub fn name(&self, lang: Lang) -> &str {
         lang.pick(&self.en, &self.de)
+    }
+
+    /// Whether the setpoint 0 brings the shaft to rest.
+    pub fn zero_stops(&self) -> bool {
+        self.zero && !self.slack
     }
 
     /// Every parameter that it names.

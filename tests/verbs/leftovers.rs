@@ -2,7 +2,7 @@
 
 use super::motion::with_motor;
 use super::run::antrieb;
-use antrieb::drive::motion::{Motor, StopChoice};
+use antrieb::drive::motion::{Motor, StopChoice, look, may_change_mode};
 use antrieb::drive::{Session, Target};
 use antrieb::gate::Permit;
 use antrieb::profile::Lang;
@@ -152,7 +152,9 @@ fn every_stop_leads_out_of_a_quick_stop_that_stays() {
             },
             |bench| {
                 let servo = bench.drive(1).unwrap().servo(Tick::ZERO).unwrap();
-                assert_eq!((servo.state, bench.totals().turning, bench.totals().energised), (0x40, 0, 0), "{slug}");
+                assert_eq!((servo.state, bench.totals().energised), (0x40, 0), "{slug}");
+                // Disable voltage goes out at once, into a quick stop too: the shaft coasts.
+                assert!(bench.totals().turning == 0 || slug == "disable-voltage", "{slug}");
             },
         );
     }
@@ -228,4 +230,76 @@ fn numbers_that_no_telegram_holds_are_refused_before_anything_is_sent() {
     for value in ["0x-8000000000000000", "0x+", "0x-1", "99999999999999999999"] {
         antrieb(&format!("-a 1 --drive acu --yes write 372={value}")).on(SUM).json().exits(7);
     }
+}
+
+/// 6.3.1: another mode is inadmissible while the shaft turns; and whoever turns it is not to be stopped by surprise.
+#[test]
+fn the_mode_of_a_shaft_that_somebody_else_turns_is_not_changed() {
+    with_motor(
+        "lxm05",
+        &servo(""),
+        async |session, target, permit| {
+            turn(session, target, permit).await;
+            let family = target.family.clone();
+            let state = look(session, target, Lang::En).await.unwrap().state;
+            for mode in ["position", "homing", "current", "speed", "gear", "jog"] {
+                let mode = family.mode(mode).unwrap();
+                let refused = may_change_mode(session, target, &state, mode, Lang::En).await.unwrap_err();
+                assert_eq!((refused.code.as_str(), refused.class.exit()), ("forbidden.turning", 8), "{}", mode.slug);
+            }
+            let same = family.mode("velocity").unwrap();
+            may_change_mode(session, target, &state, same, Lang::En).await.unwrap();
+        },
+        |bench| assert_eq!(bench.totals().turning, 1, "it is left alone"),
+    );
+}
+
+/// LXM05 manual 5.5.4 prints codes; a technician types the speed.
+#[test]
+fn a_number_that_is_no_code_is_refused_before_the_drive_is_enabled() {
+    let bench = servo("");
+    for number in ["100", "3", "-1"] {
+        let run = antrieb(&format!("-v -a 1 --yes sollwert {number} --mode jog --enable --hold --duration 50ms"));
+        let run = run.on(&bench).json().exits(7);
+        assert!(run.error()["hint"].as_str().unwrap().contains("JOGn_slow"), "{number}");
+        assert!(!run.err.contains("> 01 10"), "{number}: {}", run.err);
+        antrieb(&format!("-a 1 --drive lxm05 --dry-run sollwert {number} --mode jog")).json().exits(7);
+    }
+    antrieb("-a 1 --yes sollwert 5 --mode jog --enable --hold --duration 50ms").on(&bench).json().exits(0);
+    antrieb("-a 1 --drive lxm05 --dry-run sollwert 2 --mode jog --force").json().exits(0);
+}
+
+#[test]
+fn a_watchdog_beyond_what_the_drive_takes_is_refused_and_not_cut() {
+    let run = "-a 1 --yes sollwert 300rpm --enable --hold --duration 50ms --watchdog";
+    let refused = antrieb(&format!("{run} 20s")).on(&servo("")).json().exits(7);
+    assert!(refused.error()["message"].as_str().unwrap().contains("at most 10.000 s"), "{:#}", refused.value);
+    antrieb("-a 1 --drive lxm05 --dry-run sollwert 300rpm --watchdog 20s").json().exits(7);
+    let most = antrieb(&format!("{run} 10s")).on(&servo("")).json().exits(0);
+    assert_eq!(most.data("/changed/0/new"), &json!(10_000));
+}
+
+/// With P.434 = 2 an ACTIVE lifts what is less than P.418, and its bit 10 comes there.
+#[test]
+fn a_setpoint_that_the_drive_bends_to_its_limits_is_not_reached() {
+    let bench = |set: &str| format!("[[drive]]\nmodel = \"acu\"\nset = {{ \"412\" = 1, {set} }}\n");
+    for (setpoint, set, effective) in [
+        ("1Hz", "\"434\" = 2, \"418\" = \"3.5\"", 3.5),
+        ("-1Hz", "\"434\" = 2, \"418\" = \"3.5\"", -3.5),
+        ("20Hz --force", "\"434\" = 2, \"418\" = 0, \"419\" = 10", 10.0),
+    ] {
+        let run = antrieb(&format!("-a 1 --yes sollwert {setpoint} --enable --until reached --hold --duration 50ms"));
+        let run = run.on(&bench(set)).json().exits(1);
+        assert_eq!(run.error()["code"], "no.not_reached", "{setpoint}");
+        assert_eq!(
+            (run.data("/setpoint/reached"), run.data("/setpoint/effective")),
+            (&json!(false), &json!(effective))
+        );
+    }
+    let asked =
+        antrieb("-a 1 sollwert 1Hz --enable").on(&bench("\"434\" = 2, \"418\" = \"3.5\"")).answered("n").exits(8);
+    assert!(asked.err.contains("the drive runs at 3.50 Hz"), "{}", asked.err);
+    let reached = antrieb("-a 1 --yes sollwert 5Hz --enable --until reached --hold --duration 50ms");
+    let reached = reached.on(&bench("\"434\" = 2, \"418\" = \"3.5\"")).json().exits(0);
+    assert_eq!(reached.data("/setpoint/reached"), &json!(true));
 }

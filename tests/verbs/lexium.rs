@@ -140,11 +140,12 @@ fn every_mode_stops_as_its_catalogue_says_and_is_proven() {
         ("1000rpm --until reached", "quick-stop", "switch-on-disabled"),
         ("1000rpm --until reached", "coast", "switch-on-disabled"),
         ("1000rpm --mode speed", "ramp", "switched-on"),
-        ("1A", "ramp", "switched-on"),
         ("5 --mode jog", "ramp", "switched-on"),
         // No setpoint 0 stops these: the ramp is a quick stop.
         ("48usr", "ramp", "switch-on-disabled"),
         ("2/3", "ramp", "switch-on-disabled"),
+        // Nor does no current stop a mass.
+        ("1A", "ramp", "switch-on-disabled"),
     ] {
         let line = format!("-a 1 --yes sollwert {words} --enable --hold --duration 300ms --on-exit {on_exit}");
         let run = antrieb(&line).on(BENCH).json().exits(0);
@@ -299,4 +300,22 @@ fn a_drive_that_tells_of_itself_in_pieces_is_known() {
     assert_eq!(document.data("/drives/0/drive"), "lxm05");
     let evidence = document.data("/drives/0/evidence/0/answered");
     assert_eq!(evidence, "antrieb bench, LXM05-SIM, V02.001");
+}
+
+/// readings.md: reading FLT_err_num may move on to the entry before. One reading of 15362 x8 (5.3, example 1) serves both.
+#[test]
+fn the_fault_memory_is_read_once_for_the_present_fault_and_the_memory() {
+    let event = |at: u8, fault: &str| format!("[[drive.event]]\nat = \"{at}ms\"\nfault = \"{fault}\"\n");
+    let bench =
+        bench(&format!("readings = {{ flt_err_num = \"moves-on\" }}\n{}{}", event(1, "E3201"), event(2, "E2300")));
+    let diag = antrieb("-v -a 1 --drive lxm05 diag").on(&bench).json().exits(0);
+    assert_eq!(
+        (diag.data("/drives/0/fault/key"), diag.data("/drives/0/memory/0/raw")),
+        (&json!("E2300"), &json!(0x2300))
+    );
+    assert_eq!(diag.err.matches("> 01 03 3C 02").count(), 1, "{}", diag.err);
+    let state = antrieb("-a 1 --drive lxm05 statemachine").on(&bench).json().exits(0);
+    assert_eq!(state.data("/drives/0/fault/key"), "E2300");
+    let missing = state.data("/drives/0/missing").to_string();
+    assert!(missing.contains("E2300") && !missing.contains("E3201"), "{missing}");
 }

@@ -118,7 +118,9 @@ fn control_goes_back_only_where_that_does_not_start_the_drive() {
     let given = antrieb(run).on(&virtual_contacts).json().exits(0);
     assert_eq!((given.data("/changed/0/restored"), given.data("/running")), (&json!(true), &json!(false)));
     let closed = bench("act", "start_right = true\nset = { \"412\" = 0, \"434\" = 2 }");
-    let kept = antrieb(run).on(&closed).json().exits(0);
+    // What was left out is never 0.
+    let kept = antrieb(run).on(&closed).json().exits(9);
+    assert_eq!(kept.error()["code"], "partial.not_given_back");
     assert_eq!((kept.data("/changed/0/restored"), kept.data("/running")), (&json!(false), &json!(false)));
 }
 

@@ -282,3 +282,35 @@ fn data_sets_are_copied_as_far_as_they_differ() {
     // What a copy writes depends on what it reads, and a dry run opens nothing.
     antrieb("-p /dev/antrieb-has-no-such-port -a 1 --dry-run dataset copy 2 3 372").json().exits(2);
 }
+
+const DRIVE: &str = "[[drive]]\nmodel = \"act\"\n";
+
+/// CM-485 manual 5.2.1: P.34 is a command.
+#[test]
+fn a_command_is_not_said_to_wear_the_eeprom() {
+    let asked = antrieb("-a 1 write 34=1").on(DRIVE).answered("n").exits(8).err;
+    assert!(asked.contains("RESET") && !asked.to_lowercase().contains("eeprom"), "{asked}");
+}
+
+/// CM-485 manual 5.2.2: P.1376 holds at once; behind it the drive is at another address.
+#[test]
+fn what_cuts_the_line_goes_last_and_not_beside_another() {
+    let run = antrieb("-a 1 --yes write 1376=9 480@1=3Hz 481@1=4Hz").on(DRIVE).json().exits(0);
+    let order: Vec<_> = run.data("/values").as_array().unwrap().iter().map(|row| row["param"].clone()).collect();
+    assert_eq!(order, [480, 481, 1_376]);
+    for both in ["1376=9 395=1", "34=123 1376=9"] {
+        let refused = antrieb(&format!("-v -a 1 --yes write {both}")).on(DRIVE).json().exits(2);
+        assert_eq!(refused.error()["code"], "usage.cuts", "{both}");
+        assert!(!refused.err.contains("> 01 "), "{both}: {}", refused.err);
+    }
+}
+
+#[test]
+fn what_cannot_go_to_everybody_names_the_way_that_can() {
+    for (drive, way) in [("act", "-a 0 write 410=0"), ("lxm05", "-a 0 write DCOMcontrol=0")] {
+        for verb in ["statemachine disable-voltage", "sollwert 0"] {
+            let refused = antrieb(&format!("-a 0 --drive {drive} {verb}")).on(DRIVE).json().exits(2);
+            assert!(refused.error()["hint"].as_str().unwrap().contains(way), "{:#}", refused.value);
+        }
+    }
+}

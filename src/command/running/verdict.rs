@@ -1,11 +1,11 @@
 //! Whether a run ended as it was promised, and what its end is called if it did not.
 
-use super::{Plan, Seen};
+use super::{Done, Plan, Seen};
 use crate::args::StopArg;
 use crate::drive::motion::{Ended, tripped};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Setpoint, Stop};
+use crate::outcome::{Change, Setpoint, Stop};
 use crate::profile::{Family, Lang, Need};
 
 /// The failure of a run; `None` only if the final state is the one that was promised.
@@ -15,16 +15,16 @@ pub(super) fn of(
     seen: &Seen,
     ended: &Ended<()>,
     running: Option<bool>,
-    setpoint: Option<&Setpoint>,
+    done: &Done,
     lang: Lang,
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
         (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, lang)),
         (Some(failure), None) => Some(failure),
         (None, Some(stop)) if !stop.acknowledged && stop.choice != "keep" => Some(unproven(stop, family, lang)),
-        (None, _) => {
-            broken_promise(plan, family, seen, running, lang).or_else(|| not_standing(plan, family, setpoint, lang))
-        }
+        (None, _) => broken_promise(plan, family, seen, running, lang)
+            .or_else(|| not_standing(plan, family, done.setpoint.as_ref(), lang))
+            .or_else(|| not_given_back(plan, &done.changed, lang)),
     }
 }
 
@@ -114,6 +114,20 @@ fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>, l
         let stops = lang.pick("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält sie an");
         Failure::new(Class::No, "no.not_standing", text)
             .hint(format!("{stops}; {}", family.motion.not_reached.get(lang)))
+    })
+}
+
+/// What a run changed and could not give back, also where that is better so: it is not as it was promised.
+fn not_given_back(plan: &Plan<'_>, changed: &[Change], lang: Lang) -> Option<Failure> {
+    let bounded = plan.args.hold && plan.args.on_exit != StopArg::Keep;
+    let left = changed.iter().filter(|change| bounded && !change.restored);
+    let left: Vec<_> = left.map(|change| format!("{} = {}", change.name, change.new)).collect();
+    (!left.is_empty()).then(|| {
+        let text = lang.pick("all was done, but not given back:", "alles ist getan, aber nicht zurückgegeben:");
+        Failure::new(Class::Partial, "partial.not_given_back", format!("{text} {}", left.join(", "))).hint(lang.pick(
+            "the notes say why; `write` sets it, when nothing can start",
+            "die Hinweise sagen, warum; `write` stellt es zurück, wenn nichts anlaufen kann",
+        ))
     })
 }
 

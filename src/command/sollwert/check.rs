@@ -2,7 +2,7 @@
 
 use super::Args;
 use super::wanted::{Total, Wanted, out_of_range};
-use crate::drive::motion::{Situation, no_control, role_raw, working};
+use crate::drive::motion::{Situation, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -34,6 +34,7 @@ impl Check<'_, '_> {
             let hint = self.lang.pick("add --enable", "--enable angeben");
             return Err(Failure::new(Class::Forbidden, "forbidden.not_enabled", text).hint(hint));
         }
+        may_change_mode(self.session, self.target, &self.before.state, &wanted.mode, self.lang).await?;
         if wanted.by_speed {
             let pairs = self.pole_pairs().await?;
             let schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
@@ -47,8 +48,8 @@ impl Check<'_, '_> {
         let source = self.source(&wanted).await?;
         let added = self.added(&wanted, source).await?;
         let limit = self.limit(&wanted, added.unwrap_or(0)).await?;
-        let lifted = self.floor(&wanted, source).await?;
-        wanted.effective = added.filter(|_| !lifted).map(|added| Total { added, limit });
+        let least = self.floor(&wanted, source).await?;
+        wanted.effective = added.map(|added| Total { added, limit, least });
         Ok(wanted)
     }
 
@@ -151,18 +152,18 @@ impl Check<'_, '_> {
         Err(Failure::new(Class::Data, "data.range", text).hint(hint))
     }
 
-    /// Whether the drive lifts a setpoint to its least one; told.
-    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<bool, Failure> {
+    /// The least setpoint, if the drive lifts one to it; told.
+    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<Option<i64>, Failure> {
         let Some(floor) = wanted.mode.floor.as_ref().filter(|floor| source == Some(floor.source)) else {
-            return Ok(false);
+            return Ok(None);
         };
-        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(false) };
+        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(None) };
         let lifted = wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family, self.lang);
             self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least)));
         }
-        Ok(lifted)
+        Ok(lifted.then_some(least))
     }
 
     /// The value that a parameter will have in this run.

@@ -108,12 +108,26 @@ pub(super) struct Total {
     pub(super) added: i64,
     /// Bound in both directions.
     pub(super) limit: Option<i64>,
+    /// Least magnitude, to which the drive lifts what is smaller.
+    pub(super) least: Option<i64>,
 }
 
 impl Total {
     pub(super) fn of(self, raw: i64) -> Option<i64> {
         let limit = self.limit.unwrap_or(i64::MAX).max(0);
-        raw.checked_add(self.added).map(|sum| sum.clamp(-limit, limit))
+        self.sum(raw).map(|sum| match self.least {
+            Some(least) if sum.abs() < least => least * if sum < 0 { -1 } else { 1 },
+            _ => sum.clamp(-limit, limit),
+        })
+    }
+
+    /// Whether the drive will run at another value than what it is told and what it adds.
+    pub(super) fn bends(self, raw: i64) -> bool {
+        self.of(raw) != self.sum(raw)
+    }
+
+    fn sum(self, raw: i64) -> Option<i64> {
+        raw.checked_add(self.added)
     }
 }
 
@@ -176,6 +190,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
         said.push(one);
     }
     let schedule = schedule(spoken, &said)?;
+    check_codes(args, mode, family, &schedule, lang)?;
     let mut settings = options(args, mode, family)?;
     settings.extend(source(args, mode, family)?);
     let set = |id: u32, raw: i64| (family.param_or_unknown(id), raw);
@@ -205,6 +220,20 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
 
 pub(super) fn out_of_range(param: &Param, error: &value::ValueError) -> Failure {
     Failure::new(Class::Data, "data.range", format!("{}: {error}", param.label())).with("param", param.id)
+}
+
+/// A code is none of the numbers between two others: a speed that is typed in its place must not start the drive.
+fn check_codes(args: &Args, mode: &Mode, family: &Family, schedule: &Schedule, lang: Lang) -> Result<(), Failure> {
+    let Some(codes) = mode.codes.as_ref().filter(|_| !args.force) else { return Ok(()) };
+    let param = family.param_or_unknown(mode.setpoint);
+    let unknown = |raw: &i64| family.text_of(&param, *raw).is_none();
+    let Some(raw) = schedule.values().find(unknown) else { return Ok(()) };
+    let label = param.label();
+    let text = match lang {
+        Lang::En => format!("{raw} is no code of {label}: it takes codes, not speeds"),
+        Lang::De => format!("{raw} ist kein Code von {label}: dort stehen Codes, keine Drehzahlen"),
+    };
+    Err(Failure::new(Class::Data, "data.code", text).hint(codes.get(lang)).with("param", param.id))
 }
 
 /// The mode that was named.

@@ -17,7 +17,7 @@ pub(super) fn is_bare(text: &str) -> bool {
 
 /// The mode that a zero without a unit means, before the drive is asked.
 pub(super) fn usual(family: &Family) -> Option<&Mode> {
-    family.modes.iter().find(|mode| mode.zero && !mode.slack)
+    family.modes.iter().find(|mode| mode.zero_stops())
 }
 
 /// Whether nothing but a setpoint of zero is wanted, as far as the words tell.
@@ -29,8 +29,7 @@ pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
         && args.ramp.is_none()
         && args.profile.is_none()
         && Plan::only_relieves(&args.motion)
-        && mode.zero
-        && !mode.slack
+        && mode.zero_stops()
         && mode.starts.is_empty()
         && wanted.schedule.values().all(|raw| raw == 0)
 }
@@ -73,7 +72,7 @@ pub(super) async fn present_mode(
     let Some(active) = role_raw(session, target, "mode-active", lang).await? else { return Ok(None) };
     let mode = target.family.modes.iter().find(|mode| mode.value == Some(active)).cloned();
     match mode {
-        Some(mode) if !mode.zero => {
+        Some(mode) if !mode.zero_stops() => {
             let text = lang.pick(
                 "a setpoint of 0 does not stop the drive in this mode",
                 "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an",

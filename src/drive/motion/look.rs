@@ -1,14 +1,20 @@
 //! What a drive says that matters for moving it, and what keeps it from running, in words.
 
+use super::shaft::Watch;
 use crate::drive::describe;
 use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Facts, Family, Interlock, Lang, NoPlan, Param, Sets};
+use crate::profile::{DataSets, Facts, Family, Interlock, Lang, Mode, NoPlan, Param, Sets};
 use crate::tick::Span;
 use std::collections::BTreeMap;
+
+/// A shaft that still moves after so many looks turns.
+const TURN_LOOKS: u8 = 14;
+/// Pause between them.
+const TURN_BEAT: Span = Span::from_millis(20);
 
 /// What a drive says that matters for moving it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -72,13 +78,11 @@ pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) ->
         status,
         state: describe::state(&target.family, status, lang).slug,
         mode: working_raw(session, target, "control-mode", lang).await?,
-        fault: role_raw(session, target, "fault", lang).await?,
+        fault: present_fault(session, target, status, lang).await?,
         inputs: role_raw(session, target, "digital-inputs", lang).await?,
         settings: BTreeMap::new(),
         watchdog_s: watchdog.map(|raw| watchdog_seconds(&target.family, raw)),
     };
-    let code = situation.fault.map(|code| target.family.present_fault(status, code as u32));
-    situation.fault = code.map(|code| code.unwrap_or(0).into());
     let family = target.family.clone();
     for setting in family.motion.interlocks.iter().filter_map(|row| row.setting.as_ref()) {
         if let Some(raw) = role_raw(session, target, &setting.role, lang).await? {
@@ -86,6 +90,20 @@ pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) ->
         }
     }
     Ok(situation)
+}
+
+/// Code of the fault that is present; 0 is none. A memory is not touched where the state says that there is none: on some
+/// drives reading moves on to the entry before.
+async fn present_fault(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    status: u32,
+    lang: Lang,
+) -> Result<Option<i64>, Failure> {
+    if target.family.present_fault(status, u32::MAX).is_none() {
+        return Ok(Some(0));
+    }
+    role_raw(session, target, "fault", lang).await
 }
 
 /// A setpoint, or the source of one, that stands in the drive from before and turns the shaft once it is enabled.
@@ -108,6 +126,49 @@ pub async fn standing(session: &mut Session<'_>, target: &mut Target, lang: Lang
         }
     }
     Ok(found)
+}
+
+/// Refuses to change the operating mode of a shaft that somebody else turns: a drive may refuse it then (LXM05 manual 6.3.1),
+/// and at the end of the run the other's movement would be stopped.
+pub async fn may_change_mode(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    state: &str,
+    mode: &Mode,
+    lang: Lang,
+) -> Result<(), Failure> {
+    let active = match mode.value.filter(|_| state == "operation-enabled") {
+        Some(_) => role_raw(session, target, "mode-active", lang).await?,
+        None => None,
+    };
+    if active == mode.value || active.is_none() || !turns(session, target, lang).await? {
+        return Ok(());
+    }
+    let present = target.family.modes.iter().find(|row| row.value == active).map(|row| row.name(lang));
+    let (present, wanted) = (present.unwrap_or("?"), mode.name(lang));
+    let text = match lang {
+        Lang::En => format!("the shaft turns in mode '{present}'; '{wanted}' is selected at standstill only"),
+        Lang::De => {
+            format!("die Welle dreht in der Betriebsart '{present}'; '{wanted}' wird nur im Stillstand gewählt")
+        }
+    };
+    let hint = lang.pick("`statemachine quick-stop` stops it first", "`statemachine quick-stop` hält sie vorher an");
+    Err(Failure::new(Class::Forbidden, "forbidden.turning", text).hint(hint))
+}
+
+/// Whether the shaft turns now, as far as the drive tells.
+async fn turns(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<bool, Failure> {
+    let mut watch = Watch::new(target.family.motion.movement);
+    for _ in 0..TURN_LOOKS {
+        let Some(raw) = role_raw(session, target, "movement", lang).await? else { return Ok(false) };
+        watch.see(session.now(), Some(raw));
+        if watch.stands() {
+            return Ok(false);
+        }
+        let rested = session.rest(TURN_BEAT).await;
+        rested.map_err(|error| error.failure(target.address, Some(&target.family), lang))?;
+    }
+    Ok(true)
 }
 
 /// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the
@@ -164,7 +225,7 @@ impl Standing {
     }
 }
 
-fn shown(param: &Param, value: i64) -> String {
+pub(super) fn shown(param: &Param, value: i64) -> String {
     let number = format_decimal(value, param.decimals_or_zero());
     param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }
@@ -174,12 +235,22 @@ pub fn watchdog_seconds(family: &Family, raw: i64) -> Decimal {
     Decimal { raw, decimals: watchdog_decimals(family) }
 }
 
-/// The value that sets the drive's watchdog to a time: a part of its unit counts as one, and what is longer than it can
-/// be is as long as it can be.
-pub fn watchdog_raw(family: &Family, span: Span) -> i64 {
-    let unit_us = 1_000_000 / 10u64.pow(watchdog_decimals(family).into());
-    let longest = family.role("watchdog").and_then(|param| param.max).unwrap_or(i64::MAX);
-    i64::try_from(span.as_micros().div_ceil(unit_us)).unwrap_or(longest).clamp(1, longest)
+/// The value that sets the drive's watchdog to a time: a part of its unit counts as one.
+///
+/// Refused beyond what the drive takes: a shorter time than was asked for would trip by surprise.
+pub fn watchdog_raw(family: &Family, span: Span, lang: Lang) -> Result<i64, Failure> {
+    let decimals = watchdog_decimals(family);
+    let raw = i64::try_from(span.as_micros().div_ceil(1_000_000 / 10u64.pow(decimals.into()))).unwrap_or(i64::MAX);
+    let Some(param) = family.role("watchdog").filter(|param| param.max.is_some_and(|max| raw > max)) else {
+        return Ok(raw.max(1));
+    };
+    let (label, given, most) =
+        (param.label(), format_decimal(raw, decimals), format_decimal(param.max.unwrap_or(i64::MAX), decimals));
+    let text = match lang {
+        Lang::En => format!("--watchdog {given} s: {label} takes at most {most} s"),
+        Lang::De => format!("--watchdog {given} s: {label} nimmt höchstens {most} s"),
+    };
+    Err(Failure::new(Class::Data, "data.range", text).with("param", param.id))
 }
 
 fn watchdog_decimals(family: &Family) -> u8 {

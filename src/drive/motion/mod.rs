@@ -13,8 +13,8 @@ mod shaft;
 mod stop;
 
 pub use look::{
-    Situation, Standing, look, missing, no_control, role_raw, runs_at, standing, tripped, upon_enabling, watchdog_raw,
-    watchdog_seconds, working, working_raw,
+    Situation, Standing, look, may_change_mode, missing, no_control, role_raw, runs_at, standing, tripped,
+    upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use stop::{StopChoice, watchdog_words};
 

@@ -1,13 +1,13 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
-use super::look::{Standing, raw, standing};
+use super::look::{Standing, raw, shown, standing};
 use super::patience::ROUND;
 use super::shaft::Watch;
 use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Decimal, Setpoint};
-use crate::profile::{Mode, Movement, Param, Start};
+use crate::profile::{Lang, Mode, Movement, Param, Start};
 use crate::tick::Span;
 
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
@@ -167,6 +167,19 @@ impl Motor<'_, '_> {
             }
             self.rest(self.beat()).await?;
         }
+    }
+
+    /// The failure of a setpoint that the drive's own limits make another one.
+    pub fn bent(&self, told: i64, runs_at: i64) -> Failure {
+        let family = &self.target.family;
+        let param = self.setpoint.as_ref().and_then(|setpoint| family.param(setpoint.param));
+        let value = |raw: i64| param.map_or_else(|| raw.to_string(), |param| shown(param, raw));
+        let (told, runs_at) = (value(told), value(runs_at));
+        let text = match self.lang {
+            Lang::En => format!("{told} is not reached: by its own limits the drive runs at {runs_at}"),
+            Lang::De => format!("{told} wird nicht erreicht: durch seine Grenzen läuft der Antrieb mit {runs_at}"),
+        };
+        Failure::new(Class::No, "no.not_reached", text).hint(family.motion.not_reached.get(self.lang))
     }
 
     /// Whether the ramp asks for what the drive will run at, as far as both are known.

@@ -232,7 +232,7 @@ impl Motor<'_, '_> {
         if !row.zero {
             return Some(row.clone());
         }
-        self.zeroes = self.mode_shown().await.filter(|mode| mode.zero).map(|mode| mode.setpoint);
+        self.zeroes = self.mode_shown().await.filter(Mode::zero_stops).map(|mode| mode.setpoint);
         let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
         other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
     }
