@@ -366,7 +366,7 @@ mod real_time {
     fn a_port_that_comes_back_is_taken_up_again() {
         let directory = tempfile::tempdir().unwrap();
         let link = directory.path().join("bus");
-        let (thread, ready) = serve(&link, vec![(1_200, 800), (3_500, 0)]);
+        let (thread, ready) = serve(&link, vec![(1_200, 800), (6_500, 0)]);
         ready.recv().unwrap();
         let line = format!("-p {} -a 1 monitor --reconnect --interval 200ms --duration 4500ms --json", link.display());
         let records = records(&antrieb(&line).exits(0));
