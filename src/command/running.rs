@@ -11,6 +11,9 @@ use crate::profile::{Family, Lang};
 
 mod verdict;
 
+/// How often a drive that could not be reached for its stop may come back.
+const MOST_RETURNS: u8 = 5;
+
 /// What is to be done, and what the user is told about it.
 pub(super) struct Plan<'p> {
     /// Word for JSON: `enable`, `sollwert` …
@@ -112,12 +115,22 @@ pub(super) async fn run<'p, C>(
     if let Some(before) = &before {
         motor.controls(before);
     }
-    let ended = motor
+    let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
             prepare(motor, &plan, &family, watchdog).await?;
             work(motor, checked).await
         })
         .await;
+    let mut after = motor.look().await.ok();
+    for _ in 0..MOST_RETURNS {
+        // A drive that answers again, and runs, gets its stop as soon as that is seen.
+        let Some(stop) = ended.stop.as_ref().filter(|_| motor.unheard) else { break };
+        if !after.as_ref().is_some_and(has_power) {
+            break;
+        }
+        ended.stop = Some(motor.stop_after_all(stop).await);
+        after = motor.look().await.ok();
+    }
     let done = Done {
         steps: std::mem::take(&mut motor.steps),
         changed: std::mem::take(&mut motor.changes),
@@ -125,7 +138,6 @@ pub(super) async fn run<'p, C>(
         notes: std::mem::take(&mut motor.notes),
         mode: motor.mode.take().map(|mode| mode.slug),
     };
-    let after = look(&mut session, &mut target, lang).await.ok();
     Ok(report(&plan, &target, Seen { before, after }, done, ended, lang))
 }
 
@@ -164,7 +176,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     let family = &target.family;
     let state = |situation: &Situation| describe::state(family, situation.status, lang);
     let to = seen.after.as_ref().map(state);
-    let running = to.as_ref().map(|state| ["operation-enabled", "quick-stop-active"].contains(&state.slug.as_str()));
+    let running = seen.after.as_ref().map(has_power);
     let mut notes = done.notes.clone();
     if running == Some(true) {
         let keeps = match plan.relief {
@@ -204,6 +216,10 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
         notes,
     };
     Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+}
+
+fn has_power(situation: &Situation) -> bool {
+    ["operation-enabled", "quick-stop-active"].contains(&situation.state.as_str())
 }
 
 /// Names address, family, present state and what will happen.

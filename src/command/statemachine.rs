@@ -3,7 +3,7 @@
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
-use crate::args::{MotionArgs, Settings};
+use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{Motor, Situation, look, missing, no_control, runs_at, upon_enabling};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
@@ -229,6 +229,9 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         context,
         plan,
         async |session, target, before, plan| {
+            if plan.args.hold {
+                plan.details.push(opened(plan.args.on_exit, lang).to_owned());
+            }
             let Some(control) = target.family.motion.control else {
                 let text =
                     lang.pick("this drive has no virtual contacts", "dieser Antrieb hat keine virtuellen Kontakte");
@@ -270,6 +273,24 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         },
     )
     .await
+}
+
+/// What each way to stop is where contacts decide.
+fn opened(stop: StopArg, lang: Lang) -> &'static str {
+    match stop {
+        StopArg::Ramp => lang.pick(
+            "at the end the start contacts S2IND and S3IND open, the enable only once the drive is without power",
+            "am Ende öffnen die Startkontakte S2IND und S3IND, die Freigabe erst, wenn der Antrieb ohne Strom ist",
+        ),
+        StopArg::QuickStop => lang.pick(
+            "contacts have no quick stop: at the end all open, and the shaft coasts",
+            "Kontakte kennen keinen Schnellhalt: am Ende öffnen alle, die Welle läuft aus",
+        ),
+        StopArg::Coast => {
+            lang.pick("at the end all contacts open, and the shaft coasts", "am Ende öffnen alle, die Welle läuft aus")
+        }
+        StopArg::Keep => lang.pick("the contacts stay closed", "die Kontakte bleiben geschlossen"),
+    }
 }
 
 /// The control word whose bits are the contacts with these names.

@@ -74,6 +74,9 @@ pub struct Control {
     pub contacts: i64,
     /// Value with which the drive's own contacts decide.
     pub terminals: i64,
+    /// Bits of the control word that start it where it stands for contacts.
+    #[serde(default)]
+    pub start_contacts: u16,
 }
 
 /// What the parameter with the role `movement` tells.

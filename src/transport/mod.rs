@@ -289,7 +289,7 @@ impl Link {
             Carrier::Serial(link) => link.send(bytes).await?,
             Carrier::Net(link) => link.send(bytes).await?,
             Carrier::Tape(link) => link.send(bytes)?,
-            Carrier::Sim(link) => link.send(bytes),
+            Carrier::Sim(link) => link.send(bytes)?,
         }
         if let Some(trace) = &mut self.trace {
             trace.sent(at, bytes);
@@ -304,7 +304,7 @@ impl Link {
             Carrier::Serial(link) => link.wait(until).await?,
             Carrier::Net(link) => link.wait(until).await?,
             Carrier::Tape(link) => link.wait(until),
-            Carrier::Sim(link) => link.wait(until).await,
+            Carrier::Sim(link) => link.wait(until).await?,
         };
         // Bytes that came while the thread slept are seen at the end of the wait, or a little later: not late, though.
         let at = self.now().min(until.max(begun));

@@ -3,7 +3,7 @@
 //! A verb that watches or holds has the bench paced: its time is still virtual, so that a run tells the same times
 //! whatever the machine does, but waiting takes as long as it would on a line.
 
-use super::Wake;
+use super::{LinkError, Wake};
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
 use crate::tick::Tick;
@@ -53,13 +53,16 @@ impl SimLink {
         self.line = line;
     }
 
-    pub(super) fn send(&mut self, bytes: &[u8]) {
+    pub(super) fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
+        witness::holds_adapter(true)?;
         self.bench.master_sends(self.now, self.line, bytes);
+        Ok(())
     }
 
     /// Goes from event to event of the bench until a drive has put bytes on the wire or the time is over. May be
     /// dropped at any time: the bench stands at the last event that was waited for.
-    pub(super) async fn wait(&mut self, until: Tick) -> Wake {
+    pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
+        witness::holds_adapter(false)?;
         loop {
             let next = self.bench.next_event().map_or(until, |event| event.min(until)).max(self.now);
             if let Some(pace) = self.pace {
@@ -69,7 +72,7 @@ impl SimLink {
             let stuck = next == self.now && next < until && bytes.is_empty();
             self.now = next;
             if !bytes.is_empty() {
-                return Wake::Bytes(bytes);
+                return Ok(Wake::Bytes(bytes));
             }
             if stuck {
                 // An event that does not go away by advancing must not hang the program.
@@ -77,7 +80,7 @@ impl SimLink {
                 self.bench.advance(until);
             }
             if self.now >= until {
-                return Wake::Silence;
+                return Ok(Wake::Silence);
             }
         }
     }
@@ -92,18 +95,37 @@ impl Drop for SimLink {
 /// For tests that ask the bench itself what a verb left behind: whoever calls a witness on a thread gets the bench of the
 /// last line that was closed there, and no bench is paced.
 pub mod witness {
+    use super::LinkError;
     use crate::simulator::Bench;
     use crate::tick::Tick;
     use std::cell::{Cell, RefCell};
 
     thread_local! {
         static CALLED: Cell<bool> = const { Cell::new(false) };
+        static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
         static LEFT: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
     }
 
     /// Calls the witness on this thread.
     pub fn call() {
         CALLED.set(true);
+    }
+
+    /// Pulls the adapter once so many telegrams have gone out on this thread; `None` leaves it in.
+    pub fn pull_after(telegrams: Option<u64>) {
+        ADAPTER.set(telegrams);
+    }
+
+    /// An error if the adapter is pulled; counts what goes out.
+    pub(super) fn holds_adapter(sends: bool) -> Result<(), LinkError> {
+        match ADAPTER.get() {
+            Some(0) => Err(LinkError::Lost("sim".to_owned())),
+            Some(left) => {
+                ADAPTER.set(Some(left - u64::from(sends)));
+                Ok(())
+            }
+            None => Ok(()),
+        }
     }
 
     /// The bench that was left behind, and when.

@@ -10,7 +10,7 @@ use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::simulator::Bench;
-use antrieb::tick::Span;
+use antrieb::tick::{Span, Tick};
 use antrieb::transport::{Port, Rs485};
 use serde_json::json;
 use std::cell::RefCell;
@@ -124,6 +124,8 @@ fn the_watchdog_that_is_reported_is_the_one_in_force() {
 struct Came {
     ended: Ended<()>,
     notes: Vec<String>,
+    /// When the run had ended.
+    took: Tick,
     turning: u64,
     energised: u64,
     /// Telegrams that went out, in hex.
@@ -138,6 +140,17 @@ impl Came {
 
 /// Holds a run, presses Ctrl-C whenever one of `presses` has gone out, and then lets `rest` pass.
 fn held(
+    bench: &str,
+    presses: &[&str],
+    choice: StopChoice,
+    rest: Span,
+    work: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
+) -> Came {
+    held_of("acu", bench, presses, choice, rest, work)
+}
+
+fn held_of(
+    model: &str,
     bench: &str,
     presses: &[&str],
     choice: StopChoice,
@@ -162,7 +175,7 @@ fn held(
     };
     let opening = Opening {
         port: &port,
-        line: LineSetting::rtu(115_200, Parity::Even),
+        line: LineSetting::rtu(if model == "lxm05" { 19_200 } else { 115_200 }, Parity::Even),
         rs485: Rs485::default(),
         protocol: Framing::Rtu.into(),
         timeout: None,
@@ -173,22 +186,23 @@ fn held(
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let mut session = runtime.block_on(Session::open(opening, &registry, interrupt, &mut observe)).unwrap();
-    let mut target = Target::new(1, registry.family("acu").unwrap());
+    let mut target = Target::new(1, registry.family(model).unwrap());
     // Any permit will do; what a motor does with it is the work's business.
     let permit = Relief::QuickStop.permit();
-    let (ended, notes) = runtime.block_on(async {
+    let (ended, notes, took) = runtime.block_on(async {
         let before = look(&mut session, &mut target, Lang::En).await.unwrap();
         let mut motor = Motor::new(&mut session, &mut target, &permit, Lang::En, None);
         motor.controls(&before);
         let ended = motor.run(true, choice, work).await;
         let notes = motor.notes.clone();
+        let took = session.now();
         session.rest(rest).await.unwrap();
-        (ended, notes)
+        (ended, notes, took)
     });
     let totals = session.bench().map(|bench: &mut Bench| bench.totals()).unwrap();
     drop(session);
     let sent = sent.into_inner();
-    Came { ended, notes, turning: totals.turning, energised: totals.energised, sent }
+    Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent }
 }
 
 const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
@@ -300,4 +314,184 @@ fn a_shaft_that_may_still_turn_is_the_first_thing_that_is_said() {
     let kept = antrieb(&format!("{line} --on-exit keep --lang de")).on(&drive(READY, dies)).run();
     assert!(!kept.err.contains("NICHT bestätigt") && kept.err.contains("keep"), "{}", kept.err);
     assert_ne!((run.exit, kept.exit), (0, 0));
+}
+
+/// Enables a servo, and runs it at a speed.
+async fn servo_at(motor: &mut Motor<'_, '_>, rpm: i64, duration: Option<Span>) -> Result<(), Failure> {
+    let registry = Registry::open(&[]).unwrap();
+    let family = registry.family("lxm05").unwrap();
+    let mode = family.mode("velocity").unwrap().clone();
+    let param = family.param_or_unknown(mode.setpoint);
+    motor.prepare(&mode);
+    motor.give(&param, 0, "rpm").await?;
+    motor.walk("operation-enabled").await?;
+    motor.enter().await?;
+    motor.give(&param, rpm, "rpm").await?;
+    motor.until_reached().await?;
+    motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&param, rpm).await).await
+}
+
+fn servo(set: &str, rest: &str) -> String {
+    format!("[[drive]]\nmodel = \"lxm05\"\nset = {{ {set} }}\n{rest}\n")
+}
+
+#[test]
+fn a_drive_that_comes_back_while_it_is_stopped_is_stopped() {
+    for choice in [StopChoice::Ramp, StopChoice::QuickStop, StopChoice::Coast] {
+        for silent in [1, 4, 7, 9, 200] {
+            let dies = |when: &str| format!("[[drive.event]]\nwhen = \"{when}\"\nsilent = \"{silent}s\"");
+            let bench = drive(READY, &dies("above 19Hz"));
+            let came = held(&bench, &[], choice, Span::ZERO, async |motor| {
+                run_at_20_hz(motor, Some(Span::from_secs(20))).await
+            });
+            let servo = servo("RAMPacc = 2000, RAMPdecel = 2000", &dies("above 4Hz"));
+            let work = async |motor: &mut Motor<'_, '_>| servo_at(motor, 300, Some(Span::from_secs(20))).await;
+            let axis = held_of("lxm05", &servo, &[], choice, Span::ZERO, work);
+            for (came, least) in [(came, 3), (axis, 3)] {
+                let back = silent < 200;
+                let told = format!("{silent} s, {choice:?}: {:?}", came.ended);
+                assert!(came.ended.result.is_err() || silent < least, "{told}");
+                if came.ended.result.is_err() {
+                    assert_eq!((came.stop().acknowledged, came.energised), (back, u64::from(!back)), "{told}");
+                }
+                assert!(came.took < Tick::ZERO + Span::from_secs(60), "{told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_position_that_wavers_neither_holds_up_a_stop_nor_hides_a_turning_shaft() {
+    for waver in [1, 3, 10, 40, 300, 20_000] {
+        for choice in [StopChoice::Ramp, StopChoice::QuickStop, StopChoice::Coast] {
+            let bench = servo("RAMPacc = 2000, RAMPdecel = 2000", &format!("servo = {{ waver = {waver} }}"));
+            let work = async |motor: &mut Motor<'_, '_>| {
+                let _reached_or_not = servo_at(motor, 300, Some(Span::from_millis(200))).await;
+                Ok(())
+            };
+            let came = held_of("lxm05", &bench, &[], choice, Span::ZERO, work);
+            let told = format!("{waver}, {choice:?}, {:?}: {:?} {:?}", came.took, came.ended, came.notes);
+            assert_eq!((came.turning, came.energised), (0, 0), "{told}");
+            assert!(came.took < Tick::ZERO + Span::from_secs(40), "{told}");
+            if waver <= 40 {
+                assert!(came.stop().acknowledged && came.stop().escalated.is_none(), "{told}");
+            } else if !came.stop().acknowledged {
+                assert_eq!(came.stop().standing, Some(false), "{told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_ramp_that_lasts_long_is_waited_for() {
+    let bench = servo("RAMPacc = 6000, RAMPdecel = 30", "");
+    let work = async |motor: &mut Motor<'_, '_>| servo_at(motor, 3_000, Some(Span::from_secs(1))).await;
+    let came = held_of("lxm05", &bench, &[], StopChoice::Ramp, Span::ZERO, work);
+    let stop = came.stop();
+    assert_eq!((stop.acknowledged, stop.standing, stop.escalated), (true, Some(true), None), "{:?}", came.ended);
+    assert_eq!((came.turning, came.energised), (0, 0));
+    assert!(came.took > Tick::ZERO + Span::from_secs(99), "{:?}", came.took);
+}
+
+#[test]
+fn a_watchdog_that_only_writes_feed_is_fed_in_every_wait_and_hold() {
+    let fed = "servo = { limn = -8192 }\nreadings = { node_guard_fed_by = \"writes\" }";
+    for (words, set) in [
+        ("240rpm --until reached", "RAMPacc = 240"),
+        ("240rpm", "RAMPdecel = 240"),
+        ("8192usr", "PPn_target = 30"),
+        ("17 --mode homing", "HMn = 60"),
+        ("2/3 --set IOposInterfac=1", "RAMPacc = 600"),
+    ] {
+        let line =
+            format!("-a 1 --drive lxm05 --yes sollwert {words} --enable --hold --duration 600ms --watchdog 400ms");
+        let run = antrieb(&line).on(&servo(set, fed)).json();
+        assert_eq!((run.exit, run.data("/to/slug")), (0, &json!("switched-on")), "{words}: {:#}", run.value);
+    }
+}
+
+#[test]
+fn control_that_is_taken_away_ends_the_run_at_once() {
+    for (mode, choice) in [(0, StopChoice::Ramp), (2, StopChoice::Ramp), (44, StopChoice::QuickStop)] {
+        let bench = drive(&format!("{READY}, \"412@2\" = {mode}"), "");
+        let work = async |motor: &mut Motor<'_, '_>| {
+            let family = Registry::open(&[]).unwrap().family("acu").unwrap();
+            let (setpoint, set) = (family.role("setpoint-frequency").unwrap(), family.param(414).unwrap());
+            motor.change_param(family.param(434).unwrap(), 3).await?;
+            motor.walk("operation-enabled").await?;
+            motor.give(setpoint, 2_000, "Hz").await?;
+            motor.until_reached().await?;
+            let mut rounds = 0;
+            motor
+                .hold(Some(Span::from_secs(30)), async |motor: &mut Motor<'_, '_>, _| {
+                    rounds += 1;
+                    // Somebody else chooses another data set.
+                    if rounds == 3 {
+                        motor.set(set, 2).await?;
+                    }
+                    motor.refresh(setpoint, 2_000).await
+                })
+                .await
+        };
+        let came = held(&bench, &[], choice, Span::ZERO, work);
+        let told = format!("P.412 = {mode}: {:?} {:?} {:?}", came.took, came.ended, came.notes);
+        let failure = came.ended.result.as_ref().unwrap_err();
+        assert_eq!(failure.code, "forbidden.control_taken", "{told}");
+        assert!(failure.message.contains(&format!(" {mode},")), "{told}");
+        assert!(
+            came.sent
+                .iter()
+                .any(|hex| hex.starts_with("01 65 01 E4 00 00 00 00 00 00") || hex.contains("01 E4 00 00 00 00")),
+            "{told}"
+        );
+        assert!(came.took < Tick::ZERO + Span::from_secs(16), "{told}");
+        assert_eq!(came.turning, 0, "{told}");
+    }
+}
+
+#[test]
+fn a_ramp_under_virtual_contacts_opens_the_start_contacts_first() {
+    let contacts = drive("\"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0", "");
+    for (on_exit, words) in [("ramp", vec!["00 03", "00 01", "00 00"]), ("coast", vec!["00 03", "00 00"])] {
+        let line = "-v -b 115200 -a 1 --yes statemachine contacts S1IND S2IND --hold --duration 1s --on-exit";
+        let run = antrieb(&format!("{line} {on_exit}")).on(&contacts).json();
+        let sent: Vec<_> =
+            run.err.lines().filter_map(|line| Some(line.split_once("> 01 06 01 9A ")?.1.get(..5)?)).collect();
+        assert_eq!(sent, words, "{on_exit}: {}", run.err);
+        assert!(run.data("/to/slug") == "switched-on", "{:#}", run.value);
+    }
+}
+
+#[test]
+fn a_setpoint_whose_write_was_not_answered_is_taken_back() {
+    let bench = drive(READY, "");
+    let mut given = false;
+    for once in (18..34).step_by(2) {
+        let lost = format!("{bench}[[disturb]]\nonce = {once}\nkind = \"lost\"\n");
+        let run =
+            antrieb("-v --retries 0 -b 115200 -a 1 --yes sollwert 20Hz --enable --hold --duration 10ms --wait 0s")
+                .on(&lost)
+                .json();
+        let sent: Vec<_> =
+            run.err.lines().filter(|line| line.contains("> 01 65 01 E4") || line.contains(" 01 E4 ")).collect();
+        let twenty = sent.iter().any(|line| line.contains("00 00 07 D0"));
+        given |= twenty && run.exit != 0;
+        assert!(!twenty || sent.last().is_some_and(|line| !line.contains("00 00 07 D0")), "{once}: {}", run.err);
+    }
+    assert!(given);
+}
+
+#[test]
+fn no_motor_is_powered_only_to_be_stopped() {
+    let run =
+        antrieb("-a 1 --drive lxm05 --yes -v statemachine goto quick-stop-active").on(&servo("", "")).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.detour");
+    assert!(!run.err.contains("> 01 10 1B 02"), "{}", run.err);
+}
+
+#[test]
+fn a_stop_of_a_drive_that_is_not_enabled_sends_nothing_that_leads_up() {
+    let run = antrieb("-a 1 --drive lxm05 --yes -v sollwert 300rpm --hold --duration 50ms").on(&servo("", "")).json();
+    assert!(!run.err.contains("> 01 10 1B 02 00 02 04 00 00 00 07"), "{}", run.err);
+    assert_eq!(run.data("/to/slug"), "switch-on-disabled", "{:#}", run.value);
 }

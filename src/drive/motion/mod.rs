@@ -24,7 +24,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Event, Setpoint, State, Step, Stop};
 use crate::profile::{Command, Lang, Mode, Need, Param, Transition};
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use look::{no_plan, state_name};
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -41,6 +41,8 @@ enum Lever {
     Contacts,
     /// Somebody else starts and stops the drive; ours is the setpoint, and zero is the stop.
     Setpoint,
+    /// Control was taken away in the run. What is left are our setpoint, and a control word that asks for nothing.
+    Taken,
 }
 
 /// A drive that is to be moved.
@@ -58,6 +60,19 @@ pub struct Motor<'a, 's> {
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
     lever: Lever,
+    /// The drive was seen to obey the control word in this run.
+    remote: bool,
+    /// Control word as last written.
+    word: u16,
+    /// Slug of the state that was seen last, if no control word was written since.
+    seen: Option<String>,
+    /// When the drive answered last.
+    heard: Tick,
+    /// The stop was given up because it answered no more.
+    pub unheard: bool,
+    /// When it was written to last, and what can be written to it again without changing anything.
+    fed: Tick,
+    again: Option<(Param, i64)>,
     /// What is set, once that is known.
     pub mode: Option<Mode>,
     /// The drive's watchdog, if it is on.
@@ -98,6 +113,7 @@ impl<'a, 's> Motor<'a, 's> {
         let (steps, changes) = (Vec::new(), Vec::new());
         let lever = Lever::Setpoint;
         let guard = guard(target, target.known_watchdog);
+        let now = session.now();
         Motor {
             session,
             target,
@@ -108,6 +124,13 @@ impl<'a, 's> Motor<'a, 's> {
             enabled: false,
             stopping: false,
             lever,
+            remote: false,
+            word: 0,
+            seen: None,
+            heard: now,
+            unheard: false,
+            fed: now,
+            again: None,
             mode: None,
             guard,
             steps,
@@ -151,10 +174,23 @@ impl<'a, 's> Motor<'a, 's> {
         self.session.ignore_interrupts();
         self.session.insist(false);
         if hold || result.is_err() {
-            let proven = stop.as_ref().is_none_or(|stop| stop.acknowledged && choice != StopChoice::Keep);
-            self.give_back(proven).await;
+            self.give_back(self.may_give_back(stop.as_ref())).await;
         }
         Ended { result, stop }
+    }
+
+    /// Sends the stop once more to a drive that could not be reached before, and runs.
+    pub async fn stop_after_all(&mut self, stop: &Stop) -> Stop {
+        let stop = self.stop(StopChoice::of(stop.choice), stop.because).await;
+        self.session.insist(false);
+        self.give_back(self.may_give_back(Some(&stop))).await;
+        stop
+    }
+
+    /// A drive that still runs may need what was changed for the run; one that obeys somebody else does not.
+    fn may_give_back(&self, stop: Option<&Stop>) -> bool {
+        let proven = stop.is_none_or(|stop| stop.acknowledged && stop.choice != StopChoice::Keep.slug());
+        proven || self.lever == Lever::Taken
     }
 
     /// What the drive says now.
@@ -180,6 +216,9 @@ impl<'a, 's> Motor<'a, 's> {
         let facts = situation.facts(&family);
         let way = family.machine.plan(&from, goal, &facts);
         let way = way.map_err(|why| no_plan(&why, &situation, &family, self.lang))?;
+        if goal != "operation-enabled" && way.iter().any(|transition| transition.to == "operation-enabled") {
+            return Err(self.detour(goal));
+        }
         for transition in way {
             self.pass(transition).await?;
         }
@@ -288,6 +327,16 @@ impl<'a, 's> Motor<'a, 's> {
         }
     }
 
+    /// Nobody powers a motor only to stop it.
+    fn detour(&self, goal: &str) -> Failure {
+        let goal = state_name(&self.target.family, goal, self.lang);
+        let text = match self.lang {
+            Lang::En => format!("'{goal}' is reached only from 'operation enabled', and the drive is not enabled"),
+            Lang::De => format!("'{goal}' geht nur aus 'Betrieb freigegeben', und der Antrieb ist nicht freigegeben"),
+        };
+        Failure::new(Class::Forbidden, "forbidden.detour", text)
+    }
+
     /// Why a state does not come.
     async fn stuck(&mut self, state: &State, goal: &str) -> Failure {
         let goal = state_name(&self.target.family, goal, self.lang).to_owned();
@@ -315,7 +364,37 @@ impl<'a, 's> Motor<'a, 's> {
 
     async fn status(&mut self) -> Result<u32, Failure> {
         let status = self.bear(async |motor: &mut Self| motor.role_raw("status-word").await).await?;
-        Ok(status.unwrap_or(0) as u32)
+        let status = status.unwrap_or(0) as u32;
+        let state = describe::state(&self.target.family, status, self.lang).slug;
+        let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
+        self.seen = Some(state);
+        self.feed(enabled).await?;
+        Ok(status)
+    }
+
+    /// Whether the status word says that the control word is obeyed; `None` if this family's does not tell.
+    fn is_remote(&self, status: u32) -> Option<bool> {
+        let row = self.target.family.motion.interlock(Need::Release).filter(|row| row.controlled)?;
+        Some(status >> row.bit? & 1 == 1)
+    }
+
+    /// Writes what was written last once more, which changes nothing, before the drive's watchdog misses us: some are fed
+    /// by writes only. An enable is repeated only to a drive that has just said that it is enabled.
+    async fn feed(&mut self, enabled: bool) -> Result<(), Failure> {
+        let (Some(guard), Some((param, raw))) = (self.guard, self.again.clone()) else { return Ok(()) };
+        let is_due = self.session.now().since(self.fed).as_micros() >= guard.as_micros() / 3;
+        let family = &self.target.family;
+        let is_word = family.role("control-word").is_some_and(|word| word.id == param.id);
+        let enables =
+            family.machine.command("enable").is_some_and(|row| raw & i64::from(row.mask) == i64::from(row.value));
+        if !is_due || (is_word && enables && !enabled) {
+            return Ok(());
+        }
+        match self.write_once(&param, 0, raw).await {
+            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+            // Whether the drive is there is what the next look tells.
+            _ => Ok(()),
+        }
     }
 
     async fn state(&mut self) -> Result<State, Failure> {
@@ -325,16 +404,21 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// What tells whether the shaft moves.
     async fn movement(&mut self) -> Result<Option<i64>, Failure> {
-        self.bear(async |motor: &mut Self| motor.role_raw("movement").await).await
+        let raw = self.bear(async |motor: &mut Self| motor.role_raw("movement").await).await?;
+        self.feed(false).await?;
+        Ok(raw)
     }
 
     async fn role_raw(&mut self, role: &str) -> Result<Option<i64>, Failure> {
-        role_raw(self.session, self.target, role, self.lang).await
+        let raw = role_raw(self.session, self.target, role, self.lang).await?;
+        self.heard = self.session.now();
+        Ok(raw)
     }
 
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
         let param = self.control_word()?;
-        self.touched = true;
+        (self.touched, self.seen, self.word) = (true, None, word);
+        self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await
     }
 
@@ -357,7 +441,11 @@ impl<'a, 's> Motor<'a, 's> {
         let order = Order { set, raw, kind, read_back: false };
         match self.target.write(self.session, param, order, self.permit).await {
             Ok(WriteFate::Unknown(error)) | Err(error) => Err(self.failure(&error)),
-            Ok(_) => Ok(()),
+            Ok(_) => {
+                self.fed = self.session.now();
+                self.heard = self.fed;
+                Ok(())
+            }
         }
     }
 

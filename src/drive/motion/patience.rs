@@ -102,7 +102,7 @@ impl Motor<'_, '_> {
             }
             let slows = takes.is_some() && {
                 let raw = self.movement().await?;
-                watch.see(self.session.now(), raw)
+                watch.see(self.session.now(), raw).slows
             };
             if slows || seen.as_ref() != Some(&state.slug) {
                 seen = Some(state.slug.clone());
@@ -136,7 +136,7 @@ impl Motor<'_, '_> {
         let mut wait = self.wait();
         loop {
             let Some(raw) = self.movement().await? else { return Ok(None) };
-            if watch.see(self.session.now(), Some(raw)) {
+            if watch.see(self.session.now(), Some(raw)).slows {
                 wait.renew(self.session.now());
             }
             if watch.stands() || wait.is_over(self.session.now()) {

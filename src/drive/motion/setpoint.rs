@@ -99,11 +99,11 @@ impl Motor<'_, '_> {
 
     /// Gives a setpoint.
     pub async fn give(&mut self, param: &Param, raw: i64, unit: &str) -> Result<(), Failure> {
-        self.set(param, raw).await?;
+        let before = self.setpoint.take();
         let value = Decimal { raw, decimals: param.decimals_or_zero() };
         let makes = self.expects.filter(|makes| makes.0 == raw).map(|makes| makes.1);
         let effective = makes.map(|raw| Decimal { raw, ..value });
-        let writes = self.setpoint.as_ref().map_or(0, |setpoint| setpoint.writes) + 1;
+        let writes = before.as_ref().map_or(0, |setpoint| setpoint.writes) + 1;
         self.setpoint = Some(Setpoint {
             param: param.id,
             value,
@@ -113,11 +113,23 @@ impl Motor<'_, '_> {
             reached: None,
             actual: None,
         });
-        Ok(())
+        self.again = Some((param.clone(), raw));
+        let given = self.set(param, raw).await;
+        match &given {
+            Err(failure) if failure.class == Class::Refused => (self.setpoint, self.again) = (before, None),
+            // It counts as written: it may stand in the drive.
+            Err(_) => self.notes.push(match self.lang {
+                Lang::En => format!("whether {} was written is not known", param.label()),
+                Lang::De => format!("ob {} geschrieben wurde, ist unbekannt", param.label()),
+            }),
+            Ok(()) => {}
+        }
+        given
     }
 
     /// Gives the same setpoint again, so that a run that is held keeps saying what it wants.
     pub async fn refresh(&mut self, param: &Param, raw: i64) -> Result<(), Failure> {
+        self.again = Some((param.clone(), raw));
         self.write(param, 0, raw).await
     }
 
@@ -144,7 +156,7 @@ impl Motor<'_, '_> {
         loop {
             let status = self.look_on().await?;
             let movement = self.movement().await?;
-            let changed = watch.see(self.session.now(), movement);
+            let changed = watch.see(self.session.now(), movement).changes;
             // The drive's own band may be wide: what its ramp asks for must be what it will run at.
             let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
@@ -229,7 +241,12 @@ impl Motor<'_, '_> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status, self.lang);
         match state.slug.as_str() {
-            "operation-enabled" => self.enabled = true,
+            "operation-enabled" => {
+                self.enabled = true;
+                if self.lever == Lever::ControlWord && self.is_remote(status).is_some_and(|remote| self.lost(remote)) {
+                    return Err(self.taken().await);
+                }
+            }
             slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
             _ if !self.enabled => {}
             _ => {
@@ -245,6 +262,34 @@ impl Motor<'_, '_> {
         Ok(status)
     }
 
+    /// Whether the drive no longer obeys the control word; notes that it does.
+    fn lost(&mut self, remote: bool) -> bool {
+        self.remote |= remote;
+        self.remote && !remote
+    }
+
+    /// Control was taken away, such as by another data set: who has it now decides what can still be done.
+    async fn taken(&mut self) -> Failure {
+        let mode = self.look().await.ok().and_then(|situation| situation.mode);
+        let family = self.target.family.clone();
+        let by_contacts = family.motion.control.is_some_and(|control| mode == Some(control.contacts));
+        self.lever = if by_contacts { Lever::Contacts } else { Lever::Taken };
+        let label = family.role("control-mode").map_or_else(String::new, Param::label);
+        let mode = mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
+        let text = match self.lang {
+            Lang::En => {
+                format!("control was taken away in the run: {label} in force is {mode}, status bit Remote is 0")
+            }
+            Lang::De => {
+                format!("die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, Statusbit Remote ist 0")
+            }
+        };
+        Failure::new(Class::Forbidden, "forbidden.control_taken", text).hint(self.lang.pick(
+            "another data set is active? `dataset` shows it; --take-control takes control in the one that is",
+            "ein anderer Datensatz aktiv? `dataset` zeigt ihn; --take-control übernimmt im aktiven",
+        ))
+    }
+
     /// Writes virtual contacts.
     pub async fn contacts(&mut self, word: u16) -> Result<(), Failure> {
         self.lever = Lever::Contacts;
@@ -254,6 +299,8 @@ impl Motor<'_, '_> {
     /// The pause before the next round of a run that is held.
     fn round(&self, duration: Option<Span>, gone: Span) -> Span {
         let round = self.beat().times(ROUND);
+        // Within a third of the watchdog, with room for the telegrams.
+        let round = self.guard.map_or(round, |guard| round.min(Span::from_micros(guard.as_micros() / 4)));
         duration.map_or(round, |duration| round.min(if duration > gone { duration - gone } else { Span::ZERO }))
     }
 }

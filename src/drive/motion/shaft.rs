@@ -1,81 +1,172 @@
-//! Watching a shaft from look to look: does it stand, does it still change?
+//! Watching a shaft from look to look: does it stand, does it become slower, does it still change?
 
 use crate::profile::Movement;
-use crate::tick::Tick;
+use crate::tick::{Span, Tick};
+use std::collections::VecDeque;
 
 /// What the last looks at a shaft tell.
 #[derive(Debug)]
 pub(super) struct Watch {
     movement: Movement,
-    last: Option<(Tick, i64)>,
-    /// Speed of the shaft; of a position the change in a second.
-    pace: Option<i64>,
+    /// The looks of the last while.
+    looks: VecDeque<(Tick, i64)>,
     /// The pace that counts as unchanged.
     steady: Option<i64>,
+    /// The slowest pace so far.
+    slowest: Option<i64>,
 }
+
+/// What a look has shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Trend {
+    /// The shaft has become faster or slower.
+    pub(super) changes: bool,
+    /// It has become slower than it was at any time before.
+    pub(super) slows: bool,
+}
+
+/// How far back looks tell, and how many do at least.
+const WINDOW: Span = Span::from_secs(1);
+/// So many looks tell of a shaft that wavers.
+const ENOUGH: usize = 12;
+/// A servo that holds its position may still toggle by an increment.
+const JITTER: i64 = 1;
 
 impl Watch {
     pub(super) fn new(movement: Movement) -> Self {
-        Watch { movement, last: None, pace: None, steady: None }
+        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None }
     }
 
-    /// Takes a look; says whether the shaft has become faster or slower.
-    pub(super) fn see(&mut self, now: Tick, raw: Option<i64>) -> bool {
-        let Some(raw) = raw else { return false };
-        self.pace = match (self.movement, self.last) {
-            (Movement::Speed, _) => Some(raw),
-            (Movement::Position, None) => None,
-            (Movement::Position, Some((then, before))) if (raw - before).abs() <= JITTER || now <= then => Some(0),
-            (Movement::Position, Some((then, before))) => {
-                let span = i128::from(now.since(then).as_micros());
-                i64::try_from(i128::from(raw - before) * 1_000_000 / span).ok()
-            }
-        };
-        self.last = Some((now, raw));
-        let Some(pace) = self.pace else { return true };
-        let tolerance = match self.movement {
-            Movement::Speed => 0,
-            Movement::Position => pace.abs() / 8,
-        };
-        let changed = self.steady.is_none_or(|steady| (pace - steady).abs() > tolerance);
-        if changed {
+    /// Takes a look.
+    pub(super) fn see(&mut self, now: Tick, raw: Option<i64>) -> Trend {
+        let Some(raw) = raw else { return Trend { changes: false, slows: false } };
+        self.looks.push_back((now, raw));
+        while self.looks.len() > ENOUGH && self.looks.front().is_some_and(|look| now.since(look.0) > WINDOW) {
+            self.looks.pop_front();
+        }
+        let Some(pace) = self.pace() else { return Trend { changes: true, slows: true } };
+        // Of positions the times at which they were read are known with their own error.
+        let tolerance = |pace: i64| if self.movement == Movement::Speed { 0 } else { pace.abs() / 128 };
+        let changes = self.steady.is_none_or(|steady| (pace - steady).abs() > tolerance(steady)) && !self.stands();
+        let slows = self.slowest.is_none_or(|slowest| pace.abs() < slowest.abs() - tolerance(slowest));
+        if changes {
             self.steady = Some(pace);
         }
-        changed
+        if slows {
+            self.slowest = Some(pace);
+        }
+        Trend { changes, slows }
+    }
+
+    /// Speed of the shaft; of positions the mean change in a second.
+    fn pace(&self) -> Option<i64> {
+        let ((then, before), (now, after)) = (*self.looks.front()?, *self.looks.back()?);
+        match self.movement {
+            Movement::Speed => Some(after),
+            Movement::Position if now <= then => None,
+            Movement::Position => {
+                let span = i128::from(now.since(then).as_micros());
+                i64::try_from((i128::from(after) - i128::from(before)) * 1_000_000 / span).ok()
+            }
+        }
     }
 
     /// Whether the shaft stands; one look at a position does not tell.
     pub(super) fn stands(&self) -> bool {
-        self.pace == Some(0)
+        let mut last = self.looks.iter().rev();
+        match (self.movement, last.next(), last.next()) {
+            (Movement::Speed, Some(&(_, raw)), _) => raw == 0,
+            (Movement::Position, Some(&(_, now)), Some(&(_, before))) => {
+                now.abs_diff(before) <= JITTER.unsigned_abs() || self.wavers()
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether the looks tell: of a shaft that neither stands nor has been watched for a while they do not.
+    pub(super) fn tells(&self) -> bool {
+        self.stands() || self.looks.len() >= if self.movement == Movement::Speed { 1 } else { ENOUGH }
+    }
+
+    /// Whether the position goes to and fro around a place: a servo holds it. The mean of the later looks is where the
+    /// mean of the earlier ones was, compared with how far they lie apart; of an even turning both are the same.
+    fn wavers(&self) -> bool {
+        if self.looks.len() < ENOUGH {
+            return false;
+        }
+        let places: Vec<i128> = self.looks.iter().map(|look| i128::from(look.1)).collect();
+        let steps: Vec<i128> = places.windows(2).filter_map(|pair| Some(pair.get(1)? - pair.first()?)).collect();
+        let turns = steps.iter().filter(|step| **step != 0).collect::<Vec<_>>();
+        let turns = turns.windows(2).filter(|pair| pair.first() > Some(&&0) && pair.get(1) < Some(&&0)).count();
+        let (early, late) = places.split_at(places.len() / 2);
+        let mean = |places: &[i128]| places.iter().sum::<i128>() * 16 / (places.len().max(1) as i128);
+        let width = |places: &[i128]| places.iter().max().zip(places.iter().min()).map_or(0, |(max, min)| max - min);
+        let moved = (mean(late) - mean(early)).abs();
+        turns >= 2 && moved * 3 <= width(early).max(width(late)) * 16
     }
 }
-
-/// A servo that holds its position may still toggle by an increment.
-const JITTER: i64 = 1;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tick::Span;
 
     fn looks(movement: Movement, values: &[i64]) -> (Vec<bool>, bool) {
         let mut watch = Watch::new(movement);
         let at = |index: usize| Tick::ZERO + Span::from_millis(50 * index as u64);
-        let seen = values.iter().enumerate().map(|(index, &value)| watch.see(at(index), Some(value))).collect();
+        let see = |(index, &value): (usize, &i64)| watch.see(at(index), Some(value)).slows;
+        let seen = values.iter().enumerate().map(see).collect();
         (seen, watch.stands())
     }
 
     #[test]
     fn a_speed_tells_by_itself() {
-        assert_eq!(looks(Movement::Speed, &[500, 400, 400]), (vec![true, true, false], false));
+        assert_eq!(looks(Movement::Speed, &[500, 400, 400, 450, 399]), (vec![true, true, false, false, true], false));
         assert!(looks(Movement::Speed, &[0]).1);
     }
 
     #[test]
     fn a_position_tells_by_its_change() {
-        // Steady for two looks, slowing down, standing with the jitter of a servo.
-        let (changed, stands) = looks(Movement::Position, &[0, 100, 200, 260, 261, 260]);
-        assert_eq!((changed, stands), (vec![true, true, false, true, true, false], true));
+        let (slows, stands) = looks(Movement::Position, &[0, 100, 200, 260, 261, 260]);
+        assert_eq!((slows, stands), (vec![true, true, false, true, true, true], true));
         assert!(!looks(Movement::Position, &[7]).1, "one look is not enough");
+    }
+
+    #[test]
+    fn a_shaft_that_wavers_stands_and_one_that_turns_does_not() {
+        let waver = |index: i64, width: i64| (index * 7_919 + index * index * 104_729) % (2 * width + 1) - width;
+        for width in [2, 3, 10, 300, 5_000] {
+            // At rest, at some look of a while; turning, slowly or fast, at none.
+            let stood = |pace: i64| {
+                let mut watch = Watch::new(Movement::Position);
+                (0..80).any(|index| {
+                    let place = pace * index + waver(index, width);
+                    watch.see(Tick::ZERO + Span::from_millis(60 * index as u64), Some(place));
+                    index > 1 && watch.stands()
+                })
+            };
+            assert!(stood(0), "{width}");
+            assert!(!stood(3 * width) && !stood(-200 * width), "{width}");
+        }
+        let mut swing = Watch::new(Movement::Position);
+        let swings = (0..40).any(|index: i64| {
+            // To one side and back again, once.
+            swing.see(Tick::ZERO + Span::from_millis(60 * index as u64), Some(-(index - 20) * (index - 20)));
+            swing.wavers()
+        });
+        assert!(!swings);
+    }
+
+    #[test]
+    fn a_ramp_that_lasts_is_seen_to_become_slower() {
+        // 3000 1/min at 16384 a turn, 30 1/min slower a second: anew in every second.
+        let mut watch = Watch::new(Movement::Position);
+        let mut seen = 0;
+        for index in 0i64..2_000 {
+            let ms = index * 50;
+            let turned = 3_000 * ms - 15 * ms * ms / 1_000;
+            let slows = watch.see(Tick::ZERO + Span::from_millis(ms as u64), Some(turned * 16_384 / 60_000)).slows;
+            assert!(slows || ms - seen < 2_000 || ms > 97_000, "{ms}");
+            seen = if slows { ms } else { seen };
+        }
     }
 }

@@ -8,9 +8,14 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Decimal, Event, State, Stop};
 use crate::profile::value::format_decimal;
 use crate::profile::{DataSets, Family, Lang, Mode, Need, Param, StopRow, Takes};
+use crate::tick::Span;
 
-/// How long the stop at the end is tried on a line that does not answer.
+/// How often the stop at the end is tried at least on a line that does not answer, and what was changed is given back.
 const STOP_TRIES: u8 = 5;
+/// The stop is given up when the drive has not answered for so long.
+const SILENT: Span = Span::from_secs(10);
+/// And after so long, whatever it answers.
+const LONGEST: Span = Span::from_secs(600);
 
 /// The state of a quick stop.
 const QUICK_STOP: &str = "quick-stop-active";
@@ -37,6 +42,12 @@ impl StopChoice {
             StopChoice::Coast => "coast",
             StopChoice::Keep => "keep",
         }
+    }
+
+    /// The choice that a word names.
+    pub(super) fn of(slug: &str) -> Self {
+        let all = [StopChoice::Ramp, StopChoice::QuickStop, StopChoice::Keep];
+        all.into_iter().find(|choice| choice.slug() == slug).unwrap_or(StopChoice::Coast)
     }
 
     /// What is left where this one does not do, or somebody cannot wait for it.
@@ -93,7 +104,14 @@ impl Motor<'_, '_> {
             let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
             if let Some(param) = param {
                 // So that nobody is surprised by it at the next enable.
-                let _best_effort = self.write(&param, 0, 0).await;
+                if self.write(&param, 0, 0).await.is_err() {
+                    self.notes.push(match self.lang {
+                        Lang::En => format!("{} may still stand in the drive; it could not be set to 0", param.label()),
+                        Lang::De => {
+                            format!("{} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben", param.label())
+                        }
+                    });
+                }
             }
         }
         if !stands {
@@ -160,13 +178,14 @@ impl Motor<'_, '_> {
         self.stopping = true;
         self.session.insist(true);
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
-        loop {
-            let failure = match self.try_stop(way, hurry, tries == STOP_TRIES).await {
+        let begun = self.session.now();
+        (self.heard, self.unheard) = (begun, false);
+        while self.session.now().since(begun) < LONGEST {
+            let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => return self.proven(stop, proof),
                 Err(failure) => failure,
             };
-            let stronger = way.stronger().filter(|_| self.lever == Lever::ControlWord);
-            match (failure.class, stronger) {
+            match (failure.class, self.stronger(way)) {
                 (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {
                     hurry |= failure.class == Class::Interrupted;
                     self.session.note_interrupts();
@@ -175,14 +194,38 @@ impl Motor<'_, '_> {
                     stop.escalated = Some(next.slug());
                 }
                 (Class::Interrupted | Class::Port, _) => break,
-                _ if tries == STOP_TRIES => break,
+                (Class::Forbidden, _) if self.lever == Lever::Taken => break,
+                // As long as the drive answers now and then the stop goes out to it.
+                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
+                    self.session.note_interrupts();
+                    if self.session.now().since(self.heard) >= SILENT && !self.runs_on().await {
+                        self.unheard = true;
+                        break;
+                    }
+                }
+                _ if tries >= STOP_TRIES => break,
                 _ => {}
             }
-            tries += 1;
+            tries = tries.saturating_add(1);
         }
         // Whoever waits no longer is told what the drive says now.
         self.session.note_interrupts();
         self.last_look(stop).await
+    }
+
+    /// What is left to stop it with.
+    fn stronger(&self, way: StopChoice) -> Option<StopChoice> {
+        match self.lever {
+            Lever::ControlWord => way.stronger(),
+            // There is no quick stop by contacts.
+            Lever::Contacts => way.stronger().map(|_| StopChoice::Coast),
+            Lever::Setpoint | Lever::Taken => None,
+        }
+    }
+
+    /// Whether the drive answers after all, and has power.
+    async fn runs_on(&mut self) -> bool {
+        self.state().await.is_ok_and(|state| !STOPPED.contains(&state.slug.as_str()))
     }
 
     fn tell_stronger(&mut self, way: StopChoice, next: StopChoice, interrupted: bool) {
@@ -199,8 +242,15 @@ impl Motor<'_, '_> {
 
     /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it.
     fn proven(&self, mut stop: Stop, proof: Proof) -> Stop {
-        stop.acknowledged = proof.standing != Some(false) || !proof.waited;
-        if proof.standing == Some(false) {
+        let off = self.lever != Lever::Taken || STOPPED.contains(&proof.state.slug.as_str());
+        stop.acknowledged = off && (proof.standing != Some(false) || !proof.waited);
+        if !off {
+            let text = self.lang.pick(
+                "the setpoint is 0; its contacts or its keypad keep the drive enabled",
+                "der Sollwert ist 0; seine Kontakte oder seine Bedieneinheit halten den Antrieb freigegeben",
+            );
+            stop.note = Some(text.to_owned());
+        } else if proof.standing == Some(false) {
             let text = self.lang.pick(
                 "without power, but the shaft still turns by itself",
                 "ohne Strom, aber die Welle dreht noch von selbst",
@@ -256,9 +306,12 @@ impl Motor<'_, '_> {
         };
         let state = match self.lever {
             Lever::ControlWord => self.stop_by_commands(&row, last).await?,
-            Lever::Contacts => {
+            Lever::Contacts => self.open_contacts(way, last).await?,
+            Lever::Taken => {
+                // Whatever it stands for now, 0 starts nothing.
                 self.write_control(0).await?;
-                self.until(STOPPED, Some(Takes::Transition5), true).await?
+                self.zero().await?;
+                self.until_still().await?
             }
             Lever::Setpoint => {
                 self.zero().await?;
@@ -277,6 +330,25 @@ impl Motor<'_, '_> {
         }
     }
 
+    /// Opens virtual contacts: for a ramp the start contacts first, because without the enable the power is gone at once
+    /// (CM-485 manual 9.1.3); any other stop opens all.
+    async fn open_contacts(&mut self, way: StopChoice, last: bool) -> Result<State, Failure> {
+        let starts = self.target.family.motion.control.map_or(0, |control| control.start_contacts);
+        let without = self.word & !starts;
+        if way == StopChoice::Ramp && without != 0 {
+            let ramped = match self.write_control(without).await {
+                Ok(()) => self.until(STOPPED, Some(Takes::Transition5), true).await.map(|_| ()),
+                failed => failed,
+            };
+            match ramped {
+                Err(failure) if last && matches!(failure.class, Class::Silence | Class::Garbled) => {}
+                ramped => ramped?,
+            }
+        }
+        self.write_control(0).await?;
+        self.until(STOPPED, Some(Takes::Transition5), true).await
+    }
+
     /// Waits for a state without power, whichever it is.
     pub(super) async fn until_without_power(&mut self) -> Result<State, Failure> {
         self.until(STOPPED, Some(Takes::Transition5), true).await
@@ -285,16 +357,14 @@ impl Motor<'_, '_> {
     /// Whether the shaft stands now; `None` if the drive does not tell.
     async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        // Of a position two looks tell.
-        for _ in 0..2 {
+        loop {
             let Some(raw) = self.movement().await? else { return Ok(None) };
             watch.see(self.session.now(), Some(raw));
-            if watch.stands() {
-                break;
+            if watch.tells() {
+                return Ok(Some(watch.stands()));
             }
             self.rest(self.beat()).await?;
         }
-        Ok(Some(watch.stands()))
     }
 
     async fn stop_by_commands(&mut self, row: &StopRow, last: bool) -> Result<State, Failure> {
@@ -306,8 +376,13 @@ impl Motor<'_, '_> {
             }
         }
         let family = self.target.family.clone();
-        let words = row.commands.iter().filter_map(|slug| family.machine.command(slug)).map(|command| command.word);
-        for (index, word) in words.enumerate() {
+        let word = |slug: &String| family.machine.command(slug).map(|command| command.word);
+        let words: Vec<u16> = match self.seen.as_deref().is_some_and(|state| OFF.contains(&state)) {
+            // Any other command would lead up from there.
+            true => vec![0],
+            false => row.commands.iter().filter_map(word).collect(),
+        };
+        for (index, word) in words.into_iter().enumerate() {
             if index > 0 {
                 self.until_still().await?;
             }
@@ -330,6 +405,7 @@ impl Motor<'_, '_> {
         let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
         let Some(param) = self.zeroes.or(given) else { return Ok(()) };
         let param = self.target.family.param_or_unknown(param);
+        self.again = Some((param.clone(), 0));
         self.write(&param, 0, 0).await
     }
 
@@ -387,6 +463,9 @@ pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> 
         (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt".to_owned(),
     }
 }
+
+/// States from which a command of a stop would lead up.
+const OFF: &[&str] = &["switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
 
 /// States without power: a stop has done its work.
 const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];

@@ -14,6 +14,8 @@ use toml::{Spanned, Value};
 const REPLY_DELAY: Span = Span::from_millis(3);
 /// Class of an error if the file names none: power off at once.
 const CLASS: u8 = 3;
+/// Most user units that a position wavers by.
+const MOST_WAVER: i64 = 1_000_000;
 /// Longest text of an object of code 43.
 const MOST_TEXT: usize = 60;
 
@@ -83,6 +85,7 @@ impl Reader<'_> {
         world.limp = servo.limp.unwrap_or(world.limp);
         world.limits = servo.limits.unwrap_or(world.limits);
         world.guide = servo.guide.unwrap_or(world.guide);
+        world.waver = servo.waver.map_or(world.waver, |units| units.clamp(0, MOST_WAVER));
         if let Some(bit6) = &servo.bit6 {
             world.bit6_absolute = self.word("bit6", bit6, &[("relative", false), ("absolute", true)])?;
         }

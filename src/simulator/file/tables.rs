@@ -86,6 +86,7 @@ pub(super) struct ServoTable {
     pub(super) limp: Option<i64>,
     pub(super) limits: Option<bool>,
     pub(super) guide: Option<i64>,
+    pub(super) waver: Option<i64>,
     pub(super) bit6: Option<Spanned<String>>,
     pub(super) vendor: Option<Spanned<String>>,
     pub(super) product: Option<Spanned<String>>,

@@ -79,6 +79,8 @@ pub(in crate::simulator) struct World {
     pub(in crate::simulator) limits: bool,
     /// Increments per second at the position interface.
     pub(in crate::simulator) guide: i64,
+    /// A position that is read wavers by so many user units to either side.
+    pub(in crate::simulator) waver: i64,
     /// Bit 6 of the control word set means absolute, as manual 5.4.1 words its example.
     pub(in crate::simulator) bit6_absolute: bool,
 }
@@ -153,6 +155,12 @@ impl Motion {
     /// _p_act, user units.
     pub(super) fn position(&self) -> i64 {
         self.place() - self.zero
+    }
+
+    /// How far off a position is read at `now`: a saw that takes a step every 7 ms.
+    pub(super) fn waver(&self, now: Tick) -> i64 {
+        let step = i64::try_from(now.as_micros() / 7_000).unwrap_or(0);
+        step.rem_euclid(2 * self.world.waver + 1) - self.world.waver
     }
 
     pub(super) fn referenced(&self) -> bool {

@@ -165,7 +165,7 @@ impl Lexium {
                 (self.machine.status() | self.motion.status(&self.values, word, power)).into()
             }
             params::MODE_ACTIVE => narrow(self.motion.mode_number()),
-            params::POSITION => narrow(self.motion.position()),
+            params::POSITION => narrow(self.motion.position().saturating_add(self.motion.waver(self.at))),
             _ => narrow(self.values.get(address)),
         }
     }
