@@ -2,7 +2,7 @@
 
 use super::route::{Cell, Content, Inquiry, No, Route, Width};
 use super::session::{AccessError, Refusal, Session};
-use crate::exchange::Limits;
+use crate::exchange::{ExchangeError, Limits};
 use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Sets, Type, value};
 use crate::protocol::modbus::BROADCAST;
@@ -248,9 +248,20 @@ impl Target {
     ) -> Result<Reading, AccessError> {
         let route = self.route(session).await?;
         let question = route.question(Inquiry::Read(cell, kind)).ok_or(AccessError::Unspeakable)?;
-        let answer = session.demand(route, &self.family, question).await?;
-        let content = answer.and_then(|(said, _)| route.content(&said)).ok_or(AccessError::Unspeakable)?;
-        Ok(reading(param, cell.set, content, kind))
+        let doubts = |field: &String| ["type", "row"].contains(&field.as_str());
+        let sure = param.kind == Some(kind) && !param.unconfirmed.iter().any(doubts);
+        let mut asked = 0;
+        loop {
+            asked += 1;
+            let answer = session.demand(route, &self.family, question.clone()).await?;
+            let (said, _) = answer.ok_or(AccessError::Unspeakable)?;
+            let content = route.content(&said).ok_or(AccessError::Unspeakable)?;
+            match route.misshapen(&said, kind).filter(|_| sure) {
+                None => return Ok(reading(param, cell.set, content, kind)),
+                Some(_) if asked <= session.limits().retries => {}
+                Some(bytes) => return Err(ExchangeError::Garbled { asked, bytes }.into()),
+            }
+        }
     }
 
     /// Remembers the width that turned out to be the right one.
