@@ -33,6 +33,20 @@ pub(super) async fn rest(
     }
 }
 
+/// So many chunks are taken before a question, however much more is there: a flood must not hold it up.
+const MOST_STALE: usize = 64;
+
+/// Takes what is there already without waiting: bytes that the driver kept while nobody listened are nobody's answer.
+pub(super) async fn drain(master: &mut Master, link: &mut Link) -> Result<(), PumpError> {
+    for _ in 0..MOST_STALE {
+        match link.wait(link.now()).await? {
+            Wake::Bytes(bytes) => master.feed(link.now(), &bytes),
+            Wake::Silence => return Ok(()),
+        }
+    }
+    Ok(())
+}
+
 /// Waits until bytes come or the time is over.
 pub(super) async fn hear(link: &mut Link, interrupt: &Interrupt, until: Tick) -> Result<Wake, PumpError> {
     // Gives the signal handlers a turn, also on the bench, where nothing ever waits.
@@ -71,5 +85,32 @@ pub(super) async fn run<C: Conversation>(
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exchange::Limits;
+    use crate::protocol::line::{LineSetting, Parity};
+    use crate::protocol::modbus::{Framing, rtu};
+    use crate::transport::Rs485;
+    use std::io::Write;
+
+    #[test]
+    fn what_the_driver_kept_is_taken_before_a_question() {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        runtime.block_on(async {
+            let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+            let port = format!("tcp://{}", listener.local_addr().unwrap()).parse().unwrap();
+            let line = LineSetting::rtu(19_200, Parity::Even);
+            let mut link = Link::open(&port, line, Rs485::default()).await.unwrap();
+            let (mut server, _) = listener.accept().unwrap();
+            server.write_all(&rtu::encode(1, &[3, 2, 0, 1])).unwrap();
+            std::thread::sleep(std::time::Duration::from_millis(50));
+            let mut master = Master::new(Framing::Rtu.into(), line, Limits::default());
+            drain(&mut master, &mut link).await.unwrap();
+            assert_eq!(master.tally().strays, 1);
+        });
     }
 }

@@ -127,6 +127,18 @@ impl Route {
         })
     }
 
+    /// The bytes of a reply whose value has not the form that its type has over VABus: four or eight upper-case digits
+    /// (facts A2). A check character of eight bits lets such through.
+    pub(super) fn misshapen(self, said: &Said, kind: Type) -> Option<Vec<u8>> {
+        let Said::Vabus(reply @ vabus::Reply::Value { data, .. }) = said else { return None };
+        let fits = match kind.bits() {
+            Some(32) => data.as_long().is_some(),
+            Some(_) => data.as_word().is_some(),
+            None => true,
+        };
+        (!fits).then(|| reply.encode())
+    }
+
     /// Whether an answer carries these bits, read back in the exchange that wrote them.
     pub(super) fn tells(self, said: &Said, bits: u32) -> bool {
         matches!(said, Said::Modbus(Reply::RegistersExchanged(_)))
@@ -225,5 +237,33 @@ pub(super) fn no(said: &Said) -> Option<No> {
         Said::Modbus(Reply::Exception { code, .. }) => Some(No::Exception(*code)),
         Said::Vabus(vabus::Reply::Nak { .. }) => Some(No::Nak),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Registry;
+
+    #[test]
+    fn a_value_over_vabus_has_the_form_of_its_type() {
+        let family = Registry::open(&[]).unwrap().family("act").unwrap();
+        let route = Route::new(Protocol::Vabus, &family.link, 1);
+        let header = Header { node: SystemNode::SELF, set: DataSet::default(), number: ParamNumber::new(419).unwrap() };
+        let address = Address::drive(1).unwrap();
+        for (digits, word, long) in [
+            ("056E", true, false),
+            ("0000056E", false, true),
+            ("056e", false, false),
+            ("G56E", false, false),
+            ("00056E", false, false),
+            ("0000056e", false, false),
+        ] {
+            let data = Data::text(digits.as_bytes()).unwrap();
+            let said = Said::Vabus(vabus::Reply::Value { address, header, data });
+            assert_eq!(route.misshapen(&said, Type::Uint).is_none(), word, "{digits}");
+            assert_eq!(route.misshapen(&said, Type::Long).is_none(), long, "{digits}");
+            assert!(route.misshapen(&said, Type::String).is_none(), "{digits}");
+        }
     }
 }

@@ -204,6 +204,7 @@ impl<'a> Session<'a> {
     }
 
     async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        pump::drain(&mut self.master, &mut self.link).await?;
         let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;

@@ -2,7 +2,7 @@
 
 use super::route::{Cell, Content, Inquiry, No, Route, Width};
 use super::session::{AccessError, Refusal, Session};
-use crate::exchange::Limits;
+use crate::exchange::{ExchangeError, Limits};
 use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Sets, Type, value};
 use crate::protocol::modbus::BROADCAST;
@@ -206,7 +206,8 @@ impl Target {
     }
 
     /// The way to this drive on the line of the session. Where values take two registers, which half comes first is
-    /// asked once.
+    /// asked once: by the address, which is never 0 and so proves the order in force. The setting of the order proves it
+    /// only if it is not 0, and may hold from the next power-on.
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
         let route = Route {
             node: session.node(),
@@ -218,19 +219,21 @@ impl Target {
         let Some(order) = self.family.role("word-order").filter(|_| asks) else {
             return Ok(route);
         };
-        let cell = Cell { number: order.id, set: 0 };
-        let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
-        let answer = match session.demand(route, &self.family, question).await {
-            // Without an answer the factory setting is presumed.
-            Err(AccessError::Refused(_)) => None,
-            answer => answer?,
-        };
-        // The setting is 0 or 1, so one half is always 0, and a 1 that reads as the upper half came first.
-        let content = answer.and_then(|(said, _)| route.content(&said));
-        let order = match content {
-            Some(Content::Bits(bits, _)) if bits > u32::from(u16::MAX) => WordOrder::LowFirst,
-            _ => WordOrder::HighFirst,
-        };
+        let mut proven = None;
+        for param in self.family.role("address").into_iter().chain([order]) {
+            let cell = Cell { number: param.id, set: 0 };
+            let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
+            let answer = match session.demand(route, &self.family, question).await {
+                Err(AccessError::Refused(_)) => None,
+                answer => answer?,
+            };
+            proven = answer.and_then(|(said, _)| route.content(&said)).and_then(|content| order_told(param, &content));
+            if proven.is_some() {
+                break;
+            }
+        }
+        // Without an answer that tells, the factory setting is presumed.
+        let order = proven.unwrap_or_default();
         self.order = Some(order);
         session.knows(self.address, &self.family, order);
         Ok(Route { order, ..route })
@@ -245,9 +248,20 @@ impl Target {
     ) -> Result<Reading, AccessError> {
         let route = self.route(session).await?;
         let question = route.question(Inquiry::Read(cell, kind)).ok_or(AccessError::Unspeakable)?;
-        let answer = session.demand(route, &self.family, question).await?;
-        let content = answer.and_then(|(said, _)| route.content(&said)).ok_or(AccessError::Unspeakable)?;
-        Ok(reading(param, cell.set, content, kind))
+        let doubts = |field: &String| ["type", "row"].contains(&field.as_str());
+        let sure = param.kind == Some(kind) && !param.unconfirmed.iter().any(doubts);
+        let mut asked = 0;
+        loop {
+            asked += 1;
+            let answer = session.demand(route, &self.family, question.clone()).await?;
+            let (said, _) = answer.ok_or(AccessError::Unspeakable)?;
+            let content = route.content(&said).ok_or(AccessError::Unspeakable)?;
+            match route.misshapen(&said, kind).filter(|_| sure) {
+                None => return Ok(reading(param, cell.set, content, kind)),
+                Some(_) if asked <= session.limits().retries => {}
+                Some(bytes) => return Err(ExchangeError::Garbled { asked, bytes }.into()),
+            }
+        }
     }
 
     /// Remembers the width that turned out to be the right one.
@@ -322,6 +336,9 @@ impl Target {
             session.set_limits(Limits { retries: 0, ..limits });
             let sent = session.demand(route, &self.family, question.clone()).await;
             session.set_limits(limits);
+            if self.family.role("word-order").is_some_and(|order| order.id == param.id) {
+                self.order = None; // it may hold at once
+            }
             let missing = match sent {
                 Ok(_) if !read_back => return Ok(WriteFate::Written),
                 Ok(Some((said, _))) if route.tells(&said, bits) => return Ok(WriteFate::Verified),
@@ -354,6 +371,17 @@ impl Target {
     }
 }
 
+/// The word order that a value of a small parameter proves, read with the upper half first; 0 proves nothing.
+fn order_told(param: &Param, content: &Content) -> Option<WordOrder> {
+    let Content::Bits(bits, _) = content else { return None };
+    let fits = |half: u32| half != 0 && param.max.is_none_or(|max| i64::from(half) <= max);
+    match (bits >> 16, bits & 0xFFFF) {
+        (0, low) if fits(low) => Some(WordOrder::HighFirst),
+        (high, 0) if fits(high) => Some(WordOrder::LowFirst),
+        _ => None,
+    }
+}
+
 /// A value from what came, with the type that its width proves: `kind` where the width is the same.
 pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> Reading {
     let blank = Reading { set, raw: 0, text: None, kind, corrected: false };
@@ -374,5 +402,23 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         }
         Content::Text(characters) => text(characters),
         Content::Done => blank,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Registry;
+
+    #[test]
+    fn the_address_proves_the_word_order_in_force_and_a_setting_of_0_proves_nothing() {
+        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
+        let told = |role, bits| order_told(family.role(role).unwrap(), &Content::Bits(bits, Width::AsAsked));
+        assert_eq!(told("address", 0x0000_0001), Some(WordOrder::HighFirst));
+        assert_eq!(told("address", 0x00F7_0000), Some(WordOrder::LowFirst));
+        assert_eq!(told("word-order", 0x0001_0000), Some(WordOrder::LowFirst));
+        for (role, bits) in [("word-order", 0), ("address", 0), ("address", 0x00F8_0000), ("address", 0x0001_0001)] {
+            assert_eq!(told(role, bits), None, "{role} {bits:08X}");
+        }
     }
 }

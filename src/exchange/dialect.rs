@@ -267,6 +267,13 @@ impl Dialect {
         }
     }
 
+    /// What came behind the echo of what was sent; before it the echo of the end of the last exchange may stand, which an
+    /// adapter brings late.
+    pub(super) fn behind_echo<'c>(self, came: &'c [u8], sent: &[u8]) -> &'c [u8] {
+        let ended = came.strip_prefix(self.farewell()).filter(|rest| rest.starts_with(sent));
+        ended.unwrap_or(came).strip_prefix(sent).unwrap_or(came)
+    }
+
     /// Whether the late answer to `missing`, if it is no refusal, could be taken for the answer to `question`. Many answers
     /// name what they answer.
     pub(super) fn confuses(self, missing: &Question, question: &Question) -> bool {

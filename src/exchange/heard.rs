@@ -122,6 +122,11 @@ impl Heard {
         self.twins.get(&station).is_some_and(|&times| times >= TWINS)
     }
 
+    /// Whether a station has answered in two ways at all.
+    pub(super) fn has_twins(&self, station: u8) -> bool {
+        self.twins.contains_key(&station)
+    }
+
     /// It was told that there are two.
     pub(super) fn forgives(&mut self, station: u8) {
         self.twins.remove(&station);

@@ -456,7 +456,7 @@ impl Master {
         let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
         let (verdict, rest) = self.judge(now, &came, &sent);
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
-        waiting.echoed |= came.starts_with(&sent);
+        waiting.echoed |= self.dialect.behind_echo(&came, &sent).len() < came.len();
         match verdict {
             Came::Nothing => {}
             Came::Stray(station) => waiting.stray = Some(station),
@@ -483,7 +483,7 @@ impl Master {
 
     /// Says what bytes are that hold no answer, and notes them.
     fn judge(&mut self, at: Tick, came: &[u8], sent: &[u8]) -> (Came, Vec<u8>) {
-        let rest = came.strip_prefix(sent).unwrap_or(came);
+        let rest = self.dialect.behind_echo(came, sent);
         if rest.len() < came.len() {
             self.echo = Echo::Present;
             self.note_echo(at, sent);
@@ -594,7 +594,8 @@ impl Master {
     /// Notes what came before an answer: an echo, noise, strays.
     fn note_before(&mut self, at: Tick, before: &[u8], sent: &[u8]) {
         let noise = before.strip_suffix(sent);
-        if let Some(noise) = noise.or((!before.is_empty()).then_some(before)).filter(|noise| !noise.is_empty()) {
+        let is_ours = |noise: &&[u8]| noise.is_empty() || *noise == self.dialect.farewell();
+        if let Some(noise) = noise.or(Some(before)).filter(|noise| !is_ours(noise)) {
             self.note_stray(at, noise);
         }
         if noise.is_some() {

@@ -237,11 +237,21 @@ fn a_write_is_proven_in_the_exchange_that_writes() {
 fn the_word_order_is_asked_once_or_given() {
     let low = bench("set = { MBdword_order = 1, RAMPacc = 500 }");
     let asked = antrieb("-a 1 -v --drive lxm05 read RAMPacc RAMPdecel _p_act").on(&low).exits(0);
-    assert_eq!(asked.sent().iter().filter(|telegram| telegram.starts_with("01 03 16 0E")).count(), 1);
+    assert_eq!(asked.sent().iter().filter(|telegram| telegram.starts_with("01 03 16 08")).count(), 1);
     assert!(asked.out.contains("500"), "{}", asked.out);
     let given = antrieb("-a 1 -v --drive lxm05 --word-order low --yes write RAMPacc=2000").on(&low).exits(0);
-    assert!(given.sent().iter().all(|telegram| !telegram.starts_with("01 03 16 0E")), "{:?}", given.sent());
+    assert!(given.sent().iter().all(|telegram| !telegram.starts_with("01 03 16 0")), "{:?}", given.sent());
     assert!(given.sent().pop().unwrap().contains("04 07 D0 00 00"), "low word first");
+}
+
+/// MBdword_order holds at once or from the next power-on (facts, readings): the order in force is what counts.
+#[test]
+fn a_word_order_that_was_written_is_found_out_anew() {
+    for (reading, half) in [("power-on", "04 07 D0 00 00"), ("at-once", "04 00 00 07 D0")] {
+        let low = bench(&format!("set = {{ MBdword_order = 1 }}\nreadings = {{ mbdword_order = \"{reading}\" }}"));
+        let run = antrieb("-a 1 -v --drive lxm05 --yes write MBdword_order=0 RAMPacc=2000").on(&low).exits(0);
+        assert!(run.sent().iter().any(|telegram| telegram.contains(half)), "{reading}: {:?}", run.sent());
+    }
 }
 
 #[test]

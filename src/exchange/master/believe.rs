@@ -20,8 +20,18 @@ impl Master {
                 from = start + 1;
                 continue;
             }
+            if let Some((station, question)) = self.foreign_before(waiting, start) {
+                // It answers somebody else's question, whatever ours is.
+                if station == job.station && question.is_answered_by(&found.said) {
+                    from = start + 1;
+                    continue;
+                }
+            }
             let bytes = waiting.came.get(start..end)?.to_vec();
-            let noise = waiting.came.get(..start).is_some_and(|before| !before.is_empty() && before != waiting.sent);
+            let noise = waiting
+                .came
+                .get(..start)
+                .is_some_and(|before| !self.dialect.behind_echo(before, &waiting.sent).is_empty());
             let doubtful = noise || !waiting.garbage.is_empty();
             let weight = self.weigh(job, waiting.sent_end, &bytes, at, doubtful);
             match weight {

@@ -635,3 +635,29 @@ fn an_answer_behind_garbage_as_long_as_a_telegram_is_heard_twice() {
     let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, value(7))], &[(11, value(7))]];
     assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
 }
+
+#[test]
+fn what_stands_behind_the_question_of_another_master_is_his() {
+    let mut line = Line::new(Framing::Rtu);
+    let his = [rtu::encode(1, &OTHER.encode()), value(7)].concat();
+    let replies: [&[(u64, Vec<u8>)]; 2] = [&[(5, his.clone()), (30, value(1390))], &[(5, his)]];
+    let outcome = line.ask(1, READ, &replies);
+    assert!(
+        !matches!(&outcome, Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. }) if *words == [7])
+    );
+}
+
+#[test]
+fn an_echo_of_the_last_end_that_comes_late_costs_no_repeat() {
+    let mut line = Line::vabus();
+    let address = Address::drive(1).unwrap();
+    for number in [30, 249, 250, 411] {
+        let header = Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
+        let asked = vabus::Request::Enquiry { address, header };
+        let echo = [&[vabus::EOT][..], &asked.encode()].concat();
+        let reply = vabus::Reply::Value { address, header, data: Data::word(number) };
+        let outcome = line.ask(1, asked, &[&[(1, echo), (80, reply.encode())]]);
+        assert!(outcome.is_ok(), "{outcome:?}");
+    }
+    assert_eq!((line.master.tally().repeats, line.master.tally().garbled), (0, 0));
+}

@@ -2,6 +2,7 @@
 //!
 //! * On a line that mixes up telegrams: a reply that was missing when a fence was answered is lost on a wire, but a radio
 //!   link or a gateway may still bring it, in place of the answer to another question.
+//! * From a station that has answered one question in two ways: it may be two, each with its own delay.
 //! * Behind garbage as long as a telegram: two replies may have met, and the second is to something else.
 
 use super::*;
@@ -28,7 +29,7 @@ impl Master {
         let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced() && !job.question.is_write()) else {
             return Some(said);
         };
-        let doubles = self.doubles(job, &said, at).max(usize::from(job.doubted));
+        let doubles = self.doubles(job, &said, at).max(usize::from(job.doubted || self.heard.has_twins(job.station)));
         let agree = job.witnesses.iter().filter(|&witness| *witness == said).count();
         if agree >= doubles.min(WITNESSES - 1) || self.dialect.is_numbered() {
             return Some(said);
@@ -39,6 +40,14 @@ impl Master {
         }
         self.call_witness(at, said);
         None
+    }
+
+    /// The question of somebody else that ends where an answer starts.
+    pub(super) fn foreign_before(&self, waiting: &Waiting, start: usize) -> Option<(u8, Question)> {
+        let before = waiting.came.get(..start)?;
+        let begins = (1..=before.len().min(foreign::LONGEST_QUESTION)).filter_map(|len| before.get(start - len..));
+        let asked = |piece: &[u8]| foreign::question(self.protocol(), piece).filter(|_| piece != waiting.sent);
+        begins.filter(|piece| piece.len() > 3).find_map(asked)
     }
 
     /// Somebody else asks a station: its reply is to come, and none to us.

@@ -25,7 +25,7 @@ pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
 }
 
 /// Longest question that is looked for, in bytes; one in ASCII takes 17.
-const LONGEST_QUESTION: usize = 32;
+pub(in crate::exchange) const LONGEST_QUESTION: usize = 32;
 
 /// The station that is asked, and what, if this is a telegram that can only come from a master.
 pub(in crate::exchange) fn question(protocol: Protocol, bytes: &[u8]) -> Option<(u8, Question)> {
