@@ -98,6 +98,7 @@ mod tests {
     use std::io::Write;
 
     #[test]
+    #[expect(clippy::disallowed_methods, reason = "the bytes really lie in the system's buffer")]
     fn what_the_driver_kept_is_taken_before_a_question() {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
         runtime.block_on(async {
