@@ -256,7 +256,7 @@ impl Case {
             sins.push(format!("acknowledged, but energised {energised}"));
         }
         // A shaft that coasts is told so; an inverter that measures nothing without power (V/f) cannot tell.
-        if proven && turning > 0 && (standing == Some(true) || (self.model == "lxm05" && standing.is_none())) {
+        if proven && turning > 0 && self.model == "lxm05" && standing != Some(false) {
             sins.push(format!("standing {standing:?}, but it turns"));
         }
         if motion.running == Some(false) && energised > 0 {
