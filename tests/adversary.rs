@@ -117,7 +117,7 @@ fn longest_telegram(protocol: Protocol, line: LineSetting) -> Span {
 /// Seeds; more of them with `ANTRIEB_TRIAL=50`.
 #[expect(clippy::disallowed_methods, reason = "a variable is how a test is told to take its time")]
 fn seeds() -> u64 {
-    std::env::var("ANTRIEB_TRIAL").ok().and_then(|text| text.parse().ok()).unwrap_or(2)
+    std::env::var("ANTRIEB_TRIAL").ok().and_then(|text| text.parse().ok()).unwrap_or(4)
 }
 
 #[test]

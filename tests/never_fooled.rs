@@ -233,7 +233,10 @@ fn the_dice_bring_no_wrong_value() {
                 "{protocol:>6} {:30} right {right}, wrong {wrong}, unread {unread}, of the twin {twin}, chance {chance}",
                 manner.name
             );
-            found.extend(score.found);
+            let all = right + wrong + unread + twin + chance;
+            if wrong * 1_000 > manner.most * all {
+                found.extend(score.found);
+            }
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));

@@ -30,6 +30,7 @@ const CELLS: [(u16, u8, bool); 8] = [
 ];
 const LATEST_MS: u64 = 6_000;
 const COPY_MS: u64 = 500;
+const SLICE: Span = Span::from_millis(2);
 
 /// What the line does, each once in so many telegrams; 0: never.
 #[derive(Clone, Copy, Debug, Default)]
@@ -99,6 +100,8 @@ pub(crate) struct HostileLine {
     told: HashSet<Vec<u8>>,
     /// When the other master asks next.
     other: Tick,
+    /// Its questions that are on the wire: start, end.
+    questions: Vec<(Tick, Tick, Vec<u8>)>,
 }
 
 impl HostileLine {
@@ -115,6 +118,7 @@ impl HostileLine {
             count: 0,
             told: HashSet::new(),
             other: Tick::ZERO,
+            questions: Vec::new(),
         }
     }
 
@@ -164,11 +168,17 @@ impl HostileLine {
     }
 
     pub(crate) fn wait(&mut self, until: Tick) -> Vec<u8> {
-        self.meddle(until);
-        self.settle();
-        let first = self.pieces.first().map(|piece| piece.at).filter(|&at| at <= until);
-        self.now = self.now.max(first.unwrap_or(until));
-        self.take()
+        loop {
+            // No further than anybody can foresee: what we send may meet what the other master sends.
+            let slice = if self.hazards.master.is_some() { until.min(self.now + SLICE) } else { until };
+            self.meddle(slice);
+            self.settle();
+            let first = self.pieces.first().map(|piece| piece.at).filter(|&at| at <= slice);
+            self.now = self.now.max(first.unwrap_or(slice));
+            if first.is_some() || self.now >= until {
+                return self.take();
+            }
+        }
     }
 
     fn take(&mut self) -> Vec<u8> {
@@ -212,6 +222,7 @@ impl HostileLine {
     /// Spoils everything that is on the wire in this time; tells whether there was anything.
     fn spoil(&mut self, start: Tick, end: Tick) -> bool {
         let mut met = false;
+        self.questions.retain(|question| question.1 <= start || end <= question.0);
         for piece in self.pieces.iter_mut().filter(|piece| piece.start < end && start < piece.end) {
             met = true;
             piece.whole = false;
@@ -273,7 +284,7 @@ impl HostileLine {
         if noise {
             let count = 1 + self.dice.below(6);
             let bytes = self.dice.bytes(count);
-            self.put(start, bytes, false);
+            _ = self.put(start, bytes, false);
         }
         match torn {
             // The rest does not come, or comes when everybody has turned away.
@@ -286,7 +297,7 @@ impl HostileLine {
                     self.put(later, rest, false);
                 }
             }
-            false => self.put(start, frame, whole),
+            false => _ = self.put(start, frame, whole),
         }
         if let Some(copy) = copy {
             let later = end + Span::from_micros(self.dice.below(COPY_MS * 1_000));
@@ -294,11 +305,11 @@ impl HostileLine {
         }
     }
 
-    fn put(&mut self, start: Tick, mut bytes: Vec<u8>, mut whole: bool) {
+    /// Puts bytes on the wire; tells whether they are whole there.
+    fn put(&mut self, start: Tick, mut bytes: Vec<u8>, mut whole: bool) -> bool {
         if bytes.is_empty() {
-            return;
+            return whole;
         }
-        let start = start.max(self.now);
         let end = start + self.duration(bytes.len());
         if end > start && (self.spoil(start, end) || (self.ours.0 < end && start < self.ours.1)) {
             whole = false;
@@ -317,27 +328,30 @@ impl HostileLine {
         }
         let at = end + Span::from_micros(if cut > 0 { self.dice.below(16_000) } else { 0 });
         self.pieces.push(Piece { start: middle, end, at, bytes: rest, whole });
+        whole
     }
 
     /// The other master speaks until then.
     fn meddle(&mut self, until: Tick) {
         let Some(gap) = self.hazards.master else { return };
         let Protocol::Modbus(framing @ (Framing::Rtu | Framing::Ascii)) = self.protocol else { return };
-        self.other = self.other.max(self.now);
-        while self.other <= until + Span::from_millis(50) {
+        while self.other <= until {
             let ours = self.hazards.shared && self.dice.one_in(2);
             let station = if ours { self.dice.pick(&STATIONS) } else { STRANGER };
             let (number, set, _) = self.dice.pick(&CELLS[..5]);
             let start = ParamAddress::new(set, number).unwrap().word();
-            let request = Request::ReadRegisters { start, count: 1 };
-            let frame = framing.encode(station, &request.encode());
+            let frame = framing.encode(station, &Request::ReadRegisters { start, count: 1 }.encode());
             let (began, end) = (self.other, self.other + self.duration(frame.len()));
             self.other = end + Span::from_millis(22 + gap) + Span::from_micros(self.dice.below(4_000));
-            let met = self.ours.0 < end && began < self.ours.1;
-            self.put(began, frame.clone(), true);
-            if !met {
-                self.answer(end, &frame);
+            // What it meets is spoilt, and so is it.
+            if !self.put(began, frame.clone(), true) {
+                continue;
             }
+            self.questions.push((began, end, frame));
+        }
+        let over = self.questions.extract_if(.., |question| question.1 <= until).collect::<Vec<_>>();
+        for (_, end, frame) in over {
+            self.answer(end, &frame);
         }
     }
 

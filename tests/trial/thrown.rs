@@ -36,23 +36,39 @@ pub(crate) struct Manner {
     pub(crate) drained: bool,
     /// Wires, or a gateway that hands bytes on as it likes.
     pub(crate) wired: bool,
+    /// So many of a thousand values may be wrong: where two speak with one voice, nobody can always tell.
+    pub(crate) most: u64,
 }
 
 pub(crate) const MANNERS: [Manner; 9] = [
-    Manner { name: "faults", set: |_, _| {}, drained: true, wired: true },
-    Manner { name: "undrained", set: |hazards, dice| hazards.pause = 1 + dice.below(5), drained: false, wired: true },
-    Manner { name: "gateway", set: |hazards, dice| hazards.pause = 1 + dice.below(9), drained: true, wired: false },
+    Manner { name: "faults", set: |_, _| {}, drained: true, wired: true, most: 0 },
+    Manner {
+        name: "undrained",
+        set: |hazards, dice| hazards.pause = 1 + dice.below(5),
+        drained: false,
+        wired: true,
+        most: 0,
+    },
+    Manner {
+        name: "gateway",
+        set: |hazards, dice| hazards.pause = 1 + dice.below(9),
+        drained: true,
+        wired: false,
+        most: 0,
+    },
     Manner {
         name: "twins alone",
         set: |hazards, _| *hazards = Hazards { twins: true, ..Hazards::default() },
         drained: true,
         wired: true,
+        most: 40,
     },
     Manner {
         name: "twins, late",
         set: |hazards, dice| *hazards = Hazards { twins: true, late: 2 + dice.below(20), ..Hazards::default() },
         drained: true,
         wired: true,
+        most: 40,
     },
     Manner {
         name: "another master alone",
@@ -62,19 +78,22 @@ pub(crate) const MANNERS: [Manner; 9] = [
         },
         drained: true,
         wired: true,
+        most: 80,
     },
-    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true },
+    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 40 },
     Manner {
         name: "another master",
         set: |hazards, dice| hazards.master = Some(dice.pick(&[12, 25, 60, 200])),
         drained: true,
         wired: true,
+        most: 0,
     },
     Manner {
         name: "another master, same stations",
         set: |hazards, dice| (hazards.master, hazards.shared) = (Some(dice.pick(&[12, 25, 60, 200])), true),
         drained: true,
         wired: true,
+        most: 80,
     },
 ];
 
