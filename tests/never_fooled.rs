@@ -215,7 +215,7 @@ fn doubled_replies_believe_no_wrong_value() {
 /// Reads of the long form: `ANTRIEB_TRIAL=1000000 cargo test --release --test never_fooled dice -- --nocapture`.
 #[expect(clippy::disallowed_methods, reason = "a variable is how a test is told to take its time")]
 fn reads() -> u64 {
-    std::env::var("ANTRIEB_TRIAL").ok().and_then(|text| text.parse().ok()).unwrap_or(24_000)
+    std::env::var("ANTRIEB_TRIAL").ok().and_then(|text| text.parse().ok()).unwrap_or(18_000)
 }
 
 /// Whatever the dice throw: late by up to 6 s, doubled, twins, lost, foreign, echoed, noisy, torn, flipped, left in the
