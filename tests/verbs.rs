@@ -8,6 +8,8 @@
 
 #[path = "verbs/adapters.rs"]
 mod adapters;
+#[path = "verbs/babble.rs"]
+mod babble;
 #[path = "verbs/catalogues.rs"]
 mod catalogues;
 #[path = "verbs/decoding.rs"]

@@ -1,5 +1,6 @@
 //! Faults of the line, by script: what happens to a reply on its way to the master.
 
+use super::babble::Babbler;
 use super::dice::Dice;
 use super::setup::Spoken;
 use crate::protocol::line::LineSetting;
@@ -26,6 +27,8 @@ pub(super) enum Kind {
     Doubled(Option<Span>),
     /// A reply of the next station comes in its place.
     Foreign,
+    /// A second drive at the address answers too, with other values, so long after the end of the first.
+    Twin(Span),
 }
 
 /// Which reply is hit.
@@ -83,12 +86,25 @@ pub(super) struct Disturber {
     rules: Vec<Rule>,
     /// An adapter that always hears itself.
     echo: bool,
+    /// Who speaks on the line unasked.
+    pub(super) babblers: Vec<Babbler>,
     dice: Dice,
 }
 
 impl Disturber {
     pub(super) fn new(rules: Vec<Rule>, echo: bool, seed: u64) -> Self {
-        Disturber { rules, echo, dice: Dice::new(seed) }
+        Disturber { rules, echo, babblers: Vec::new(), dice: Dice::new(seed) }
+    }
+
+    /// When somebody speaks next unasked.
+    pub(super) fn next_babble(&self) -> Option<Tick> {
+        self.babblers.iter().filter_map(Babbler::next).min()
+    }
+
+    /// What somebody says now unasked.
+    pub(super) fn babble(&mut self, now: Tick, line: LineSetting) -> Option<Vec<u8>> {
+        let dice = &mut self.dice;
+        self.babblers.iter_mut().find(|babbler| babbler.next().is_some_and(|next| next <= now))?.speak(now, line, dice)
     }
 
     /// Whether the master hears the telegram that it sends now.
@@ -120,6 +136,14 @@ impl Disturber {
                         .map(|(at, frame)| (*at + reply.line.chars(frame.len() as u64) + pause, frame.clone()))
                         .collect();
                     out.extend(again);
+                }
+                Kind::Twin(pause) => {
+                    let twin = |(at, frame): &(Tick, Vec<u8>)| {
+                        let end = *at + reply.line.chars(frame.len() as u64);
+                        (end + pause, super::babble::other_value(reply.spoken, frame))
+                    };
+                    let twins: Vec<_> = out.iter().map(twin).collect();
+                    out.extend(twins);
                 }
                 Kind::Foreign => {
                     for (_, frame) in &mut out {

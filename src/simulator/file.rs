@@ -73,9 +73,19 @@ pub(super) fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench,
     if file.drive.is_empty() {
         return Err(reader.error(0..0, "no [[drive]]; expected at least one".to_owned()));
     }
-    let drives = file.drive.iter().map(|table| reader.drive(table, file.line.seed)).collect::<Result<_, _>>()?;
-    let rules = file.disturb.iter().map(|table| reader.rule(table)).collect::<Result<_, _>>()?;
-    Ok(Bench::new(drives, Disturber::new(rules, file.line.echo, file.line.seed)))
+    let drives = file.drive.iter().map(|table| reader.drive(table, file.line.seed));
+    let drives: Vec<Drive> = drives.collect::<Result<_, _>>()?;
+    let spoken = drives.first().map_or(Spoken::RTU, Drive::spoken);
+    let (mut rules, mut babblers) = (Vec::new(), Vec::new());
+    for table in &file.disturb {
+        match reader.babbler(table, spoken)? {
+            Some(babbler) => babblers.push(babbler),
+            None => rules.push(reader.rule(table)?),
+        }
+    }
+    let mut disturber = Disturber::new(rules, file.line.echo, file.line.seed);
+    disturber.babblers = babblers;
+    Ok(Bench::new(drives, disturber))
 }
 
 struct Reader<'a> {
@@ -444,6 +454,9 @@ mod tests {
         assert!(drive("ramps = { up_right = 1.234 }").contains("more decimals"));
         assert!(drive("ramps = { up = 1 }").contains("unknown field `up`"));
         assert!(drive("[[disturb]]\nkind = \"lost\"").contains("exactly one of"));
+        assert!(drive("[[disturb]]\nkind = \"babble\"\nevery = 3").contains("only with at, by"));
+        assert!(drive("[[disturb]]\nkind = \"babble\"\npattern = \"5\"").contains("bytes in hex"));
+        assert!(drive("[[disturb]]\nevery = 1\nkind = \"twin\"\nfor = \"1s\"").contains("only with kind = \"babble\""));
         assert!(refused("").contains("at least one"));
     }
 

@@ -7,6 +7,7 @@
 //! What a file of the bench may say is told in [`mod@file`].
 
 mod active;
+mod babble;
 mod dice;
 mod disturb;
 mod drive;
@@ -182,7 +183,7 @@ impl Bench {
         let drives = self.drives.iter().filter_map(Drive::next_event);
         let delayed = self.delayed.iter().map(|delayed| delayed.at);
         let heard = self.heard.front().map(|heard| heard.0);
-        drives.chain(delayed).chain(self.wire.next()).chain(heard).min()
+        drives.chain(delayed).chain(self.wire.next()).chain(heard).chain(self.disturber.next_babble()).min()
     }
 
     /// Runs until `to`, inclusive; returns every byte that came to the master since the last call, each with the time
@@ -250,7 +251,8 @@ impl Bench {
     /// Like [`Bench::next_event`], without what only waits to be fetched.
     fn next_inside(&self) -> Option<Tick> {
         let drives = self.drives.iter().filter_map(Drive::next_event);
-        drives.chain(self.delayed.iter().map(|delayed| delayed.at)).chain(self.wire.next()).min()
+        let delayed = self.delayed.iter().map(|delayed| delayed.at);
+        drives.chain(delayed).chain(self.wire.next()).chain(self.disturber.next_babble()).min()
     }
 
     /// Everything that is due now: first what was on the wire, then what the drives do about it.
@@ -266,6 +268,10 @@ impl Bench {
             let delayed = self.delayed.remove(place);
             self.put(delayed);
         }
+        let setting = self.master.or(self.drives.first().map(Drive::line));
+        while let Some((bytes, line)) = setting.and_then(|line| Some((self.disturber.babble(now, line)?, line))) {
+            self.wire.put(Sender::Stranger, line, now, &bytes);
+        }
         for index in 0..self.drives.len() {
             while let Some(reply) = self.drives.get_mut(index).and_then(|drive| drive.run(now)) {
                 self.send(index, &reply);
@@ -280,6 +286,9 @@ impl Bench {
             self.heard.push_back((slot.end, if readable { slot.byte } else { !slot.byte }));
             let rest = self.drives.get(index).map_or(Span::ZERO, Drive::rest);
             self.judge.heard(slot.end, rest);
+        }
+        if slot.sender == Sender::Stranger {
+            self.heard.push_back((slot.end, slot.byte));
         }
         for (index, drive) in self.drives.iter_mut().enumerate() {
             if slot.sender != Sender::Drive(index) {

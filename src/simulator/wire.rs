@@ -8,6 +8,8 @@ use std::collections::VecDeque;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sender {
     Master,
+    /// Somebody who is no drive of the bench.
+    Stranger,
     /// A drive, by its place on the bench.
     Drive(usize),
 }

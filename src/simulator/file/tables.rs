@@ -143,4 +143,7 @@ pub(super) struct DisturbTable {
     pub(super) by: Option<Spanned<String>>,
     pub(super) byte: Option<u8>,
     pub(super) address: Option<Spanned<i64>>,
+    pub(super) pattern: Option<Spanned<String>>,
+    #[serde(rename = "for")]
+    pub(super) lasts: Option<Spanned<String>>,
 }
