@@ -128,10 +128,10 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         None => {
             let outcome = carry_out(None);
             match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
-                // Nobody reads any more, but a shaft that may still turn must be heard of.
-                Err(_closed) if outcome.leaves_danger() => {
-                    outcome.failure.iter().for_each(|failure| render::print_failure(failure, &console));
-                    Ok(outcome)
+                // Nobody reads any more, but how a run ended must be heard of: a shaft may still turn.
+                Err(error) if outcome.is_run() => {
+                    render::print_end(&outcome, lang, &console);
+                    if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
                 }
                 printed => printed.map(|()| outcome),
             }

@@ -25,6 +25,10 @@ struct AtTerminal {
 
 impl AtTerminal {
     fn start(line: &str) -> Self {
+        Self::start_into(line, Stdio::null())
+    }
+
+    fn start_into(line: &str, out: Stdio) -> Self {
         let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
         grantpt(&master).unwrap();
         unlockpt(&master).unwrap();
@@ -36,7 +40,7 @@ impl AtTerminal {
             .args(["--no-config", "--lang", "en"])
             .args(line.split_whitespace())
             .stdin(Stdio::from(slave.try_clone().unwrap()))
-            .stdout(Stdio::null())
+            .stdout(out)
             .stderr(Stdio::from(slave))
             .spawn()
             .unwrap();
@@ -111,6 +115,7 @@ fn every_further_signal_shortens_the_stop() {
     run.shows("> 01 65 01 E4 00 00 0F A0");
     // Held once it is given again.
     thread::sleep(Duration::from_millis(1_500));
+    run.shows("note: running; Ctrl-C stops: ramp");
     let begun = Instant::now();
     for (signal, sends) in
         [("-INT", "> 01 06 01 9A 00 07"), ("-TERM", "> 01 06 01 9A 00 02"), ("-INT", "> 01 06 01 9A 00 00")]
@@ -119,7 +124,24 @@ fn every_further_signal_shortens_the_stop() {
         run.shows(sends);
     }
     assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows("note: stopping: ramp; another Ctrl-C: quick-stop");
     assert!(begun.elapsed() < Duration::from_secs(8), "the ramp would take 40 s: {:?}", begun.elapsed());
     run.shows("ramp -> coast: the stop was acknowledged");
     assert!(run.seen.contains("quick-stop in place of ramp") && run.seen.contains("coast in place of quick-stop"));
+}
+
+#[test]
+fn the_fate_of_the_stop_is_told_on_stderr_where_the_reader_of_stdout_died_of_the_same_signal() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
+    let mut run = AtTerminal::start_into(
+        &format!("-p sim:{} -a 1 --yes --json sollwert 5Hz --enable --hold", file.display()),
+        Stdio::piped(),
+    );
+    run.shows("note: running; Ctrl-C stops: ramp");
+    run.signal("-INT");
+    drop(run.child.stdout.take());
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows("ramp: the stop was acknowledged");
 }

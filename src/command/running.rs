@@ -5,8 +5,8 @@ use crate::args::{MotionArgs, StopArg};
 use crate::drive::motion::{Ended, Motor, Situation, StopChoice, look, watchdog_raw, watchdog_words};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Hazard, Question, Relief};
-use crate::outcome::{Data, Motion, Outcome};
+use crate::gate::{Hazard, Question, Relief};
+use crate::outcome::{Data, Decimal, Motion, Outcome};
 use crate::profile::{Family, Lang};
 
 mod verdict;
@@ -38,6 +38,11 @@ impl Plan<'_> {
         !(args.hold || args.take_control || args.watchdog.is_some())
     }
 
+    /// Whether the drive is powered in it, or can be.
+    fn powers(&self, before: &Situation) -> bool {
+        self.runs || self.args.hold || before.state == "operation-enabled" || self.action == "contacts"
+    }
+
     fn choice(&self) -> StopChoice {
         self.relief.map_or_else(|| choice(self.args.on_exit), StopChoice::beyond)
     }
@@ -45,10 +50,14 @@ impl Plan<'_> {
 
 /// The only drive that is meant; several at once are not moved by one command.
 pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
+    let lang = context.settings.lang;
     match addresses_to_write(context.settings)?.as_slice() {
         [0] => Err(not_everybody(context)),
         [only] => Ok(*only),
-        _ => Err(usage("expected the address of one drive, got several; motion is one drive at a time")),
+        _ => Err(usage(lang.pick(
+            "expected the address of one drive, got several; motion is one drive at a time",
+            "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer",
+        ))),
     }
 }
 
@@ -84,10 +93,6 @@ pub(super) async fn run<'p, C>(
     let address = single_address(context)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
-    if plan.relief.is_none() {
-        // Nothing is opened if there is nobody to ask: not one byte goes over the line.
-        gate::somebody(*ask).map_err(|why| asking::denied(why, lang))?;
-    }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
@@ -190,11 +195,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
     if is_off && plan.args.watchdog.is_none() && running != Some(false) {
-        let danger = lang.pick(
-            "if the line breaks, nothing stops it; --watchdog 2s sets it",
-            "bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
-        );
-        notes.push(format!("{}: {danger}", watchdog_words(family, watchdog_s, lang)));
+        notes.push(nothing_stops_it(family, watchdog_s, lang));
     }
     if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
         notes.push(watchdog_words(family, watchdog_s, lang));
@@ -228,17 +229,36 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     let who = super::who(target.address, node, &target.family.drive, lang);
     let mut details = vec![format!("{who}: {} {}", lang.pick("now in", "jetzt in"), state.name)];
     let stop = plan.args.on_exit;
+    let powers = plan.powers(before);
     details.push(match (plan.args.hold, stop, lang) {
         (true, StopArg::Keep, Lang::En) => "it keeps running when this program ends (--on-exit keep)".to_owned(),
         (true, StopArg::Keep, Lang::De) => "er läuft weiter, wenn dieses Programm endet (--on-exit keep)".to_owned(),
         (true, _, Lang::En) => format!("it is stopped when this program ends ({})", stop_name(stop)),
         (true, _, Lang::De) => format!("er wird angehalten, wenn dieses Programm endet ({})", stop_name(stop)),
+        (false, _, lang) if powers => lang
+            .pick(
+                "the drive KEEPS RUNNING when this program ends; --hold bounds it",
+                "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es",
+            )
+            .to_owned(),
         (false, _, Lang::En) => "what is set stays when this program ends; --hold bounds it".to_owned(),
         (false, _, Lang::De) => "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es".to_owned(),
     });
+    let is_off = before.watchdog_s.is_some_and(|seconds| seconds.raw == 0) && plan.args.watchdog.is_none();
+    if powers && is_off {
+        details.push(nothing_stops_it(&target.family, before.watchdog_s, lang));
+    }
     details.extend(plan.details.iter().cloned());
     details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
     Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+}
+
+fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>, lang: Lang) -> String {
+    let danger = lang.pick(
+        "if the line breaks, nothing stops it; --watchdog 2s sets it",
+        "bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
+    );
+    format!("{}: {danger}", watchdog_words(family, watchdog_s, lang))
 }
 
 fn stop_name(stop: StopArg) -> &'static str {

@@ -4,7 +4,7 @@ use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, StopArg};
-use crate::drive::motion::{Motor, Situation, look, missing, no_control, runs_at, upon_enabling};
+use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault, runs_at, upon_enabling};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -105,6 +105,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 return Ok(());
             }
             obeyed(target, before, plan, lang)?;
+            if slug == "reset" && !before.state.starts_with("fault") {
+                return Err(no_fault(lang));
+            }
             if slug == "enable" { enabling(session, target, before, plan, lang).await } else { Ok(()) }
         },
         async |motor, ()| {
@@ -168,7 +171,10 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     let family = offline_family(context.settings, context.registry)?;
     let Some(row) = family.states.iter().find(|row| row.slug == state) else {
         let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).collect();
-        let message = format!("there is no state '{state}' (expected: {})", known.join(", "));
+        let message = match lang {
+            Lang::En => format!("there is no state '{state}' (expected: {})", known.join(", ")),
+            Lang::De => format!("es gibt keinen Zustand '{state}' (möglich: {})", known.join(", ")),
+        };
         return Err(Failure::new(Class::Usage, "usage.state", message));
     };
     if context.settings.dry_run {
@@ -200,7 +206,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
 async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &MotionArgs) -> Result<Outcome, Failure> {
     let lang = context.settings.lang;
     let family = offline_family(context.settings, context.registry)?;
-    let word = contact_word(&family, contacts)?;
+    let word = contact_word(&family, contacts, lang)?;
     if context.settings.dry_run {
         return dry_run(context, &family, motion, false, |told| {
             let control = family.motion.control.filter(|_| motion.take_control);
@@ -294,7 +300,7 @@ fn opened(stop: StopArg, lang: Lang) -> &'static str {
 }
 
 /// The control word whose bits are the contacts with these names.
-fn contact_word(family: &Family, contacts: &[String]) -> Result<u16, Failure> {
+fn contact_word(family: &Family, contacts: &[String], lang: Lang) -> Result<u16, Failure> {
     let param = family.role("control-word");
     let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
     let bits = family.word(param, 0, |_| Some(2));
@@ -304,7 +310,10 @@ fn contact_word(family: &Family, contacts: &[String]) -> Result<u16, Failure> {
         let bit = bits.iter().find(|bit| bit.row.is_some_and(|row| fold(&row.en) == fold(contact)));
         let bit = bit.ok_or_else(|| {
             let known: Vec<_> = bits.iter().filter_map(|bit| bit.row.map(|row| row.en.as_str())).collect();
-            let message = format!("there is no contact '{contact}' (expected: {})", known.join(", "));
+            let message = match lang {
+                Lang::En => format!("there is no contact '{contact}' (expected: {})", known.join(", ")),
+                Lang::De => format!("es gibt keinen Kontakt '{contact}' (möglich: {})", known.join(", ")),
+            };
             Failure::new(Class::Usage, "usage.contact", message)
         })?;
         word |= 1 << bit.bit;

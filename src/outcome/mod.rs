@@ -53,14 +53,9 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// Whether a shaft may still turn that was to be stopped.
-    pub fn leaves_danger(&self) -> bool {
-        match &self.data {
-            Some(Data::Motion(motion)) => {
-                self.failure.is_some() && motion.stop.as_ref().is_none_or(|stop| !stop.acknowledged)
-            }
-            _ => false,
-        }
+    /// Whether it tells of a run that could turn a shaft.
+    pub fn is_run(&self) -> bool {
+        matches!(self.data, Some(Data::Motion(_)))
     }
 }
 

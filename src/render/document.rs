@@ -69,6 +69,24 @@ pub fn print_failure(failure: &Failure, console: &Console) {
     }
 }
 
+/// Says on the console how a run ended whose document nobody reads.
+pub fn print_end(outcome: &Outcome, lang: Lang, console: &Console) {
+    console.finish();
+    if let Some(Data::Motion(motion)) = &outcome.data {
+        if let Some(stop) = motion.stop.as_ref().filter(|_| outcome.failure.is_none()) {
+            let proof = match stop.acknowledged {
+                true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
+                false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
+            };
+            console.line(&format!("note: {}: {proof}", stop.escalated.unwrap_or(stop.choice)));
+        }
+        motion.notes.iter().for_each(|note| console.line(&format!("note: {note}")));
+    }
+    if let Some(failure) = &outcome.failure {
+        print_failure(failure, console);
+    }
+}
+
 fn envelope<'a, D>(outcome: &'a Outcome, command: &'a str, data: Option<D>) -> Envelope<'a, D> {
     Envelope {
         schema: SCHEMA_VERSION,

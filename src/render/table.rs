@@ -209,7 +209,7 @@ impl Page {
                 set_name(value.data_set, value.store),
                 value.name.clone(),
                 number(value),
-                value.unit.clone().unwrap_or_default(),
+                unit(value).to_owned(),
                 self.meaning(value),
             ]);
             row
@@ -225,7 +225,7 @@ impl Page {
     /// What a value stands for: the error, the text, the state and set bits.
     /// A value in a few words: number, unit, meaning.
     fn short(self, value: &Value) -> String {
-        let unit = value.unit.as_deref().unwrap_or("");
+        let unit = unit(value);
         let meaning = match (self.meaning(value), &value.error) {
             (meaning, _) if meaning.is_empty() => meaning,
             (meaning, Some(_)) => return meaning,
@@ -252,7 +252,8 @@ impl Page {
         if let Some(expected) = &value.expected {
             parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
         } else if value.value.is_none() && value.raw.is_some() {
-            parts.push(format!("({})", self.word("raw, decimals unknown")));
+            let unit = value.unit.as_ref().map_or_else(String::new, |unit| format!(": {unit}"));
+            parts.push(format!("({}{unit})", self.word("raw, decimals unknown")));
         }
         if value.unconfirmed.iter().any(|field| field == "row") {
             parts.push(format!("({})", self.word("unconfirmed")));
@@ -315,7 +316,8 @@ impl Page {
                     None => number(value),
                     Some(error) => error.code.clone(),
                 }));
-                cells.push(row.unit.clone().unwrap_or_default());
+                let is_raw = row.values.iter().any(is_unscaled);
+                cells.push(if is_raw { self.word("raw").to_owned() } else { row.unit.clone().unwrap_or_default() });
                 cells.push(self.word(if row.equal { "yes" } else { "no" }).to_owned());
                 cells
             });
@@ -739,6 +741,16 @@ fn number(value: &Value) -> String {
         (None, Some(raw)) => raw.to_string(),
         (None, None) => "-".to_owned(),
     }
+}
+
+/// A raw number whose decimals nobody knows.
+fn is_unscaled(value: &Value) -> bool {
+    value.value.is_none() && value.raw.is_some()
+}
+
+/// The unit of the number that is shown; a raw one is in none.
+fn unit(value: &Value) -> &str {
+    value.unit.as_deref().filter(|_| !is_unscaled(value)).unwrap_or("")
 }
 
 /// `2`, or `2ram`; volatile parameters have no EEPROM set.

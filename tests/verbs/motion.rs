@@ -21,12 +21,71 @@ fn bench(model: &str, rest: &str) -> String {
 }
 
 #[test]
-fn without_a_terminal_nothing_moves_and_nothing_is_sent() {
-    for verb in ["statemachine enable", "statemachine reset", "sollwert 25Hz", "sollwert 5Hz --jog 1s"] {
+fn without_a_terminal_nothing_moves_and_nothing_is_written() {
+    for verb in ["statemachine enable", "sollwert 25Hz", "sollwert 5Hz --jog 1s"] {
         let run = antrieb(&format!("-v -a 1 {verb}")).on(READY).json().exits(8);
         assert_eq!(run.error()["code"], "forbidden.no_terminal", "{verb}");
-        assert!(!run.err.contains(" > "), "not one byte: {}", run.err);
+        assert!(run.err.contains("MOTION: the shaft may turn"), "what the question would have been: {}", run.err);
+        let writes = ["> 01 06", "> 01 10", "> 01 65"];
+        assert!(!writes.iter().any(|write| run.err.contains(write)), "not one write: {}", run.err);
     }
+}
+
+#[test]
+fn what_forbids_a_run_anyway_comes_before_the_question_of_a_terminal() {
+    let ignored = bench("act", "set = { \"412\" = 1, \"434\" = 1 }");
+    let run = antrieb("-a 1 sollwert 25Hz").on(&ignored).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.ramp_setpoint");
+    for yes in ["", "--yes"] {
+        let reset = antrieb(&format!("-a 1 {yes} statemachine reset")).on(READY).json().exits(8);
+        assert_eq!(reset.error()["code"], "forbidden.no_fault");
+        assert!(!reset.err.contains("MOTION"), "{}", reset.err);
+    }
+}
+
+#[test]
+fn the_question_of_a_run_says_that_it_goes_on_and_that_nothing_would_stop_it() {
+    let keeps = "the drive KEEPS RUNNING when this program ends";
+    let off = "the drive's watchdog (P.413) is off: if the line breaks, nothing stops it; --watchdog 2s sets it";
+    for (verb, words) in [
+        ("statemachine enable", &[keeps, off][..]),
+        ("sollwert 25Hz --enable", &[keeps, off]),
+        ("sollwert 25Hz --enable --hold", &[off, "it is stopped when this program ends (ramp)"]),
+        ("sollwert 25Hz --enable --watchdog 2s", &[keeps]),
+    ] {
+        let run = antrieb(&format!("-a 1 {verb}")).on(READY).answered("n").exits(8);
+        for text in [keeps, off] {
+            assert_eq!(run.err.contains(text), words.contains(&text), "{verb}: {text}\n{}", run.err);
+        }
+        assert!(words.iter().all(|text| run.err.contains(text)), "{verb}: {}", run.err);
+    }
+    let german = antrieb("--lang de -a 1 statemachine enable").on(READY).answered("n").exits(8);
+    assert!(german.err.contains("der Antrieb LÄUFT WEITER, wenn dieses Programm endet"), "{}", german.err);
+}
+
+#[test]
+fn the_end_of_a_run_is_told_on_stderr_where_nobody_reads_stdout_any_more() {
+    for (line, format, told) in [
+        ("sollwert 25Hz --enable --hold --duration 1s", "json", "note: ramp: the stop was acknowledged"),
+        ("sollwert 25Hz --enable --hold --duration 1s", "table", "note: ramp: the stop was acknowledged"),
+        ("statemachine enable", "json", "note: the drive keeps running"),
+    ] {
+        let cut = antrieb(&format!("-a 1 --yes {line} --format {format}")).on(READY).into_pipe_of(5).exits(0);
+        assert!(cut.err.contains(told), "{line} {format}: {}", cut.err);
+    }
+}
+
+#[test]
+fn a_held_run_says_that_it_runs_and_what_an_interrupt_does() {
+    let held = antrieb("-a 1 --yes sollwert 25Hz --enable --hold --duration 1s").on(READY).exits(0);
+    assert_eq!(held.err.matches("note: running; Ctrl-C stops: ramp").count(), 1, "{}", held.err);
+    let enabled = antrieb("--lang de -a 1 --yes statemachine enable --hold --duration 1s --on-exit quick-stop");
+    let enabled = enabled.on(READY).exits(0);
+    assert!(enabled.err.contains("note: läuft; Ctrl-C hält an: quick-stop"), "{}", enabled.err);
+    let quiet = antrieb("-q -a 1 --yes sollwert 25Hz --enable --hold --duration 1s").on(READY).exits(0);
+    assert!(!quiet.err.contains("Ctrl-C"), "{}", quiet.err);
+    let once = antrieb("-a 1 --yes sollwert 25Hz --enable").on(READY).exits(0);
+    assert!(!once.err.contains("Ctrl-C"), "{}", once.err);
 }
 
 #[test]

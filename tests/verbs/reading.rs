@@ -206,3 +206,13 @@ fn names_are_checked_before_the_port_is_opened() {
     antrieb("-p /dev/antrieb-has-no-such-port -a 1 read nonsense").exits(7);
     antrieb("-p /dev/antrieb-has-no-such-port -a 1 read 372").exits(3);
 }
+
+#[test]
+fn a_raw_number_stands_beside_no_unit() {
+    for (lang, remark) in [("en", "(raw, decimals unknown: Hz)"), ("de", "(roh, Nachkommastellen unbekannt: Hz)")] {
+        let run = antrieb(&format!("--lang {lang} -p sim -a 1 sollwert")).exits(0);
+        let row = run.out.lines().find(|line| line.trim_start().starts_with("241 ")).unwrap();
+        assert!(row.contains(remark), "{row}");
+        assert!(!row.split('(').next().unwrap().contains("Hz"), "{row}");
+    }
+}

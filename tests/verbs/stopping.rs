@@ -455,8 +455,7 @@ fn a_ramp_under_virtual_contacts_opens_the_start_contacts_first() {
     for (on_exit, words) in [("ramp", vec!["00 03", "00 01", "00 00"]), ("coast", vec!["00 03", "00 00"])] {
         let line = "-v -b 115200 -a 1 --yes statemachine contacts S1IND S2IND --hold --duration 1s --on-exit";
         let run = antrieb(&format!("{line} {on_exit}")).on(&contacts).json();
-        let sent: Vec<_> =
-            run.err.lines().filter_map(|line| line.split_once("> 01 06 01 9A ")?.1.get(..5)).collect();
+        let sent: Vec<_> = run.err.lines().filter_map(|line| line.split_once("> 01 06 01 9A ")?.1.get(..5)).collect();
         assert_eq!(sent, words, "{on_exit}: {}", run.err);
         assert!(run.data("/to/slug") == "switched-on", "{:#}", run.value);
     }

@@ -55,6 +55,8 @@ pub struct Motor<'a, 's> {
     patience: Span,
     /// A command or setpoint went out, so there is something to stop.
     touched: bool,
+    /// How the run is stopped; told once, as soon as it is held.
+    stops: Option<StopChoice>,
     /// The drive was seen to be enabled, so anything else ends the run.
     enabled: bool,
     /// The stop is under way: every telegram of it is tried anew as a whole.
@@ -121,6 +123,7 @@ impl<'a, 's> Motor<'a, 's> {
             lang,
             patience,
             touched: false,
+            stops: None,
             enabled: false,
             stopping: false,
             lever,
@@ -159,6 +162,7 @@ impl<'a, 's> Motor<'a, 's> {
         choice: StopChoice,
         work: impl AsyncFnOnce(&mut Self) -> Result<T, Failure>,
     ) -> Ended<T> {
+        self.stops = Some(choice);
         let result = catching(work(self)).await.unwrap_or_else(|| {
             Err(Failure::new(Class::Bug, "bug.panic", "a bug of ours ended the run; the drive was stopped as chosen"))
         });
@@ -248,8 +252,7 @@ impl<'a, 's> Motor<'a, 's> {
         self.enabled = false;
         let situation = self.look().await?;
         if situation.state != "fault" {
-            let text = self.lang.pick("there is no fault to reset", "es steht keine Störung an");
-            return Err(Failure::new(Class::Forbidden, "forbidden.no_fault", text));
+            return Err(no_fault(self.lang));
         }
         let machine = self.target.family.machine.clone();
         match machine.transition("fault", "reset").cloned() {
@@ -457,6 +460,12 @@ impl<'a, 's> Motor<'a, 's> {
     fn failure(&self, error: &AccessError) -> Failure {
         error.failure(self.target.address, Some(&self.target.family), self.lang)
     }
+}
+
+/// Where nothing is to be reset.
+pub fn no_fault(lang: Lang) -> Failure {
+    let text = lang.pick("there is no fault to reset", "es steht keine Störung an");
+    Failure::new(Class::Forbidden, "forbidden.no_fault", text)
 }
 
 /// The drive's watchdog as a time, if it is on.

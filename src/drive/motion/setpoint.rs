@@ -222,6 +222,7 @@ impl Motor<'_, '_> {
     ) -> Result<(), Failure> {
         // Whoever else talks on the line puts off neither the refresh nor the end.
         self.session.insist(true);
+        self.tell_held();
         let begun = self.session.now();
         loop {
             let gone = self.session.now().since(begun);

@@ -175,6 +175,9 @@ impl Motor<'_, '_> {
             stop.note = Some(text.to_owned());
             return stop;
         }
+        if because == "interrupted" {
+            self.tell_stopping(choice);
+        }
         self.stopping = true;
         self.session.insist(true);
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
@@ -226,6 +229,32 @@ impl Motor<'_, '_> {
     /// Whether the drive answers after all, and has power.
     async fn runs_on(&mut self) -> bool {
         self.state().await.is_ok_and(|state| !STOPPED.contains(&state.slug.as_str()))
+    }
+
+    /// Says once how a run that is held ends.
+    pub(super) fn tell_held(&mut self) {
+        let Some(choice) = self.stops.take() else { return };
+        let text = match (choice, self.lang) {
+            (StopChoice::Keep, Lang::En) => "running; Ctrl-C ends this program, not the drive (keep)".to_owned(),
+            (StopChoice::Keep, Lang::De) => {
+                "läuft; Ctrl-C beendet dieses Programm, nicht den Antrieb (keep)".to_owned()
+            }
+            (choice, Lang::En) => format!("running; Ctrl-C stops: {}", choice.slug()),
+            (choice, Lang::De) => format!("läuft; Ctrl-C hält an: {}", choice.slug()),
+        };
+        self.session.tell(Event::Note(text));
+    }
+
+    /// Says that the stop is under way, and what another interrupt does.
+    fn tell_stopping(&mut self, choice: StopChoice) {
+        let (slug, stronger) = (choice.slug(), self.stronger(choice));
+        let text = match (stronger, self.lang) {
+            (Some(next), Lang::En) => format!("stopping: {slug}; another Ctrl-C: {}", next.slug()),
+            (Some(next), Lang::De) => format!("der Halt läuft: {slug}; noch ein Ctrl-C: {}", next.slug()),
+            (None, Lang::En) => format!("stopping: {slug}; another Ctrl-C waits no longer"),
+            (None, Lang::De) => format!("der Halt läuft: {slug}; noch ein Ctrl-C wartet ihn nicht ab"),
+        };
+        self.session.tell(Event::Note(text));
     }
 
     fn tell_stronger(&mut self, way: StopChoice, next: StopChoice, interrupted: bool) {
