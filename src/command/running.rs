@@ -1,7 +1,7 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
-use crate::args::{MotionArgs, StopArg};
+use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
     Ended, Meant, Motor, Situation, StopChoice, look, may_turn, shout, watchdog_raw, watchdog_words,
 };
@@ -9,7 +9,7 @@ use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question, Relief};
 use crate::outcome::{Data, Motion, Outcome};
-use crate::profile::{Family, Lang};
+use crate::profile::{Family, Lang, Registry};
 
 mod verdict;
 
@@ -75,10 +75,7 @@ pub(super) async fn run<'p, C>(
     // What can only take motion away goes out before anything is asked.
     let act = plan.relief;
     if let Some(act) = act {
-        let family = settings.drive.as_deref().map(|name| named_family(registry, name)).transpose()?;
-        let meant = Meant { address, family, order: settings.word_order };
-        let sent = shout(&mut session, registry, &meant, act).await;
-        sent.map_err(|error| unstopped(error.failure(address, None, lang), act, lang))?;
+        stop_first(&mut session, settings, registry, address, act).await?;
     }
     let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, lang));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
@@ -126,6 +123,22 @@ pub(super) async fn run<'p, C>(
     let before = before.or_else(|| motor.seen.take());
     let after = look(&mut session, &mut target, lang).await.ok();
     Ok(report(&plan, &target, Seen { before, after }, done, ended, lang))
+}
+
+/// Sends what stops the drive, before anything is asked that it does not need.
+async fn stop_first(
+    session: &mut Session<'_>,
+    settings: &Settings,
+    registry: &Registry,
+    address: u8,
+    act: Relief,
+) -> Result<(), Failure> {
+    let family = settings.drive.as_deref().map(|name| named_family(registry, name)).transpose()?;
+    let meant = Meant { address, family, order: settings.word_order };
+    match shout(session, registry, &meant, act).await {
+        Ok(_acknowledged) => Ok(()),
+        Err(error) => Err(unstopped(error.failure(address, None, settings.lang), act, settings.lang)),
+    }
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.

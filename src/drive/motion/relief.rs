@@ -5,7 +5,7 @@ use super::shout::blind;
 use super::{Lever, Motor, Situation, StopChoice};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::{Lang, Mode, Param, Transition};
+use crate::profile::{Lang, Mode, Movement, Param, Transition};
 
 /// The command of the state machine that an act is; `None` for a setpoint.
 pub(super) fn command_of(act: Relief) -> Option<&'static str> {
@@ -20,10 +20,6 @@ pub(super) fn command_of(act: Relief) -> Option<&'static str> {
 /// What comes first where nothing proves that the shaft stands.
 pub fn may_turn(lang: Lang) -> &'static str {
     lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
-}
-
-fn coasts(lang: Lang) -> &'static str {
-    lang.pick("without power, but the shaft still turns by itself", "ohne Strom, aber die Welle dreht noch von selbst")
 }
 
 impl StopChoice {
@@ -133,12 +129,27 @@ impl Motor<'_, '_> {
     async fn prove_relief(&mut self, act: Relief) -> Result<(), Failure> {
         self.until_without_power().await?;
         if act == Relief::DisableVoltage {
-            if self.stands_now().await.ok().flatten() == Some(false) {
-                self.notes.push(coasts(self.lang).to_owned());
-            }
+            self.tell_coasting().await;
             return Ok(());
         }
         self.until_still().await.map(|_| ())
+    }
+
+    /// What is without power may turn on. A position shows that; the frequency of a motor without power is 0 in any case.
+    async fn tell_coasting(&mut self) {
+        let movement = self.target.family.motion.movement;
+        let told = match movement {
+            Movement::Position if self.stands_now().await.ok().flatten() == Some(true) => return,
+            Movement::Position => self.lang.pick(
+                "without power, but the shaft still turns by itself",
+                "ohne Strom, aber die Welle dreht noch von selbst",
+            ),
+            Movement::Speed => self.lang.pick(
+                "without power: a shaft that was turning coasts, which the drive does not show",
+                "ohne Strom: eine Welle, die drehte, läuft aus, was der Antrieb nicht zeigt",
+            ),
+        };
+        self.notes.push(told.to_owned());
     }
 
     /// Sends one command, whatever the state, and waits for where it leads from the present state.
