@@ -38,6 +38,8 @@ mod question;
 mod reading;
 #[path = "verbs/regressions.rs"]
 mod regressions;
+#[path = "verbs/relief.rs"]
+mod relief;
 #[path = "verbs/run.rs"]
 mod run;
 #[path = "verbs/scanning.rs"]

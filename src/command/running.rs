@@ -1,13 +1,15 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
-use super::{Context, addresses_to_write, asking, connect, target};
-use crate::args::{MotionArgs, StopArg};
-use crate::drive::motion::{Ended, Motor, Situation, StopChoice, look, watchdog_raw, watchdog_words};
+use super::{Context, addresses_to_write, asking, connect, named_family, target};
+use crate::args::{MotionArgs, Settings, StopArg};
+use crate::drive::motion::{
+    Ended, Meant, Motor, Situation, StopChoice, look, may_turn, shout, watchdog_raw, watchdog_words,
+};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Question, Relief};
 use crate::outcome::{Data, Decimal, Motion, Outcome};
-use crate::profile::{Family, Lang};
+use crate::profile::{Family, Lang, Registry};
 
 mod verdict;
 
@@ -94,17 +96,27 @@ pub(super) async fn run<'p, C>(
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let mut target = target(&mut session, settings, registry, address, false).await?;
+    // What can only take motion away goes out before anything is asked.
+    let act = plan.relief;
+    if let Some(act) = act {
+        stop_first(&mut session, settings, registry, address, act).await?;
+    }
+    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, lang));
+    let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
     // A command that relieves looks for itself, and goes out even where little can be seen.
-    let before = match look(&mut session, &mut target, lang).await {
-        Err(failure) if plan.relief.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => {
-            return Err(failure);
-        }
-        seen => seen.ok(),
+    let before = match act {
+        Some(Relief::Disable | Relief::QuickStop | Relief::DisableVoltage) => None,
+        act => match look(&mut session, &mut target, lang).await {
+            Err(failure) if act.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => {
+                return Err(unstopped(failure));
+            }
+            seen => seen.ok(),
+        },
     };
     let blind = Situation::default();
-    let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await?;
+    let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
+    let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
         None => {
@@ -143,7 +155,54 @@ pub(super) async fn run<'p, C>(
         notes: std::mem::take(&mut motor.notes),
         mode: motor.mode.take().map(|mode| mode.slug),
     };
+    let before = before.or_else(|| motor.first_look.take());
     Ok(report(&plan, &target, Seen { before, after }, done, ended, lang))
+}
+
+/// Sends what stops the drive, before anything is asked that it does not need.
+async fn stop_first(
+    session: &mut Session<'_>,
+    settings: &Settings,
+    registry: &Registry,
+    address: u8,
+    act: Relief,
+) -> Result<(), Failure> {
+    let family = settings.drive.as_deref().map(|name| named_family(registry, name)).transpose()?;
+    let meant = Meant { address, family, order: settings.word_order };
+    match shout(session, registry, &meant, act).await {
+        Ok(_acknowledged) => Ok(()),
+        Err(error) => Err(unstopped(error.failure(address, None, settings.lang), act, settings.lang)),
+    }
+}
+
+/// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
+fn unstopped(failure: Failure, act: Relief, lang: Lang) -> Failure {
+    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted) {
+        return failure;
+    }
+    let mut failure = failure;
+    let (said, hint) = match act {
+        Relief::Zero => (
+            lang.pick("no setpoint was sent", "es wurde kein Sollwert gesendet"),
+            lang.pick(
+                "what a zero does must be asked from the drive first; `statemachine quick-stop` goes out at once",
+                "was eine Null bewirkt, muss der Antrieb erst sagen; `statemachine quick-stop` geht sofort hinaus",
+            ),
+        ),
+        _ => (
+            lang.pick(
+                "the stop was sent, whether it is obeyed is not known",
+                "der Halt wurde gesendet; ob er befolgt wird, ist unbekannt",
+            ),
+            lang.pick(
+                "what stops it now: its enable input, the emergency stop, or the mains",
+                "was ihn jetzt anhält: sein Freigabeeingang, der Not-Halt oder das Netz",
+            ),
+        ),
+    };
+    failure.message = format!("{}: {said}; {}", may_turn(lang), failure.message);
+    let hints = [Some(hint.to_owned()), failure.hint.take()];
+    failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
 }
 
 /// Changes for the run what the user wants changed.

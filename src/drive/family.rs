@@ -113,6 +113,16 @@ pub async fn introduce(
     Ok(Some(inquest.finding))
 }
 
+/// Whether a device describes itself, by one question; `None` if it does not tell.
+pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> Result<Option<bool>, AccessError> {
+    let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
+    Ok(match said(session.ask(address, Question::from(request)).await)? {
+        Ok(Said::Modbus(Reply::Identification(_))) => Some(true),
+        Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => Some(false),
+        _ => None,
+    })
+}
+
 /// Asks on from the answer to [`probe`] what the device is. A survey asks everybody for the status word: any device
 /// answers that somehow, but many are silent to codes that they do not know.
 pub(super) async fn judge(

@@ -203,6 +203,12 @@ impl<'a> Session<'a> {
         self.put(station, question).await
     }
 
+    /// Asks a station although the line may echo: for a stop, which must not wait until that is known. What comes back may be
+    /// its own echo, and proves nothing.
+    pub(super) async fn blurt(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        self.put(station, question).await
+    }
+
     async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
         pump::drain(&mut self.master, &mut self.link).await?;
         let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };

@@ -2,7 +2,7 @@
 
 use super::{Done, Plan, Seen};
 use crate::args::StopArg;
-use crate::drive::motion::{Ended, tripped};
+use crate::drive::motion::{Ended, may_turn, tripped};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
@@ -70,7 +70,7 @@ fn unproven(stop: &Stop, family: &Family, lang: Lang) -> Failure {
 }
 
 fn danger(lang: Lang) -> &'static str {
-    lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
+    may_turn(lang)
 }
 
 /// What stops a drive that cannot be reached.

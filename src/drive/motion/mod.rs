@@ -10,12 +10,15 @@ mod patience;
 mod relief;
 mod setpoint;
 mod shaft;
+mod shout;
 mod stop;
 
 pub use look::{
     Situation, Standing, look, may_change_mode, missing, no_control, role_raw, runs_at, standing, tripped,
     upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
 };
+pub use relief::may_turn;
+pub use shout::{Meant, shout};
 pub use stop::{StopChoice, watchdog_words};
 
 use super::session::{AccessError, Session};
@@ -79,6 +82,8 @@ pub struct Motor<'a, 's> {
     pub mode: Option<Mode>,
     /// The drive's watchdog, if it is on.
     guard: Option<Span>,
+    /// What the drive said first, where nobody looked before.
+    pub first_look: Option<Situation>,
     /// Transitions that were walked.
     pub steps: Vec<Step>,
     /// Settings that were changed.
@@ -136,6 +141,7 @@ impl<'a, 's> Motor<'a, 's> {
             again: None,
             mode: None,
             guard,
+            first_look: None,
             steps,
             changes,
             setpoint: None,

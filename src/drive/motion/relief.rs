@@ -1,19 +1,25 @@
 //! Acts that can only take motion away: they need nobody's word, and must work where little else does.
 
 use super::look::no_control;
-use super::{Lever, Motor, StopChoice};
+use super::shout::blind;
+use super::{Lever, Motor, Situation, StopChoice};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::{Mode, Param, Transition};
+use crate::profile::{Lang, Mode, Movement, Param, Transition};
 
 /// The command of the state machine that an act is; `None` for a setpoint.
-fn command_of(act: Relief) -> Option<&'static str> {
+pub(super) fn command_of(act: Relief) -> Option<&'static str> {
     match act {
         Relief::Disable => Some("disable"),
         Relief::QuickStop => Some("quick-stop"),
         Relief::DisableVoltage => Some("disable-voltage"),
         Relief::Zero => None,
     }
+}
+
+/// What comes first where nothing proves that the shaft stands.
+pub fn may_turn(lang: Lang) -> &'static str {
+    lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
 }
 
 impl StopChoice {
@@ -28,36 +34,82 @@ impl StopChoice {
 }
 
 impl Motor<'_, '_> {
-    /// Takes motion away by a command, whatever the state, and waits for the state and the standstill that prove it.
+    /// Takes motion away by a command, whatever the state, and waits for the state and the standstill that prove it. The
+    /// first word went out already ([`super::shout`]); now the one follows that fits what the drive says of itself.
     pub async fn relieve(&mut self, act: Relief) -> Result<(), Failure> {
-        let Some(slug) = command_of(act) else { return Ok(()) };
+        if command_of(act).is_none() {
+            return Ok(());
+        }
         self.enabled = false;
         self.session.insist(true);
-        let situation = match self.look().await {
-            Ok(situation) => Some(situation),
-            // No contacts are closed by a word that is 0, so that one goes out unseen, into a bad line too.
-            Err(failure) if failure.class == Class::Interrupted || act != Relief::DisableVoltage => {
-                return Err(failure);
-            }
-            Err(_) => None,
+        let mut situation = self.glance().await?;
+        let family = self.target.family.clone();
+        let unheard = |seen: &Option<Situation>, motor: &Self| {
+            let contacts = family.motion.control.map(|control| control.contacts);
+            let seen = seen.as_ref().filter(|seen| seen.mode.is_none() || seen.mode != contacts)?;
+            no_control(seen, motor.target, motor.lang)
         };
-        let control = self.target.family.motion.control;
-        if let (Some(control), Some(situation)) = (control, &situation)
-            && situation.mode == Some(control.contacts)
-        {
+        if unheard(&situation, self).is_some() {
+            // What was read may be wrong: the stop is not kept back by it, and what proves it is asked anew.
+            let _told_below = self.say_blindly(act).await;
+            situation = self.glance().await?;
+            if let (Some(failure), Some(seen)) = (unheard(&situation, self), &situation) {
+                return Err(self.not_obeyed(failure, seen));
+            }
+        }
+        let contacts = family
+            .motion
+            .control
+            .is_some_and(|control| situation.as_ref().is_some_and(|seen| seen.mode == Some(control.contacts)));
+        self.lever = if contacts { Lever::Contacts } else { Lever::ControlWord };
+        match &situation {
             // A command of the state machine would close virtual contacts here; all open is what stops.
-            self.lever = Lever::Contacts;
-            self.write_control(0).await?;
-        } else if let Some(failure) = situation.as_ref().and_then(|seen| no_control(seen, self.target, self.lang)) {
-            return Err(failure.hint(self.lang.pick(
-                "its own contacts or its keypad stop it; --take-control takes it over for the run",
-                "ihn halten seine Kontakte oder seine Bedieneinheit an; --take-control übernimmt ihn für den Lauf",
-            )));
-        } else {
-            self.lever = Lever::ControlWord;
-            self.command_from(slug, situation.as_ref().map_or("", |seen| &seen.state)).await?;
+            Some(_) if contacts => self.write_control(0).await?,
+            Some(seen) => self.command_from(command_of(act).unwrap_or_default(), &seen.state).await?,
+            None => {
+                self.touched = true;
+                self.say_blindly(act).await?;
+            }
         }
         self.prove_relief(act).await
+    }
+
+    /// What the drive says, if it says anything; only what ends the session is an error.
+    async fn glance(&mut self) -> Result<Option<Situation>, Failure> {
+        match self.look().await {
+            Ok(seen) => {
+                self.first_look.get_or_insert_with(|| seen.clone());
+                Ok(Some(seen))
+            }
+            Err(failure) if matches!(failure.class, Class::Interrupted | Class::Port) => Err(failure),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// Sends the word that can only stop, whatever the drive takes it for.
+    async fn say_blindly(&mut self, act: Relief) -> Result<(), Failure> {
+        let family = self.target.family.clone();
+        let command = blind(&family, act, false).and_then(|slug| family.machine.command(slug));
+        let (Some(command), param) = (command, self.control_word()?) else { return Ok(()) };
+        self.write(&param, 0, command.word.into()).await
+    }
+
+    /// The stop went out, to a drive that others start and stop.
+    fn not_obeyed(&self, failure: Failure, seen: &Situation) -> Failure {
+        let mut failure = failure;
+        let sent = self.lang.pick(
+            "the stop was sent all the same, but it is not obeyed",
+            "der Halt wurde trotzdem gesendet, aber nicht befolgt",
+        );
+        failure.message = format!("{}; {sent}", failure.message);
+        if ["operation-enabled", "quick-stop-active", "unknown"].contains(&seen.state.as_str()) {
+            failure.message = format!("{}: {}", may_turn(self.lang), failure.message);
+        }
+        failure.hint(self.lang.pick(
+            "its enable or start contact, its keypad or the mains stop it; --take-control takes it over for the run",
+            "ihn halten Freigabe oder Startkontakt, seine Bedieneinheit oder das Netz an; --take-control übernimmt ihn für \
+             den Lauf",
+        ))
     }
 
     /// Gives the setpoint 0 and waits for the standstill. That it does not come is said, and ends nothing: a least
@@ -77,9 +129,27 @@ impl Motor<'_, '_> {
     async fn prove_relief(&mut self, act: Relief) -> Result<(), Failure> {
         self.until_without_power().await?;
         if act == Relief::DisableVoltage {
+            self.tell_coasting().await;
             return Ok(());
         }
         self.until_still().await.map(|_| ())
+    }
+
+    /// What is without power may turn on. A position shows that; the frequency of a motor without power is 0 in any case.
+    async fn tell_coasting(&mut self) {
+        let movement = self.target.family.motion.movement;
+        let told = match movement {
+            Movement::Position if self.stands_now().await.ok().flatten() == Some(true) => return,
+            Movement::Position => self.lang.pick(
+                "without power, but the shaft still turns by itself",
+                "ohne Strom, aber die Welle dreht noch von selbst",
+            ),
+            Movement::Speed => self.lang.pick(
+                "without power: a shaft that was turning coasts, which the drive does not show",
+                "ohne Strom: eine Welle, die drehte, läuft aus, was der Antrieb nicht zeigt",
+            ),
+        };
+        self.notes.push(told.to_owned());
     }
 
     /// Sends one command, whatever the state, and waits for where it leads from the present state.

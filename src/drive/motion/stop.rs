@@ -384,7 +384,7 @@ impl Motor<'_, '_> {
     }
 
     /// Whether the shaft stands now; `None` if the drive does not tell.
-    async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
+    pub(super) async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
         loop {
             let Some(raw) = self.movement().await? else { return Ok(None) };

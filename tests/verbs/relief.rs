@@ -1,0 +1,147 @@
+//! What stops goes out before anything is asked, also where nothing, or little, or the wrong thing comes back.
+
+use super::run::antrieb;
+use antrieb::tick::Span;
+use antrieb::transport::witness;
+use serde_json::json;
+
+/// What a line can do to replies.
+const LINES: [(&str, &str); 9] = [
+    ("fine", ""),
+    ("silent", "every = 1\nkind = \"lost\""),
+    ("late 300", "every = 1\nkind = \"late\"\nby = \"300ms\""),
+    ("late 600", "every = 1\nkind = \"late\"\nby = \"600ms\""),
+    ("late 900", "every = 1\nkind = \"late\"\nby = \"900ms\""),
+    ("lost 1 of 3", "every = 3\nkind = \"lost\""),
+    ("doubled", "every = 2\nkind = \"doubled\"\nby = \"40ms\""),
+    ("garbled", "every = 1\nkind = \"garbled\""),
+    ("noise", "every = 1\nkind = \"noise\""),
+];
+
+const VERBS: [&str; 3] = ["quick-stop", "disable", "disable-voltage"];
+
+fn active(model: &str, mode: u8, rest: &str) -> String {
+    let baud = if rest.is_empty() { 115_200 } else { 19_200 };
+    format!(
+        "[[drive]]\nmodel = \"{model}\"\nbaud = {baud}\nset = {{ \"410\" = 15, \"412\" = {mode}, \"434\" = 2, \"484\" = 20, \
+         \"418\" = 0 }}\n{rest}\n"
+    )
+}
+
+/// Milliseconds to the first telegram that begins with one of these, as `-v` shows it.
+fn first(err: &str, stops: &[&str]) -> Option<f64> {
+    err.lines().find_map(|line| {
+        let (at, hex) = line.split_once(" ms > ")?;
+        stops.iter().any(|stop| hex.starts_with(stop)).then(|| at.trim().parse().unwrap())
+    })
+}
+
+/// Runs a verb on a bench that is asked afterwards; when the first stop went out, its exit code, what it said, and how many
+/// shafts turn.
+fn stopped(line: &str, bench: &str, stops: &[&str]) -> (Option<f64>, u8, String, u64) {
+    witness::call();
+    let run = antrieb(line).on(bench).run();
+    let (mut bench, at) = witness::left().unwrap();
+    bench.advance(at + Span::from_secs(60));
+    (first(&run.err, stops), run.exit, run.err, bench.totals().turning)
+}
+
+/// P.410: 00h, 02h, 07h; by code 6, or a SELECT of VABus.
+const WORDS: [&str; 3] = ["01 06 01 9A 00 00", "01 06 01 9A 00 02", "01 06 01 9A 00 07"];
+
+#[test]
+fn a_stop_goes_out_at_once_on_every_line() {
+    let mut sins = Vec::new();
+    for model in ["act", "acu"] {
+        for (name, how) in LINES {
+            for verb in VERBS {
+                for (drive, within) in [(format!("--drive {model}"), 900.0), (String::new(), 1_500.0)] {
+                    let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
+                    let bench = active(model, 1, &how);
+                    let baud = if how.is_empty() { 115_200 } else { 19_200 };
+                    let line = format!("-v -b {baud} -a 1 {drive} statemachine {verb}");
+                    let (at, exit, err, turning) = stopped(&line, &bench, &WORDS);
+                    let in_time = at.is_some_and(|at| at < within);
+                    let told = exit == 0
+                        || ["THE SHAFT MAY STILL TURN", "the stop was acknowledged"]
+                            .iter()
+                            .any(|says| err.contains(says));
+                    if !in_time || turning > 0 || !told {
+                        let error = err.lines().find(|line| line.contains("error:")).unwrap_or("-");
+                        sins.push(format!("{line} ({name}): {at:?} ms, exit {exit}, {turning} turning, {error}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
+}
+
+#[test]
+fn with_its_family_named_the_stop_is_the_first_telegram() {
+    for (verb, word) in [("quick-stop", WORDS[1]), ("disable-voltage", WORDS[0])] {
+        let run =
+            antrieb(&format!("-v -b 115200 -a 1 --drive acu statemachine {verb}")).on(&active("acu", 1, "")).run();
+        assert!(run.sent()[0].starts_with(word), "{verb}: {:?}", run.sent());
+    }
+}
+
+#[test]
+fn disable_never_closes_contacts_and_keeps_its_ramp() {
+    for (mode, how, closes) in [(1, "", true), (2, "", false), (2, "[[disturb]]\nevery = 1\nkind = \"lost\"", false)] {
+        let baud = if how.is_empty() { 115_200 } else { 19_200 };
+        let line = format!("-v -b {baud} -a 1 --drive acu statemachine disable");
+        let run =
+            antrieb(&line).on(&active("acu", mode, how).replace("= 15", if mode == 2 { "= 3" } else { "= 15" })).run();
+        let disables = run.sent().iter().any(|hex| hex.starts_with(WORDS[2]));
+        assert_eq!(disables, closes, "{mode} {how}: {:?}", run.sent());
+    }
+}
+
+#[test]
+fn a_stop_that_is_not_obeyed_goes_out_and_says_so() {
+    for verb in VERBS {
+        let run =
+            antrieb(&format!("-v -b 115200 -a 1 --drive acu statemachine {verb}")).on(&active("acu", 0, "")).run();
+        assert_eq!(run.exit, 8, "{}", run.err);
+        assert!(first(&run.err, &WORDS).is_some_and(|at| at < 500.0), "{}", run.err);
+        assert!(run.err.contains("sent all the same, but it is not obeyed"), "{}", run.err);
+    }
+}
+
+#[test]
+fn a_servo_hears_its_stop_in_both_word_orders_at_once() {
+    for (name, how) in LINES {
+        for verb in VERBS {
+            for drive in ["--drive lxm05", ""] {
+                let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
+                let bench = format!("[[drive]]\nmodel = \"lxm05\"\n{how}\n");
+                let run = antrieb(&format!("-v -a 1 {drive} statemachine {verb}")).on(&bench).run();
+                let at = first(&run.err, &["01 10 1B 02 00 02 04"]);
+                assert!(at.is_some_and(|at| at < 1_500.0), "{drive} {verb}, {name}: {at:?}\n{}", run.err);
+            }
+        }
+    }
+}
+
+#[test]
+fn over_vabus_nobody_is_asked_who_he_is() {
+    for (name, how) in LINES {
+        for verb in ["quick-stop", "disable-voltage"] {
+            let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
+            let bench = active("acu", 1, &format!("protocol = \"vabus\"\n{how}"));
+            let run = antrieb(&format!("-v -b 19200 --protocol vabus -a 1 statemachine {verb}")).on(&bench).run();
+            // P.410 = 019Ah in the digits of VABus: nothing else goes out before it but the address.
+            let sent: Vec<_> = run.err.lines().filter_map(|line| line.split_once(" ms > ")).collect();
+            assert!(sent.first().is_some_and(|(_, told)| told.contains("410")), "{verb}, {name}: {sent:?}");
+        }
+    }
+}
+
+#[test]
+fn a_shaft_that_coasts_is_said_to_turn() {
+    let run = antrieb("-b 115200 -a 1 statemachine disable-voltage").on(&active("acu", 1, "")).json().exits(0);
+    assert_eq!(run.data("/running"), &json!(false));
+    let notes = run.data("/notes").to_string();
+    assert!(notes.contains("coasts"), "{notes} {}", run.value);
+}
