@@ -164,7 +164,7 @@ impl Reader<'_> {
         if row.byte.is_some() && !matches!(kind, Kind::Noise(_)) {
             return Err(self.error(table.span(), "byte goes only with kind = \"noise\"".to_owned()));
         }
-        for got in [&row.pattern, &row.lasts].into_iter().flatten() {
+        if let Some(got) = row.pattern.as_ref().or(row.lasts.as_ref()) {
             return Err(self.error(got.span(), "pattern and for go only with kind = \"babble\"".to_owned()));
         }
         let station = row.address.as_ref().map(|got| self.station(got)).transpose()?;
