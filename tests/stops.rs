@@ -293,7 +293,7 @@ impl Case {
 }
 
 /// Runs through a case with a stride; tells how many runs there were and what was wrong.
-fn trial(stride: usize) {
+fn trial(stride: usize) -> String {
     let registry = Registry::open(&[]).unwrap();
     let (mut runs, sins) = (0, RefCell::new(Vec::new()));
     for (nth, case) in cases().into_iter().enumerate() {
@@ -319,13 +319,14 @@ fn trial(stride: usize) {
     let sins = sins.into_inner();
     let turning = sins.iter().filter(|sin| sin.contains("left turning")).count();
     let text = format!("{runs} runs: {turning} shafts left turning, {} false reports", sins.len() - turning);
-    println!("{text}");
     assert!(sins.is_empty(), "{text}\n{}", sins.join("\n"));
+    text
 }
 
 /// STOPS_STRIDE=1 takes every step (the long form, some minutes); 83 is usual.
 #[test]
 #[expect(clippy::disallowed_methods, reason = "how long a trial is its caller says")]
 fn no_end_at_any_step_leaves_a_shaft_turning_or_a_false_report() {
-    trial(std::env::var("STOPS_STRIDE").ok().and_then(|stride| stride.parse().ok()).unwrap_or(83));
+    let stride = std::env::var("STOPS_STRIDE").ok().and_then(|stride| stride.parse().ok());
+    println!("{}", trial(stride.unwrap_or(83)));
 }
