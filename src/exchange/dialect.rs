@@ -322,9 +322,10 @@ impl Dialect {
         matches!(fence, Question::Modbus(Request::Diagnostics { sub, .. }) if !BUSY_COUNTERS.contains(sub))
     }
 
-    /// Whether this answer to a fence proves that nothing older can come. Its echo does not, and a refusal only if none
-    /// of the missing replies could be one.
-    pub(super) fn settles(self, fence: &Question, said: &Said, missing: &[Question]) -> bool {
+    /// Whether this answer to a fence proves that nothing older can come. Its echo does not, where the line
+    /// may echo (a counter that stands at 0 answers in the same bytes), and a refusal only if none of the missing replies
+    /// could be one.
+    pub(super) fn settles(self, fence: &Question, said: &Said, missing: &[Question], may_echo: bool) -> bool {
         let may_be_old = said.is_refusal() && missing.iter().any(|missing| self.refuses_alike(missing, fence));
         let is_echo = match (fence, said) {
             (Question::Modbus(fence), Said::Modbus(reply)) => {
@@ -332,7 +333,7 @@ impl Dialect {
             }
             _ => false,
         };
-        !may_be_old && !is_echo
+        !may_be_old && !(is_echo && may_echo)
     }
 }
 

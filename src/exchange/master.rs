@@ -372,7 +372,9 @@ impl Master {
     /// Whether this answer can be no older one; that matters for a fence only.
     fn proves(&self, job: &Job, said: &Said) -> bool {
         match &job.parting {
-            Parting::Fence(fence, _) => self.dialect.settles(fence, said, self.debts.missing(job.station)),
+            Parting::Fence(fence, _) => {
+                self.dialect.settles(fence, said, self.debts.missing(job.station), self.echo != Echo::Absent)
+            }
             _ => true,
         }
     }

@@ -661,3 +661,17 @@ fn an_echo_of_the_last_end_that_comes_late_costs_no_repeat() {
     }
     assert_eq!((line.master.tally().repeats, line.master.tally().garbled), (0, 0));
 }
+
+#[test]
+fn a_counter_that_stands_at_0_is_a_fence_on_a_line_without_echo() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.has_counters(1, [0x12]);
+    assert!(line.ask(1, READ, &[&[(10, value(1390))]]).is_ok());
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[]).is_err());
+    let stands = frame(1, &Reply::Diagnostics { sub: 0x12, data: 0 });
+    let begun = line.now;
+    let outcome = line.ask(1, OTHER, &[&[(10, stands)], &[(10, value(7))], &[(10, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    assert!(line.now.since(begun) < Span::from_millis(700), "an answered fence is not waited for again");
+}
