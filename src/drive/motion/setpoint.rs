@@ -269,6 +269,18 @@ impl Motor<'_, '_> {
         self.remote && !remote
     }
 
+    /// Whether control was taken away where the status word does not tell: it shows Remote for contacts as well.
+    pub(super) async fn was_taken(&mut self) -> bool {
+        let (control, situation) = (self.target.family.motion.control, self.look().await.ok());
+        let mode = situation.and_then(|situation| situation.mode);
+        let taken = control.zip(mode).is_some_and(|(control, mode)| mode != control.obeys);
+        if taken {
+            let failure = self.taken().await;
+            self.notes.push(failure.message);
+        }
+        taken
+    }
+
     /// Control was taken away, such as by another data set: who has it now decides what can still be done.
     async fn taken(&mut self) -> Failure {
         let mode = self.look().await.ok().and_then(|situation| situation.mode);
@@ -279,10 +291,12 @@ impl Motor<'_, '_> {
         let mode = mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
         let text = match self.lang {
             Lang::En => {
-                format!("control was taken away in the run: {label} in force is {mode}, status bit Remote is 0")
+                format!(
+                    "control was taken away in the run: {label} in force is {mode}, so the control word is not obeyed"
+                )
             }
             Lang::De => {
-                format!("die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, Statusbit Remote ist 0")
+                format!("die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, das Steuerwort also nicht")
             }
         };
         Failure::new(Class::Forbidden, "forbidden.control_taken", text).hint(self.lang.pick(

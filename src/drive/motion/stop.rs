@@ -14,8 +14,8 @@ use crate::tick::Span;
 const STOP_TRIES: u8 = 5;
 /// The stop is given up when the drive has not answered for so long.
 const SILENT: Span = Span::from_secs(10);
-/// And after so long, whatever it answers.
-const LONGEST: Span = Span::from_secs(600);
+/// And after so long where it answers now and then, but never as far as a proof.
+const PURSUED: Span = Span::from_secs(60);
 
 /// The state of a quick stop.
 const QUICK_STOP: &str = "quick-stop-active";
@@ -183,12 +183,14 @@ impl Motor<'_, '_> {
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
-        while self.session.now().since(begun) < LONGEST {
+        loop {
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => return self.proven(stop, proof),
                 Err(failure) => failure,
             };
             match (failure.class, self.stronger(way)) {
+                // The same stop again, by what is obeyed now.
+                (Class::Forbidden, _) if self.lever == Lever::ControlWord && self.was_taken().await => tries = 0,
                 (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {
                     hurry |= failure.class == Class::Interrupted;
                     self.session.note_interrupts();
@@ -201,7 +203,9 @@ impl Motor<'_, '_> {
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
                     self.session.note_interrupts();
-                    if self.session.now().since(self.heard) >= SILENT && !self.runs_on().await {
+                    let now = self.session.now();
+                    let is_over = now.since(self.heard) >= SILENT || now.since(begun) >= PURSUED;
+                    if is_over && (now.since(begun) >= PURSUED || !self.runs_on().await) {
                         self.unheard = true;
                         break;
                     }
