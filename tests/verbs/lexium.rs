@@ -301,3 +301,12 @@ fn a_drive_that_tells_of_itself_in_pieces_is_known() {
     let evidence = document.data("/drives/0/evidence/0/answered");
     assert_eq!(evidence, "antrieb bench, LXM05-SIM, V02.001");
 }
+
+#[test]
+fn a_gear_ratio_is_shown_whole() {
+    let run = "-a 1 --yes sollwert 2/3 --enable --hold --duration 100ms";
+    let table = antrieb(run).on(BENCH).exits(0);
+    assert!(table.out.contains(" 2/3"), "{}", table.out);
+    let document = antrieb(run).on(BENCH).json().exits(0);
+    assert_eq!((document.data("/setpoint/value"), document.data("/setpoint/denominator")), (&2.into(), &3.into()));
+}

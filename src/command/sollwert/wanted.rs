@@ -169,7 +169,10 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
     };
     let mut said = Vec::new();
     for point in &spoken.points {
-        let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
+        let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
+            value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
+            error => failed(point, error.to_string()),
+        })?;
         if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
             return Err(failed(point, "all setpoints must have the same unit".to_owned()));
         }
@@ -205,6 +208,16 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
 
 pub(super) fn out_of_range(param: &Param, error: &value::ValueError) -> Failure {
     Failure::new(Class::Data, "data.range", format!("{}: {error}", param.label())).with("param", param.id)
+}
+
+/// A number that is larger than any that can be sent.
+fn beyond(param: &Param, value: String, kind: &'static str) -> Failure {
+    let largest = if value.starts_with(['-', '−']) { i64::MIN } else { i64::MAX };
+    let error = match check_range(largest, param) {
+        Err(value::ValueError::Range { min, max, .. }) => value::ValueError::Range { value, min, max },
+        _ => value::ValueError::Width { value, kind },
+    };
+    out_of_range(param, &error)
 }
 
 /// The mode that was named.
