@@ -233,7 +233,8 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
         let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
         let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
         let message = told.join(" ").trim_start_matches("error: ").to_owned();
-        let failure = Failure::new(Class::Usage, "usage.arguments", message).hint("antrieb --help");
+        let failure = Failure::new(Class::Usage, "usage.arguments", message)
+            .hint(elsewhere(error).map_or_else(|| "antrieb --help".to_owned(), |verb| format!("antrieb {verb}")));
         let root = Cli::command();
         let verb = words
             .iter()
@@ -249,8 +250,21 @@ fn clap_exit(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, e
         };
     } else {
         text.lines().for_each(|line| console.line(line));
+        if let Some(verb) = elsewhere(error) {
+            console.line(&format!("hint: antrieb {verb}"));
+        }
     }
     Class::Usage.exit()
+}
+
+/// The verb under which an unknown one is to be found: `statemachine enable` for `enable`.
+fn elsewhere(error: &clap::Error) -> Option<String> {
+    let Some(clap::error::ContextValue::String(word)) = error.get(clap::error::ContextKind::InvalidSubcommand) else {
+        return None;
+    };
+    let root = Cli::command();
+    let verb = root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
+    Some(format!("{} {word}", verb.get_name()))
 }
 
 /// A pipe that was closed on the other side is a success: the reader has what it wanted.

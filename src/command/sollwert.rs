@@ -185,6 +185,9 @@ async fn carry_out(
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
     lead(motor, wanted, unit).await?;
+    if let Some(setpoint) = &mut motor.setpoint {
+        setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
+    }
     match &wanted.start {
         Some(start) => motor.travel(start).await?,
         None if until_reached => {

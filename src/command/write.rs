@@ -522,6 +522,13 @@ fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome 
         }
     }
     let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
+    if values.iter().any(|row| row.address == 0 && row.result == WriteResult::Broadcast) {
+        let message = settings.lang.pick(
+            "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
+            "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen",
+        );
+        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned() });
+    }
     let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
     let failure = summary(failures, succeeded, settings.lang);
     Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }

@@ -79,12 +79,19 @@ fn unspeakable(lang: Lang) -> Failure {
     ))
 }
 
+fn times(asked: impl Into<u64>) -> String {
+    match asked.into() {
+        1 => "asked once".to_owned(),
+        asked => format!("asked {asked} times"),
+    }
+}
+
 fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
     let at = format!("{} {address}", lang.pick("address", "Adresse"));
     match error {
         ExchangeError::Silence { timeout, asked } => {
             let message = match lang {
-                Lang::En => format!("{at}: no reply within {timeout}, asked {asked} times"),
+                Lang::En => format!("{at}: no reply within {timeout}, {}", times(*asked)),
                 Lang::De => format!("{at}: keine Antwort innerhalb von {timeout}, {asked}-mal gefragt"),
             };
             Failure::new(Class::Silence, "silence.no_reply", message).hint(lang.pick(
@@ -106,7 +113,7 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
         }
         ExchangeError::Garbled { asked, bytes } => {
             let message = match lang {
-                Lang::En => format!("{at}: no valid reply, asked {asked} times; {} bytes of garbage came", bytes.len()),
+                Lang::En => format!("{at}: no valid reply, {}; {} bytes of garbage came", times(*asked), bytes.len()),
                 Lang::De => format!("{at}: keine gültige Antwort, {asked}-mal gefragt; {} gestörte Bytes", bytes.len()),
             };
             Failure::new(Class::Garbled, "garbled.no_valid_reply", message)
@@ -141,7 +148,7 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
         }
         ExchangeError::NeverSilent { asked } => {
             let message = match lang {
-                Lang::En => format!("{at}: the line is never silent, asked {asked} times"),
+                Lang::En => format!("{at}: the line is never silent, {}", times(*asked)),
                 Lang::De => format!("{at}: die Leitung schweigt nie, {asked}-mal gefragt"),
             };
             Failure::new(Class::Garbled, "garbled.never_silent", message).hint(lang.pick(
@@ -153,7 +160,7 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
         ExchangeError::Unproven { asked } => {
             let message = match lang {
                 Lang::En => {
-                    format!("{at}: answers came, but each may be one to an older question, asked {asked} times")
+                    format!("{at}: answers came, but each may be one to an older question, {}", times(*asked))
                 }
                 Lang::De => {
                     format!("{at}: Antworten kamen, aber jede kann einer älteren Frage gelten, {asked}-mal gefragt")

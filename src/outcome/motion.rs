@@ -57,6 +57,9 @@ pub struct Setpoint {
     pub param: u32,
     /// Last value.
     pub value: Decimal,
+    /// Lower number of a ratio, whose upper one is the value; missing where it is no ratio.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub denominator: Option<i64>,
     /// What the drive makes of it by its own settings: sources that it adds, limits; null if that is not known.
     pub effective: Option<Decimal>,
     /// Unit.

@@ -100,6 +100,8 @@ pub fn parse_decimal(text: &str, decimals: u8) -> Result<i64, ValueError> {
 /// Like [`parse_decimal`], with the number multiplied by `10^power` first.
 fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
     let no_number = || ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() };
+    // It is a number, but no drive has one so large.
+    let too_large = || ValueError::Width { value: text.to_owned(), kind: "long" };
     let (negative, digits) = match text.strip_prefix(['-', '−']) {
         Some(rest) => (true, rest),
         None => (false, text.strip_prefix('+').unwrap_or(text)),
@@ -128,7 +130,7 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
             kept.to_owned()
         }
     };
-    let magnitude: i64 = if scaled.is_empty() { 0 } else { scaled.parse().map_err(|_| no_number())? };
+    let magnitude: i64 = if scaled.is_empty() { 0 } else { scaled.parse().map_err(|_| too_large())? };
     Ok(if negative { -magnitude } else { magnitude })
 }
 

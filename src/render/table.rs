@@ -654,13 +654,14 @@ impl Page {
             let actual = setpoint.actual.map_or_else(String::new, |actual| {
                 format!(", {} {} {}", self.word("actual value"), shown(actual, false), setpoint.unit)
             });
+            let below = setpoint.denominator.map_or_else(String::new, |below| format!("/{below}"));
             let runs = setpoint.effective.filter(|effective| effective.raw != setpoint.value.raw);
             let runs = runs.map_or_else(String::new, |effective| {
                 format!(" ({} {} {})", self.word("makes"), shown(effective, false), setpoint.unit)
             });
             rows.push((
                 "setpoint",
-                format!("{} {}{runs}{reached}{actual}", shown(setpoint.value, false), setpoint.unit),
+                format!("{}{below} {}{runs}{reached}{actual}", shown(setpoint.value, false), setpoint.unit),
             ));
         }
         for change in &motion.changed {

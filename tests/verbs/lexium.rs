@@ -330,3 +330,12 @@ fn the_fault_memory_is_read_once_for_the_present_fault_and_the_memory() {
     let missing = state.data("/drives/0/missing").to_string();
     assert!(missing.contains("E2300") && !missing.contains("E3201"), "{missing}");
 }
+
+#[test]
+fn a_gear_ratio_is_shown_whole() {
+    let run = "-a 1 --yes sollwert 2/3 --enable --hold --duration 100ms";
+    let table = antrieb(run).on(BENCH).exits(0);
+    assert!(table.out.contains(" 2/3"), "{}", table.out);
+    let document = antrieb(run).on(BENCH).json().exits(0);
+    assert_eq!((document.data("/setpoint/value"), document.data("/setpoint/denominator")), (&2.into(), &3.into()));
+}

@@ -367,3 +367,37 @@ fn a_dry_run_names_what_depends_on_answers() {
     let auto = antrieb("-p sim --baud auto --protocol auto --dry-run scan").exits(0).out;
     assert!(auto.contains("baud, protocol = auto"), "{auto}");
 }
+
+#[test]
+fn a_number_that_is_too_large_is_out_of_range_and_no_misspelling() {
+    for port in ["-p sim", ""] {
+        let run =
+            antrieb(&format!("{port} -a 1 --drive act sollwert 99999999999999999999Hz --dry-run")).json().exits(7);
+        assert_eq!(run.error()["code"], "data.range");
+        assert!(run.error()["message"].as_str().unwrap().contains("99999999999999999999"), "{}", run.error());
+    }
+    let run = antrieb("-p sim -a 1 write 480=99999999999999999999").json().exits(7);
+    assert!(!run.error()["message"].as_str().unwrap().contains("neither a number"), "{}", run.error());
+}
+
+#[test]
+fn a_broadcast_says_that_nobody_confirms_it() {
+    let run = antrieb("-p sim --drive act -a 0 write 480@1ram=10 --yes").exits(0);
+    assert!(run.err.contains("warning: sent to everybody: no drive confirms it"), "{}", run.err);
+    let one = antrieb("-p sim -a 1 write 480@1ram=10 --yes").exits(0);
+    assert!(!one.err.contains("everybody"), "{}", one.err);
+}
+
+#[test]
+fn a_verb_under_another_one_is_hinted_at() {
+    let run = antrieb("enable").exits(2);
+    assert!(run.err.contains("hint: antrieb statemachine enable"), "{}", run.err);
+    assert!(antrieb("enable --json").exits(2).out.contains("antrieb statemachine enable"));
+    assert!(!antrieb("enabel").exits(2).err.contains("hint:"));
+}
+
+#[test]
+fn who_was_asked_once_was_not_asked_times() {
+    let silent = antrieb("-p sim -a 77 --retries 0 read 372").exits(4);
+    assert!(silent.err.contains("asked once") && !silent.err.contains("1 times"), "{}", silent.err);
+}

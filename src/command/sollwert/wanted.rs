@@ -183,7 +183,10 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
     };
     let mut said = Vec::new();
     for point in &spoken.points {
-        let one = setpoint::parse(family, mode, &point.text).map_err(|error| failed(point, error.to_string()))?;
+        let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
+            value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
+            error => failed(point, error.to_string()),
+        })?;
         if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
             return Err(failed(point, "all setpoints must have the same unit".to_owned()));
         }
@@ -234,6 +237,16 @@ fn check_codes(args: &Args, mode: &Mode, family: &Family, schedule: &Schedule, l
         Lang::De => format!("{raw} ist kein Code von {label}: dort stehen Codes, keine Drehzahlen"),
     };
     Err(Failure::new(Class::Data, "data.code", text).hint(codes.get(lang)).with("param", param.id))
+}
+
+/// A number that is larger than any that can be sent.
+fn beyond(param: &Param, value: String, kind: &'static str) -> Failure {
+    let largest = if value.starts_with(['-', '−']) { i64::MIN } else { i64::MAX };
+    let error = match check_range(largest, param) {
+        Err(value::ValueError::Range { min, max, .. }) => value::ValueError::Range { value, min, max },
+        _ => value::ValueError::Width { value, kind },
+    };
+    out_of_range(param, &error)
 }
 
 /// The mode that was named.

@@ -459,8 +459,13 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn rest(&mut self, span: Span) -> Result<(), Failure> {
-        let result = self.session.rest(span).await;
-        result.map_err(|error| self.failure(&error))
+        self.session.rest(span).await.map_err(|error| match error {
+            // No answer was waited for.
+            AccessError::Interrupted => {
+                Failure::new(Class::Interrupted, "interrupted", self.lang.pick("interrupted", "unterbrochen"))
+            }
+            error => self.failure(&error),
+        })
     }
 
     fn failure(&self, error: &AccessError) -> Failure {

@@ -107,6 +107,7 @@ impl Motor<'_, '_> {
         self.setpoint = Some(Setpoint {
             param: param.id,
             value,
+            denominator: None,
             effective,
             unit: unit.to_owned(),
             writes,
