@@ -115,6 +115,9 @@ pub async fn introduce(
 
 /// Whether a device describes itself, by one question; `None` if it does not tell.
 pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> Result<Option<bool>, AccessError> {
+    if session.protocol() == Protocol::Vabus {
+        return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak it
+    }
     let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
     Ok(match said(session.ask(address, Question::from(request)).await)? {
         Ok(Said::Modbus(Reply::Identification(_))) => Some(true),

@@ -7,6 +7,7 @@ use crate::protocol::Protocol;
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
 use crate::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber, SystemNode};
+use std::rc::Rc;
 
 /// A parameter number and a data set as they go on the wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +77,38 @@ pub struct Route {
     pub node: u8,
     /// Which half of a value in two registers comes first.
     pub order: WordOrder,
+}
+
+/// Whom a telegram is for, as far as it is known before anything is asked.
+#[derive(Clone, Debug)]
+pub struct Meant {
+    /// Where it is.
+    pub address: u8,
+    /// Its family, if somebody named it.
+    pub family: Option<Rc<Family>>,
+    /// Which half of a value comes first, if somebody named it.
+    pub order: Option<WordOrder>,
+}
+
+impl Meant {
+    /// The telegrams that say something to a family: `both` times if it matters which half of a value comes first, and
+    /// nobody named that.
+    pub(super) fn questions(
+        &self,
+        protocol: Protocol,
+        node: u8,
+        family: &Family,
+        inquiry: Inquiry,
+        both: bool,
+    ) -> Vec<Question> {
+        let orders = match self.order {
+            Some(order) => vec![order],
+            None if both => vec![WordOrder::HighFirst, WordOrder::LowFirst],
+            None => vec![WordOrder::default()],
+        };
+        let route = Route { node, ..Route::new(protocol, &family.link, self.address) };
+        orders.into_iter().filter_map(|order| Route { order, ..route }.question(inquiry)).collect()
+    }
 }
 
 impl Route {

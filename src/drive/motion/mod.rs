@@ -13,12 +13,13 @@ mod shaft;
 mod shout;
 mod stop;
 
+pub use super::route::Meant;
 pub use look::{
     Situation, Standing, look, may_change_mode, missing, no_control, role_raw, runs_at, standing, tripped,
     upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::may_turn;
-pub use shout::{Meant, shout};
+pub use shout::shout;
 pub use stop::{StopChoice, watchdog_words};
 
 use super::session::{AccessError, Session};

@@ -15,15 +15,13 @@
 use super::look::working;
 use super::relief::command_of;
 use crate::drive::family;
-use crate::drive::route::{Cell, Inquiry, Route};
+use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::Target;
 use crate::exchange::{Answer, Limits, Question};
 use crate::failure::Class;
 use crate::gate::Relief;
-use crate::profile::{Family, Lang, Registry, Route as Way, Type};
-use crate::protocol::Protocol;
-use crate::protocol::modbus::pdu::WordOrder;
+use crate::profile::{Family, Lang, Registry, Type};
 use crate::tick::Span;
 use std::rc::Rc;
 
@@ -34,17 +32,6 @@ const SHORT: Span = Span::from_millis(250);
 const GLANCE: Span = Span::from_millis(150);
 /// How often the stop is said while nobody acknowledges it: replies of 900 ms (CM-485 manual 6.8 promises less) are in time.
 const TIMES: u8 = 5;
-
-/// Whom a stop is for, as far as it is known before anything is asked.
-#[derive(Clone, Debug)]
-pub struct Meant {
-    /// Where it is.
-    pub address: u8,
-    /// Its family, if somebody named it.
-    pub family: Option<Rc<Family>>,
-    /// Which half of a value comes first, if somebody named it.
-    pub order: Option<WordOrder>,
-}
 
 /// Sends what stops the drive until it is acknowledged, or has been said often enough; says whether it was. An act that is
 /// no command sends nothing.
@@ -100,10 +87,6 @@ async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -
             kinds.push(family);
         }
     }
-    if session.protocol() == Protocol::Vabus {
-        kinds.retain(|family| family.link.route == Way::Active); // nobody else is known to speak it
-        return Ok(kinds);
-    }
     if let Some(describes) = family::describes_itself(session, address).await? {
         kinds.retain(|family| family.link.product.is_some() == describes);
     }
@@ -145,11 +128,6 @@ fn telegrams(session: &Session<'_>, meant: &Meant, family: &Family, word: u16) -
     let Some(param) = family.role("control-word") else { return Vec::new() };
     let cell = Cell { number: param.id, set: 0 };
     let inquiry = Inquiry::Write(cell, param.kind.unwrap_or(Type::Uint), word.into());
-    let orders = match meant.order {
-        Some(order) => vec![order],
-        None if word != 0 && family.role("word-order").is_some() => vec![WordOrder::HighFirst, WordOrder::LowFirst],
-        None => vec![WordOrder::default()],
-    };
-    let route = Route { node: session.node(), ..Route::new(session.protocol(), &family.link, meant.address) };
-    orders.into_iter().filter_map(|order| Route { order, ..route }.question(inquiry)).collect()
+    let both = word != 0 && family.role("word-order").is_some();
+    meant.questions(session.protocol(), session.node(), family, inquiry, both)
 }
