@@ -333,7 +333,7 @@ impl Dialect {
             }
             _ => false,
         };
-        !may_be_old && !(is_echo && may_echo)
+        !(may_be_old || is_echo && may_echo)
     }
 }
 
