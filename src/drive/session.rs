@@ -278,11 +278,20 @@ impl<'a> Session<'a> {
         };
         let Some(no) = no(&said) else { return Ok(Some((said, after))) };
         let cause = match route.cause(family, no) {
-            Some(question) => self.number(route, question).await?,
+            Some(question) => self.number_once(route, question).await?,
             None => None,
         };
         // 0 is "nothing was refused": the register belongs to something else, or there is none.
         Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0) }))
+    }
+
+    /// Asks for a number that is gone once it has been read.
+    async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
+        let limits = self.limits();
+        self.set_limits(Limits { witness: false, ..limits });
+        let number = self.number(route, question).await;
+        self.set_limits(limits);
+        number
     }
 
     /// Asks for a 16-bit number; `None` if the station answers with something else.

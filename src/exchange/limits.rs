@@ -20,6 +20,9 @@ pub struct Limits {
     /// The longest that a telegram waits for a silent line, or for what a station still owes; then it goes out even into a
     /// busy line. `None`: it waits for its turn, and a line that is never silent fails the question.
     pub insist: Option<Span>,
+    /// An answer is asked for once more where it may be another's. Not what is cleared by reading, such as the register
+    /// that tells why a drive said no.
+    pub witness: bool,
 }
 
 impl Default for Limits {
@@ -30,6 +33,7 @@ impl Default for Limits {
             pause: Span::from_millis(2),        // CM-485 manual 6.8
             turnaround: Span::from_millis(100), // MODBUS over Serial Line V1.02, 2.4.1: typically 100-200 ms
             insist: None,
+            witness: true,
         }
     }
 }

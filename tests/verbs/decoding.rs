@@ -311,7 +311,7 @@ fn the_telegrams_of_a_session_name_parameters() {
     let run = antrieb("-v -a 1 --yes write PPp_targetusr=-3").on(bench).exits(0);
     for told in [
         "read identification: basic objects, from vendor name",
-        "read MBdword_order (5646) Word order of 32-bit values",
+        "read MBadr (5640) Modbus address",
         "write PPp_targetusr (6940) Target position (point-to-point) = -3 usr, then read PPp_targetusr (6940)",
         "value -3 (0xFFFFFFFD)",
     ] {

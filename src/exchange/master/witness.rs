@@ -26,7 +26,8 @@ impl Master {
     /// Values that never stay the same are believed at last where nothing was ever mixed up; elsewhere not before the
     /// missing ones cannot come any more.
     pub(super) fn witnessed(&mut self, at: Tick, said: Said) -> Option<Said> {
-        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced() && !job.question.is_write()) else {
+        let plain = |job: &&Job| !job.is_fenced() && !job.question.is_write() && job.limits.witness;
+        let Some(job) = self.job.as_ref().filter(plain) else {
             return Some(said);
         };
         let doubles = self.doubles(job, &said, at).max(usize::from(job.doubted || self.heard.has_twins(job.station)));
