@@ -396,17 +396,36 @@ fn a_ramp_that_lasts_long_is_waited_for() {
 #[test]
 fn a_watchdog_that_only_writes_feed_is_fed_in_every_wait_and_hold() {
     let fed = "servo = { limn = -8192 }\nreadings = { node_guard_fed_by = \"writes\" }";
-    for (words, set) in [
-        ("240rpm --until reached", "RAMPacc = 240"),
-        ("240rpm", "RAMPdecel = 240"),
-        ("8192usr", "PPn_target = 30"),
-        ("17 --mode homing", "HMn = 60"),
-        ("2/3 --set IOposInterfac=1", "RAMPacc = 600"),
+    for (slug, raw, set) in [
+        ("velocity", 240, "RAMPacc = 60"),
+        ("velocity", 240, "RAMPdecel = 60"),
+        ("position", 65_536, "PPn_target = 30"),
+        ("homing", 17, "HMn = 10"),
+        ("gear", 2, "IOposInterfac = 1"),
     ] {
-        let line =
-            format!("-a 1 --drive lxm05 --yes sollwert {words} --enable --hold --duration 600ms --watchdog 400ms");
-        let run = antrieb(&line).on(&servo(set, fed)).json();
-        assert_eq!((run.exit, run.data("/stop/acknowledged")), (0, &json!(true)), "{words}: {:#}", run.value);
+        let work = async |motor: &mut Motor<'_, '_>| {
+            let registry = Registry::open(&[]).unwrap();
+            let family = registry.family("lxm05").unwrap();
+            let mode = family.mode(slug).unwrap().clone();
+            let param = family.param_or_unknown(mode.setpoint);
+            motor.change("watchdog", 700).await?;
+            motor.prepare(&mode);
+            motor.walk("operation-enabled").await?;
+            motor.enter().await?;
+            if let Some(id) = mode.denominator {
+                motor.set(&family.param_or_unknown(id), 3).await?;
+            }
+            motor.give(&param, raw, "").await?;
+            match mode.starts.first() {
+                Some(start) => motor.travel(start).await?,
+                None if mode.endless => {}
+                None => motor.until_reached().await?,
+            }
+            motor.hold(Some(Span::from_secs(4)), async |_: &mut Motor<'_, '_>, _| Ok(())).await
+        };
+        let came = held_of("lxm05", &servo(set, fed), &[], StopChoice::Ramp, Span::ZERO, work);
+        assert!(came.ended.result.is_ok(), "{slug}: {:?}", came.ended);
+        assert!(came.stop().acknowledged && came.turning == 0, "{slug}: {:?}", came.ended);
     }
 }
 
@@ -440,7 +459,7 @@ fn control_that_is_taken_away_ends_the_run_at_once() {
             assert!(came.notes.iter().any(|note| note.contains("taken away")), "{told}");
             assert_eq!(came.stop().escalated, None, "{told}");
         } else {
-            let failure = came.ended.result.as_ref().expect_err(&told);
+            let failure = came.ended.result.as_ref().err().unwrap_or_else(|| panic!("{told}"));
             assert_eq!(failure.code, "forbidden.control_taken", "{told}");
             assert!(failure.message.contains(&format!(" {mode},")), "{told}");
         }
