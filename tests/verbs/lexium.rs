@@ -245,16 +245,6 @@ fn the_word_order_is_asked_once_or_given() {
     assert!(given.sent().pop().unwrap().contains("04 07 D0 00 00"), "low word first");
 }
 
-/// MBdword_order holds at once or from the next power-on (facts, readings): the order in force is what counts.
-#[test]
-fn a_word_order_that_was_written_is_found_out_anew() {
-    for (reading, half) in [("power-on", "04 07 D0 00 00"), ("at-once", "04 00 00 07 D0")] {
-        let low = bench(&format!("set = {{ MBdword_order = 1 }}\nreadings = {{ mbdword_order = \"{reading}\" }}"));
-        let run = antrieb("-a 1 -v --drive lxm05 --yes write MBdword_order=0 RAMPacc=2000").on(&low).exits(0);
-        assert!(run.sent().iter().any(|telegram| telegram.contains(half)), "{reading}: {:?}", run.sent());
-    }
-}
-
 #[test]
 fn what_the_family_does_not_have_is_refused_in_words() {
     for (verb, exit, says) in [

@@ -20,6 +20,8 @@ pub(super) fn of(
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
         (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, lang)),
+        // A stop on a line that proves nothing, and nobody saw what became of it.
+        (Some(failure), None) if plan.relief.is_some() && running.is_none() => Some(dangerous(failure, family, lang)),
         (Some(failure), None) => Some(failure),
         (None, Some(stop)) if !stop.acknowledged && stop.choice != "keep" => Some(unproven(stop, family, lang)),
         (None, _) => broken_promise(plan, family, seen, running, lang)
@@ -50,9 +52,18 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     if stop.acknowledged || running == Some(false) {
         return failure;
     }
-    // The danger first, and what ends it; why it came to that is for later.
+    let hints = [stop.note.clone(), failure.hint.take()];
+    dangerous(failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; ")), family, lang)
+}
+
+/// The danger first, and what ends it; why it came to that is for later.
+fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
+    let mut failure = failure;
+    if failure.message.starts_with(danger(lang)) {
+        return failure;
+    }
     failure.message = format!("{}: {}", danger(lang), failure.message);
-    let hints = [Some(what_stops_it(family, lang)), stop.note.clone(), failure.hint.take()];
+    let hints = [Some(what_stops_it(family, lang)), failure.hint.take().filter(|hint| !hint.is_empty())];
     failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
 }
 
@@ -88,7 +99,7 @@ fn what_stops_it(family: &Family, lang: Lang) -> String {
 
 /// Nothing went wrong on the way; is the drive where it was to be?
 fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option<bool>, lang: Lang) -> Option<Failure> {
-    let Some(after) = &seen.after else { return Some(unknown(lang)) };
+    let Some(after) = &seen.after else { return Some(dangerous(unknown(lang), family, lang)) };
     let had_tripped = seen.before.as_ref().is_some_and(|before| before.state.starts_with("fault"));
     if after.state.starts_with("fault") && !(had_tripped && plan.relief.is_some()) {
         return Some(tripped(family, after.fault.unwrap_or(0) as u32, lang));
