@@ -79,7 +79,7 @@ def _(line):
         asked = servo_drive.asked()
     fault = {servo.FAULT + 2 * at: value for at, value in enumerate([0x2300, 2, 77, 5])}
     expect("values", values, {**fault, servo.POSITION: -123_456})
-    wanted = [span(servo.WORD_ORDER, 1), span(servo.FAULT, 4), span(servo.POSITION, 1)]
+    wanted = [span(servo.ADDRESS, 1), span(servo.FAULT, 4), span(servo.POSITION, 1)]
     expect("telegrams", asked, [(READ, data) for data in wanted])
 
 
@@ -92,7 +92,7 @@ def _(line):
     expect("row", (row["old_raw"], row["raw"], row["result"]), (600, 2_000, "verified"))
     expect("read again", again, {servo.RAMP_ACC: 2_000})
     written = f"{span(servo.RAMP_ACC, 1)}{span(servo.RAMP_ACC, 1)}04000007d0"
-    wanted = [(READ, span(servo.WORD_ORDER, 1)), (READ, span(servo.RAMP_ACC, 1)), (EXCHANGE, written)]
+    wanted = [(READ, span(servo.ADDRESS, 1)), (READ, span(servo.RAMP_ACC, 1)), (EXCHANGE, written)]
     expect("telegrams", asked, wanted)
 
 

@@ -26,6 +26,7 @@ BAUD = 19_200
 
 VENDOR, PRODUCT, REVISION = "pymodbus", "LXM05AD10M2", "V02.001"
 
+ADDRESS = 5640  # MBadr, which proves the word order in force
 RAMP_ACC, NODE_GUARD, WORD_ORDER, STATUS, TARGET, POSITION, FAULT = 1556, 5644, 5646, 6916, 6940, 7700, 15362
 GUARD_LIMIT_MS = 10_000
 
@@ -34,7 +35,7 @@ VALUES = {
     RAMP_ACC: 600,
     1558: 700,  # RAMPdecel
     5638: 19_200,  # MBbaud
-    5640: STATION,  # MBadr
+    ADDRESS: STATION,
     5642: 4,  # MBformat: 8N2
     NODE_GUARD: 0,
     STATUS: 0x40,
