@@ -17,13 +17,13 @@ impl Interrupt {
     /// Wishes that everything ends, where nobody has wished that before: for what comes of itself and perhaps more than
     /// once, such as a hang-up and the closed pipe behind it.
     pub fn raise(&self) {
-        let _was_raised = self.inner.0.compare_exchange(0, 1, Ordering::Relaxed, Ordering::Relaxed);
+        let _was_raised = self.inner.0.compare_exchange(0, OF_ITSELF, Ordering::Relaxed, Ordering::Relaxed);
         self.inner.1.notify_waiters();
     }
 
     /// Wishes it once more, as somebody does who presses Ctrl-C again.
     pub fn press(&self) {
-        self.inner.0.fetch_add(1, Ordering::Relaxed);
+        self.inner.0.fetch_add(PRESS, Ordering::Relaxed);
         self.inner.1.notify_waiters();
     }
 
@@ -43,11 +43,17 @@ impl Interrupt {
         }
     }
 
-    /// Takes note of every wish so far: only the next one counts from now on.
+    /// Takes note of every wish so far, and of one that comes of itself, such as a pipe that closes while the end is on
+    /// its way: only who presses from now on counts.
     pub fn note(&mut self) {
-        self.noted = self.inner.0.load(Ordering::Relaxed);
+        self.noted = self.inner.0.load(Ordering::Relaxed).max(OF_ITSELF);
     }
 }
+
+/// What a wish that comes of itself counts, once.
+const OF_ITSELF: u32 = 1;
+/// What a pressed key counts: more than what comes of itself.
+const PRESS: u32 = 2;
 
 #[cfg(test)]
 mod tests {
@@ -65,5 +71,16 @@ mod tests {
         signals.press();
         assert!(here.is_raised());
         assert!(signals.is_raised(), "what one has noted the others still hear");
+    }
+
+    #[test]
+    fn a_pipe_that_closes_while_the_end_is_on_its_way_is_no_wish_for_more() {
+        let signals = Interrupt::default();
+        let mut here = signals.clone();
+        here.note();
+        signals.raise();
+        assert!(!here.is_raised());
+        signals.press();
+        assert!(here.is_raised());
     }
 }

@@ -4,7 +4,7 @@
     tests/peers/motion_breaks.py [--quick] [--step K] [WORD...]     only groups with one of these words in their name
 
 Our program and our bench are two processes with a pty between them, in real time. Step k is the moment at which the
-k-th request telegram is on the line: `--trace` writes into a FIFO, so the telegrams are counted as they go out. What
+k-th request telegram is on the line: `--trace` is read as it grows, so the telegrams are counted as they go out. What
 breaks the run is done at that step; afterwards a fresh `antrieb read` asks the drive, and its answer is held against
 what the run reported. Where the line itself must break while the drive lives on, a relay stands between a pty and the
 bench's TCP port.
@@ -40,6 +40,8 @@ BINARY = Path(os.environ.get("ANTRIEB", ROOT / "target/debug/antrieb")).absolute
 AT_ONCE = 4
 # Nothing here needs longer; what does hangs.
 LIMIT_S = 25.0
+# Between two looks at the trace.
+LOOK_MS = 1
 BENCH_LIFE = "60s"
 # From a signal to the stop on the line. The program looks at a closed stdout every 100 ms.
 PROMPT_S = 1.0
@@ -234,11 +236,10 @@ class Run:
     """Our program in a run, with its telegrams as they go out."""
 
     def __init__(self, directory, port, words):
-        fifo = directory / "trace"
-        os.mkfifo(fifo)
-        self.trace = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)
+        self.path = directory / "trace"
+        self.trace = None
         self.err = (directory / "run.err").open("w+")
-        self.words = [str(BINARY), "--no-config", "--json", "-b", "115200", "--trace", str(fifo), "-p", port, *words]
+        self.words = [str(BINARY), "--no-config", "--json", "-b", "115200", "--trace", str(self.path), "-p", port, *words]
         self.process = subprocess.Popen(
             self.words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self.err, env=environment()
         )
@@ -257,7 +258,6 @@ class Run:
         rest = b""
         end = os.pidfd_open(self.process.pid)
         poll = select.poll()
-        poll.register(self.trace, select.POLLIN)
         poll.register(end, select.POLLIN)
         deadline = time.monotonic() + LIMIT_S
         try:
@@ -268,11 +268,9 @@ class Run:
                     later.remove(timer)
                     self.heal(timer[1])
                 until = min([deadline, *(at for at, _ in later)])
-                ready = dict(poll.poll(max(0.0, until - now) * 1_000 + 1))
-                if self.trace in ready:
-                    chunk = os.read(self.trace, 1 << 16)
-                    if not chunk:
-                        poll.unregister(self.trace)
+                # A regular file cannot be polled: it is looked at again and again.
+                over = bool(poll.poll(min(max(0.0, until - now) * 1_000 + 1, LOOK_MS)))
+                if chunk := self.written():
                     *lines, rest = (rest + chunk).split(b"\n")
                     for line in lines:
                         words = line.split()
@@ -280,7 +278,7 @@ class Run:
                             self.sent.append((time.monotonic(), bytes.fromhex(b"".join(words[2:]).decode())))
                             while breaks and breaks[0].step <= len(self.sent):
                                 later += breaks.pop(0).fire()
-                elif end in ready:
+                elif over:
                     break
             self.ended = time.monotonic()
             self.code = self.process.wait()
@@ -292,6 +290,15 @@ class Run:
         for at, action in sorted(later, key=lambda timer: timer[0]):
             time.sleep(max(0.0, at - time.monotonic()))
             self.heal(action)
+
+    def written(self):
+        """What the program has written to its trace since the last look."""
+        if self.trace is None:
+            try:
+                self.trace = os.open(self.path, os.O_RDONLY)
+            except FileNotFoundError:
+                return b""
+        return os.read(self.trace, 1 << 16)
 
     def heal(self, action):
         action()
@@ -311,7 +318,8 @@ class Run:
             self.process.wait()
         self.process.stdout.close()
         self.err.close()
-        os.close(self.trace)
+        if self.trace is not None:
+            os.close(self.trace)
 
 
 # What is broken ---------------------------------------------------------------------------------------------------
