@@ -219,9 +219,10 @@ fn report(
                 continue;
             }
         };
+        let left_out = result.left_out(lang);
         drives.extend(result.drives);
         warnings.extend(result.warnings);
-        failures.extend(result.yielded.then(|| other_master(lang)));
+        failures.extend(result.yielded.then(|| other_master(lang)).or(left_out));
         failures.extend(result.cut.map(|error| {
             let mut failure = error.failure(0, None, lang);
             failure.context.clear();

@@ -79,6 +79,15 @@ fn unspeakable(lang: Lang) -> Failure {
     ))
 }
 
+/// Somebody speaks on the line all the time.
+pub(super) fn never_silent(message: impl Into<String>, lang: Lang) -> Failure {
+    Failure::new(Class::Garbled, "garbled.never_silent", message).hint(lang.pick(
+        "another master, two drives at one address, or a wrong baud rate? `antrieb sniff` shows what is said",
+        "ein zweiter Master, zwei Antriebe mit einer Adresse oder eine falsche Baudrate? `antrieb sniff` zeigt, was \
+         gesprochen wird",
+    ))
+}
+
 fn times(asked: impl Into<u64>) -> String {
     match asked.into() {
         1 => "asked once".to_owned(),
@@ -151,11 +160,7 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
                 Lang::En => format!("{at}: the line is never silent, {}", times(*asked)),
                 Lang::De => format!("{at}: die Leitung schweigt nie, {asked}-mal gefragt"),
             };
-            Failure::new(Class::Garbled, "garbled.never_silent", message).hint(lang.pick(
-                "another master, two drives at one address, or a wrong baud rate? `antrieb sniff` shows what is said",
-                "ein zweiter Master, zwei Antriebe mit einer Adresse oder eine falsche Baudrate? `antrieb sniff` zeigt, \
-                 was gesprochen wird",
-            ))
+            never_silent(message, lang)
         }
         ExchangeError::Unproven { asked } => {
             let message = match lang {

@@ -6,8 +6,10 @@ mod order;
 use super::family;
 use super::route::{self, Inquiry};
 use super::session::{AccessError, Session};
+use super::trouble;
 use crate::exchange::News;
 use crate::exchange::survey::{Attendance, Patience, Sign, Survey};
+use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive, Warning};
 use crate::profile::{Lang, Registry, Type};
 use crate::protocol::Protocol;
@@ -125,6 +127,20 @@ pub struct ScanResult {
     pub cut: Option<AccessError>,
 }
 
+impl ScanResult {
+    /// The failure of a search that left addresses out because somebody spoke all the time: who is there cannot be told.
+    /// A setting at which nobody answers does not matter where drives answer at another one.
+    pub fn left_out(&self, lang: Lang) -> Option<Failure> {
+        let elsewhere = !self.drives.is_empty();
+        let left_out = |row: &Searched| row.occupied && !row.is_complete() && (row.found || !elsewhere);
+        let message = lang.pick(
+            "the line is never silent, so it was left alone",
+            "die Leitung schweigt nie und wurde deshalb in Ruhe gelassen",
+        );
+        self.searched.iter().any(left_out).then(|| trouble::never_silent(message, lang))
+    }
+}
+
 /// The search at one setting.
 #[derive(Clone, Debug)]
 pub struct Searched {
@@ -161,7 +177,8 @@ pub async fn scan(session: &mut Session<'_>, plan: &ScanPlan, registry: &Registr
     let mut search = Search::new(session, plan, registry);
     let cut = search.run().await.err();
     let Search { drives, searched, mut warnings, yielded, .. } = search;
-    for searched in &searched {
+    // The garbage of a line that is never silent is nobody's.
+    for searched in searched.iter().filter(|searched| !searched.occupied) {
         let garbled = searched.garbled.iter();
         warnings.extend(garbled.map(|&address| look::garbled(address, searched.found, plan.lang)));
     }
