@@ -160,7 +160,7 @@ fn spoken(bytes: &[u8], before: Protocol) -> Protocol {
 
 /// Whether what came at `next` may belong to what came at `last`. Where the times run backwards something new began.
 fn follows(last_us: u64, next_us: u64) -> bool {
-    /// Longer than an adapter holds the rest of a telegram back (facts/engineering.md: 16 ms).
+    /// Longer than an adapter holds the rest of a telegram back (docs/measured.md: 16 ms).
     const ONE_TELEGRAM_US: u64 = 50_000;
     next_us.checked_sub(last_us).is_some_and(|pause| pause < ONE_TELEGRAM_US)
 }

@@ -9,7 +9,7 @@ use crate::profile::Lang;
 use crate::transport::{AdapterInfo, ErrorCounts, LowLatency};
 
 /// More than this an adapter should not hold bytes back: FTDI's default of 16 ms nearly halves the speed of the line
-/// (facts/engineering.md).
+/// (docs/measured.md).
 const LATENCY_MS: u32 = 2;
 
 /// Asks every drive the same harmless question `count` times and looks at what that tells of the line. Ends early if

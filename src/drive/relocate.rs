@@ -72,7 +72,7 @@ enum Then {
     Stored,
     /// The drive is there, at once.
     At(Place),
-    /// It changes at once, or when it is switched on the next time (facts/readings.md); both are looked at.
+    /// It changes at once, or when it is switched on the next time (docs/open-points.md); both are looked at.
     Perhaps(Change),
     /// It restarts, and is there.
     Restart(Place),

@@ -16,7 +16,7 @@ use crate::transport::Wake;
 use std::collections::VecDeque;
 use std::iter::repeat_n;
 
-/// Longer than adapters hold back the rest of a telegram (facts/engineering.md: 16 ms): what is open then stays so.
+/// Longer than adapters hold back the rest of a telegram (docs/measured.md: 16 ms): what is open then stays so.
 const PATIENCE: Span = Span::from_millis(50);
 
 /// How long to listen, and what to keep.

@@ -54,7 +54,7 @@ const SERVO: &[Model] = &[Model::Lxm05];
 const ACTIVE: &[Model] = &[Model::Act, Model::Acu];
 
 use Reading as R;
-/// All of them: facts/readings.md.
+/// All of them: docs/open-points.md.
 #[rustfmt::skip]
 pub(super) const QUESTIONS: &[Question] = &[
     // LXM05 manual 6.3.1: a command that a running movement forbids

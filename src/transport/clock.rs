@@ -1,7 +1,7 @@
 //! The real clock of a line, and waiting that is exact to a fraction of a character.
 //!
 //! tokio's timers are 1-2 ms late, so the end of a wait is slept by the thread and the very last of it is spun
-//! (facts/engineering.md, measured).
+//! (docs/measured.md, measured).
 
 use super::Wake;
 use crate::tick::{Span, Tick};

@@ -2,11 +2,11 @@
 //!
 //! The bench itself lives in virtual time; here its clock is the real one. A pseudo terminal has no wires, so the time
 //! that bytes take is the bench's: what arrives in one read counts as back to back from that moment on, and replies
-//! go out byte by byte, each when its last bit would have been on the wire (facts/engineering.md).
+//! go out byte by byte, each when its last bit would have been on the wire (docs/measured.md).
 //!
 //! The master side of a pseudo terminal sees what the client has set: speed and stop bits as they are; parity by
 //! `INPCK` and `PARODD`, because the kernel masks `PARENB`; seven bits by `ISTRIP`, because it masks `CSIZE`
-//! (measured, facts/engineering.md). So a drive stays silent when speed, parity or width do not fit its own. TCP
+//! (measured, docs/measured.md). So a drive stays silent when speed, parity or width do not fit its own. TCP
 //! carries no setting: every telegram is sent with the one of the drive that it addresses.
 
 use crate::protocol::line::{LineSetting, Parity};
@@ -80,10 +80,10 @@ pub struct Server {
     port: Port,
 }
 
-/// tokio's timers are 1-2 ms late (facts/engineering.md): what is nearer is slept by the thread.
+/// tokio's timers are 1-2 ms late (docs/measured.md): what is nearer is slept by the thread.
 const THREAD_SLEEPS_FROM: Span = Span::from_millis(3);
 /// The last bit of a wait is spun. Spinning longer starves the kernel worker that carries the bytes of a pseudo
-/// terminal, and replies arrive in one piece (facts/engineering.md).
+/// terminal, and replies arrive in one piece (docs/measured.md).
 const SPIN_FROM: Span = Span::from_micros(80);
 
 /// Setting of a line that nobody knows anything of (CM-485 manual 5).
@@ -361,7 +361,7 @@ mod pty {
     /// How often it is looked whether a client has come.
     const LOOK: Duration = Duration::from_millis(5);
     /// Speed between two clients. Tools that set everything at once fail on a pseudo terminal that already has their
-    /// speed (facts/engineering.md).
+    /// speed (docs/measured.md).
     const IDLE_BAUD: u32 = 38_400;
 
     #[derive(Debug)]

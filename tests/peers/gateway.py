@@ -55,7 +55,7 @@ class Gateway(socketserver.BaseRequestHandler):
 
 
 if __name__ == "__main__":
-    # pyserial cannot ask a pseudo terminal for parity (facts/engineering.md).
+    # pyserial cannot ask a pseudo terminal for parity (docs/measured.md).
     with socketserver.TCPServer(("127.0.0.1", 0), Gateway) as server:
         server.line = serial.Serial(sys.argv[1], BAUD, parity="N", stopbits=2)
         print(f"ready on {server.server_address[1]}", flush=True)

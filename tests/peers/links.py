@@ -2,7 +2,7 @@
 gateway made of pymodbus (`gateway.py`).
 
 The bench has no parity here: ser2net asks a pseudo terminal for it in a way that the terminal does not pass on
-(facts/engineering.md: what shows parity there is INPCK, which ser2net leaves alone).
+(docs/measured.md: what shows parity there is INPCK, which ser2net leaves alone).
 """
 
 import json

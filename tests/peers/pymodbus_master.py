@@ -1,6 +1,6 @@
 """pymodbus' synchronous client as master: RTU and ASCII on the pty, RTU over raw TCP, 100 and 101 as custom codes.
 
-pyserial cannot ask a pseudo terminal for parity or 7 bits (facts/engineering.md), so these drives are set to 8N.
+pyserial cannot ask a pseudo terminal for parity or 7 bits (docs/measured.md), so these drives are set to 8N.
 """
 
 import logging

@@ -98,7 +98,7 @@ async def serve(port, framer, order, without):
     if port == "-":
         server = ModbusTcpServer(device, address=("127.0.0.1", 0), **about)
     else:
-        # pyserial cannot ask a pseudo terminal for more than 8N2 (facts/engineering.md).
+        # pyserial cannot ask a pseudo terminal for more than 8N2 (docs/measured.md).
         server = ModbusSerialServer(device, port=port, baudrate=BAUD, parity="N", stopbits=2, **about)
     await server.serve_forever(background=True)
     place = f" on {server.transport.sockets[0].getsockname()[1]}" if port == "-" else ""

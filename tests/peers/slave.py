@@ -79,7 +79,7 @@ async def serve(port, framer, codes):
         framer=framer,
         port=port,
         baudrate=BAUD,
-        parity="N",  # pyserial cannot ask a pseudo terminal for more (facts/engineering.md)
+        parity="N",  # pyserial cannot ask a pseudo terminal for more (docs/measured.md)
         stopbits=2,
         custom_pdu=codes,
         trace_pdu=only_for(STATION),

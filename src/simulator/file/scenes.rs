@@ -174,7 +174,7 @@ impl Reader<'_> {
 
 /// A second drive answers so long after the first, as one does that is set the same and a little slower.
 const TWIN_PAUSE: Span = Span::from_millis(5);
-/// An adapter with a wrong rate delivers a byte every 20 ms (facts/readings.md).
+/// An adapter with a wrong rate delivers a byte every 20 ms (docs/open-points.md).
 const BABBLE_PAUSE: Span = Span::from_millis(20);
 /// Longest pattern of bytes.
 const MOST_PATTERN: usize = 256;
