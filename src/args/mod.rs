@@ -1,9 +1,13 @@
-//! From the command line, the environment and files to [`Settings`], resolved once.
+//! From the command line, the environment and files ([`low`]: what was typed) to [`Settings`] (what holds), resolved once.
 
+mod address;
 mod globals;
+mod low;
 mod motion;
 mod settings;
 
+pub use address::{Addresses, parse_addresses};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
+pub use low::{Environment, Origin};
 pub use motion::{MotionArgs, StopArg};
-pub use settings::{Addresses, Environment, Settings, Unknown, parse_addresses, user_config_directory};
+pub use settings::{Settings, Unknown, user_config_directory};

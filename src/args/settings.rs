@@ -1,40 +1,20 @@
-//! The settings of a run: flag before environment before project file before user configuration before default.
+//! What holds: every setting of a run, resolved once.
 
+use super::address::Addresses;
 use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
+use super::low::{Environment, File, Low, Origin, bad_setting};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
-use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::render::Format;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// What the process was started in; read once, by `main`, or made up by a test.
-#[derive(Clone, Debug, Default)]
-pub struct Environment {
-    /// Environment variables.
-    pub variables: BTreeMap<String, String>,
-    /// Directory of `antrieb.toml`.
-    pub directory: PathBuf,
-    /// Directory of the user's configuration, with `config.toml` and `catalogues/`.
-    pub user_config: Option<PathBuf>,
-}
-
-/// Which drives are meant.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Addresses {
-    /// None was named.
-    Unnamed,
-    /// These, in this order.
-    Named(Vec<u8>),
-}
 
 /// Everything that a verb needs to know besides its own arguments.
 #[derive(Clone, Debug)]
@@ -83,12 +63,12 @@ pub struct Settings {
     pub force: bool,
     /// Colour may be used on a terminal.
     pub color: ColorChoice,
-    /// A progress bar may be shown on a terminal.
-    pub progress: bool,
     /// Nothing is sent.
     pub dry_run: bool,
     /// The safety question is answered.
     pub yes: bool,
+    /// Where each of them comes from that somebody said, by the name that it has in a file.
+    pub origins: BTreeMap<&'static str, Origin>,
 }
 
 /// What is to be found out of a line (`auto`).
@@ -102,166 +82,103 @@ pub struct Unknown {
     pub protocol: bool,
 }
 
-/// `antrieb.toml` and the user's `config.toml`.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    port: Option<String>,
-    #[serde(default, deserialize_with = "stations")]
-    address: Option<String>,
-    baud: Option<u32>,
-    parity: Option<String>,
-    stop_bits: Option<u8>,
-    data_bits: Option<u8>,
-    rs485: Option<String>,
-    rs485_before: Option<String>,
-    rs485_after: Option<String>,
-    protocol: Option<String>,
-    drive: Option<String>,
-    timeout: Option<String>,
-    retries: Option<u8>,
-    lang: Option<String>,
-    format: Option<String>,
-    #[serde(default)]
-    catalogue: Vec<PathBuf>,
-    #[serde(default)]
-    drives: BTreeMap<String, NamedDrive>,
-}
-
-/// A drive with a name: `[drives.pump]`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct NamedDrive {
-    #[serde(deserialize_with = "station")]
-    address: u8,
-    port: Option<String>,
-    drive: Option<String>,
-    protocol: Option<String>,
-    baud: Option<u32>,
-    parity: Option<String>,
-}
-
 impl Settings {
     /// Resolves everything once.
     pub fn resolve(globals: &Globals, environment: &Environment) -> Result<Self, Failure> {
-        let shown = globals.config.clone().unwrap_or_else(|| PathBuf::from("antrieb.toml"));
-        let must_exist = globals.config.is_some();
-        let project = match globals.no_config {
-            true => None,
-            false => Some(read_config(&environment.directory.join(&shown), must_exist)?),
-        };
-        let user = match &environment.user_config {
-            Some(directory) if !globals.no_config => read_config(&directory.join("config.toml"), false)?,
-            _ => File::default(),
-        };
-        let project = project.unwrap_or_default();
-        let (addresses, node, named) = addresses(globals, &project, &user)?;
-        let named = named.as_ref();
-        let layers = [&project, &user];
-
-        let mut ports = globals.port.clone();
-        let variable = environment.variables.get("ANTRIEB_PORT").filter(|text| !text.is_empty());
-        let is_of_project = ports.is_empty()
-            && variable.is_none()
-            && (named.is_some_and(|drive| drive.port.is_some()) || project.port.is_some());
-        if ports.is_empty() {
-            let text = variable.or(named.and_then(|drive| drive.port.as_ref()));
-            let text = text.or(first(layers, |file| file.port.as_ref()));
-            let port = text.map(|text| text.parse().map_err(|why: String| bad_setting("port", &why)));
-            ports.extend(port.transpose()?);
-        }
-        let protocol_text = globals.protocol.as_ref().or(named.and_then(|drive| drive.protocol.as_ref()));
-        let protocol_text = protocol_text.or(first(layers, |file| file.protocol.as_ref()));
-        let protocol_text = protocol_text.map(String::as_str);
-        let protocol =
-            protocol_text.filter(|&text| text != AUTO).map_or(Ok(Protocol::Modbus(Framing::Rtu)), |text| {
-                text.parse().map_err(|why: String| protocol_failure(text, &why))
-            })?;
-        let protocol = fitting(protocol, protocol_text.is_some(), &ports)?;
-        let parity_text = named.and_then(|drive| drive.parity.as_ref()).or(first(layers, |file| file.parity.as_ref()));
-        let parity = match (globals.parity.and_then(Auto::known), parity_text) {
-            (Some(parity), _) => parity,
-            (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("parity", &why))?,
-            (None, None) => Parity::Even,
-        };
-        let baud = globals.baud.and_then(Auto::known).or(named.and_then(|drive| drive.baud));
-        let baud = baud.or(first(layers, |file| file.baud));
-        let baud = baud.unwrap_or(19_200); // CM-485 manual 5: factory setting
-        if !BAUD_RATES.contains(&baud) {
-            let expected = format!("expected {} to {}, got {baud}", BAUD_RATES.start(), BAUD_RATES.end());
-            return Err(bad_setting("baud", &expected));
-        }
-        let unknown = Unknown {
-            baud: globals.baud == Some(Auto::Auto),
-            parity: globals.parity == Some(Auto::Auto),
-            protocol: protocol_text == Some(AUTO),
-        };
+        let mut low = Low::read(globals, environment)?;
+        let (addresses, node) = low.addresses()?;
+        let ports = ports(&mut low)?;
+        let (protocol, is_unknown) = protocol(&mut low, &ports)?;
+        let line = line(&mut low, protocol)?;
         if node != 0 && protocol != Protocol::Vabus {
             let why = "a node of the system bus is reached only over VABus";
             return Err(bad_setting("address", why).hint("add --protocol vabus, or name the drive alone"));
         }
-        let mut line = protocol.line(baud, parity);
-        line.data_bits =
-            choose("data_bits", 7..=8, globals.data_bits.or(first(layers, |file| file.data_bits)), line.data_bits)?;
-        line.stop_bits =
-            choose("stop_bits", 1..=2, globals.stop_bits.or(first(layers, |file| file.stop_bits)), line.stop_bits)?;
-
-        if protocol == Framing::Rtu.into() && line.data_bits != 8 {
-            return Err(bad_setting("data_bits", "RTU needs 8 data bits").hint("7 data bits are for --protocol ascii"));
-        }
-
-        let drive = globals.drive.clone().or(named.and_then(|drive| drive.drive.clone()));
-        let drive = drive.or(first(layers, |file| file.drive.clone())).filter(|drive| drive != "auto");
-        let timeout = match (globals.timeout, first(layers, |file| file.timeout.as_ref())) {
-            (Some(timeout), _) => Some(timeout),
-            (None, Some(text)) => Some(parse_span(text).map_err(|why| bad_setting("timeout", &why))?),
-            (None, None) => None,
+        let unknown = Unknown {
+            baud: globals.baud == Some(Auto::Auto),
+            parity: globals.parity == Some(Auto::Auto),
+            protocol: is_unknown,
         };
+        let drive = low.said(|drive| drive.drive.clone(), |file| file.drive.clone());
+        let drive = low.pick("drive", globals.drive.clone(), drive, Ok)?.filter(|drive| drive != AUTO);
+        let timeout = low.said(|_| None, |file| file.timeout.clone());
+        let timeout = low.pick("timeout", globals.timeout, timeout, |text| parse_span(&text))?;
         if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
             return Err(bad_setting("timeout", "expected at least 1ms; drives answer not before 10 ms"));
         }
-        let format = match (globals.format, first(layers, |file| file.format.as_ref())) {
-            _ if globals.json => Format::Json,
-            (Some(format), _) => format,
-            (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("format", &why))?,
-            (None, None) => Format::Table,
-        };
-        let lang = match (globals.lang, first(layers, |file| file.lang.as_ref())) {
-            (Some(lang), _) => lang,
-            (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("lang", &why))?,
-            (None, None) => locale(environment),
-        };
+        let retries = low.said(|_| None, |file| file.retries);
+        let retries = low.pick("retries", globals.retries, retries, Ok)?;
+        let format = globals.format.or(globals.json.then_some(Format::Json));
+        let said = low.said(|_| None, |file| file.format.clone());
+        let format = low.pick("format", format, said, |text| text.parse())?.unwrap_or(Format::Table);
+        let lang = lang(&mut low, environment)?;
+        let rs485 = rs485(&mut low)?;
+        let (path, project) = low.project();
+        let catalogue_notes = catalogue_notes(project, &environment.directory, path, lang);
+        let is_of_project = matches!(low.origin("port"), Origin::File { of_project: true, .. });
+        let port_note = ports.first().filter(|_| is_of_project).and_then(|port| network_note(port, path, lang));
         Ok(Settings {
-            port_note: ports.first().filter(|_| is_of_project).and_then(|port| network_note(port, &shown, lang)),
-            catalogue_notes: catalogue_notes(&project, &environment.directory, &shown, lang),
+            port_note,
+            catalogue_notes,
             port: ports.first().cloned(),
             ports,
             addresses,
             node,
             line,
-            rs485: rs485(globals, environment, layers)?,
+            rs485,
             protocol,
             unknown,
             drive,
             word_order: globals.word_order.map(WordOrder::from),
             timeout,
-            retries: globals.retries.or(first(layers, |file| file.retries)),
+            retries,
             format,
             lang,
-            catalogues: catalogues(globals, environment, &project, &user)?,
+            catalogues: catalogues(&low, environment)?,
             verbose: globals.verbose > 0,
             quiet: globals.quiet,
             trace: globals.trace.clone(),
             force: globals.force,
             color: globals.color.unwrap_or_default(),
-            progress: !globals.no_progress && !globals.quiet,
             dry_run: globals.dry_run,
             yes: globals.yes,
+            origins: low.into_origins(),
         })
     }
-}
 
-impl Settings {
+    /// Where a setting comes from, by the name that it has in a file.
+    pub fn origin(&self, name: &str) -> Origin {
+        self.origins.get(name).cloned().unwrap_or_default()
+    }
+
+    /// The settings of the line with where each comes from, for `-v`.
+    pub fn told(&self) -> String {
+        let lang = self.lang;
+        let auto = || AUTO.to_owned();
+        let addresses = match &self.addresses {
+            Addresses::Unnamed => None,
+            Addresses::Named(list) => Some(list.iter().map(u8::to_string).collect::<Vec<_>>().join(",")),
+        };
+        let or_auto = |is_unknown: bool, known: String| if is_unknown { auto() } else { known };
+        let rows = [
+            ("port", self.port.as_ref().map(Port::to_string)),
+            ("address", addresses),
+            ("baud", Some(or_auto(self.unknown.baud, self.line.baud.to_string()))),
+            ("parity", Some(or_auto(self.unknown.parity, format!("{:?}", self.line.parity).to_lowercase()))),
+            ("data_bits", Some(self.line.data_bits.to_string())),
+            ("stop_bits", Some(self.line.stop_bits.to_string())),
+            ("protocol", Some(or_auto(self.unknown.protocol, self.protocol.name().to_owned()))),
+            ("drive", Some(self.drive.clone().unwrap_or_else(auto))),
+            ("timeout", self.timeout.map(|span| span.to_string())),
+            ("retries", self.retries.map(|count| count.to_string())),
+            ("lang", Some(lang.pick("en", "de").to_owned())),
+        ];
+        let told = rows
+            .into_iter()
+            .filter_map(|(name, value)| Some(format!("{name} {} ({})", value?, self.origin(name).name(lang))));
+        format!("{}: {}", lang.pick("settings", "Einstellungen"), told.collect::<Vec<_>>().join(", "))
+    }
+
     /// Whether the form of the output is one document or table of data, so that nothing can be told on the way.
     pub fn tells_at_the_end(&self) -> bool {
         matches!(self.format, Format::Json | Format::Csv)
@@ -290,6 +207,59 @@ pub fn user_config_directory() -> Option<PathBuf> {
     etcetera::choose_base_strategy().ok().map(|strategy| strategy.config_dir().join("antrieb"))
 }
 
+/// Every port that was named.
+fn ports(low: &mut Low<'_>) -> Result<Vec<Port>, Failure> {
+    let typed = Some(low.flags.port.clone()).filter(|ports| !ports.is_empty());
+    let said = low.variable("ANTRIEB_PORT").or_else(|| low.said(|drive| drive.port.clone(), |file| file.port.clone()));
+    let ports = low.pick("port", typed, said, |text| text.parse().map(|port| vec![port]))?;
+    Ok(ports.unwrap_or_default())
+}
+
+/// What is spoken, and whether that is only a guess.
+fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool), Failure> {
+    let said = low.said(|drive| drive.protocol.clone(), |file| file.protocol.clone());
+    let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok)?;
+    let text = text.as_deref();
+    let named =
+        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: String| protocol_failure(text, &why)));
+    let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
+    Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO)))
+}
+
+/// Speed and format.
+fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
+    let said = low.said(|drive| drive.parity.clone(), |file| file.parity.clone());
+    let parity = low.flags.parity.and_then(Auto::known);
+    let parity = low.pick("parity", parity, said, |text| text.parse())?.unwrap_or(Parity::Even);
+    let said = low.said(|drive| drive.baud, |file| file.baud);
+    let baud = low.pick("baud", low.flags.baud.and_then(Auto::known), said, |baud| {
+        let expected = || format!("expected {} to {}, got {baud}", BAUD_RATES.start(), BAUD_RATES.end());
+        if BAUD_RATES.contains(&baud) { Ok(baud) } else { Err(expected()) }
+    })?;
+    let mut line = protocol.line(baud.unwrap_or(19_200), parity); // CM-485 manual 5: factory setting
+    let said = low.said(|_| None, |file| file.data_bits);
+    let data_bits = low.pick("data_bits", low.flags.data_bits, said, |bits| one_of(7..=8, bits))?;
+    let said = low.said(|_| None, |file| file.stop_bits);
+    let stop_bits = low.pick("stop_bits", low.flags.stop_bits, said, |bits| one_of(1..=2, bits))?;
+    line.data_bits = data_bits.unwrap_or(line.data_bits);
+    line.stop_bits = stop_bits.unwrap_or(line.stop_bits);
+    if protocol == Framing::Rtu.into() && line.data_bits != 8 {
+        return Err(bad_setting("data_bits", "RTU needs 8 data bits").hint("7 data bits are for --protocol ascii"));
+    }
+    Ok(line)
+}
+
+fn one_of(range: std::ops::RangeInclusive<u8>, value: u8) -> Result<u8, String> {
+    let expected = || format!("expected {} or {}, got {value}", range.start(), range.end());
+    if range.contains(&value) { Ok(value) } else { Err(expected()) }
+}
+
+fn lang(low: &mut Low<'_>, environment: &Environment) -> Result<Lang, Failure> {
+    let said = low.said(|_| None, |file| file.lang.clone());
+    let lang = low.pick("lang", low.flags.lang, said, |text| text.parse())?;
+    Ok(lang.unwrap_or_else(|| locale(environment)))
+}
+
 /// A gateway speaks Modbus/TCP and nothing else; nobody speaks it on a serial line.
 fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, Failure> {
     let tcp = Protocol::Modbus(Framing::Tcp);
@@ -311,28 +281,14 @@ fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, 
 }
 
 /// Who switches the direction of an RS-485 line, and its delays.
-fn rs485(globals: &Globals, environment: &Environment, layers: [&File; 2]) -> Result<Rs485, Failure> {
-    let text = |variable: &str, pick: fn(&File) -> Option<&String>| {
-        let set = environment.variables.get(variable).filter(|text| !text.is_empty());
-        set.or(first(layers, pick)).cloned()
-    };
-    let delay = |name: &str, flag: Option<Span>, text: Option<String>| match (flag, text) {
-        (Some(span), _) => Ok(span),
-        (None, Some(text)) => parse_span(&text).map_err(|why| bad_setting(name, &why)),
-        (None, None) => Ok(Span::ZERO),
-    };
-    let mode = match (globals.rs485, text("ANTRIEB_RS485", |file| file.rs485.as_ref())) {
-        (Some(mode), _) => mode,
-        (None, Some(text)) => text.parse().map_err(|why: String| bad_setting("rs485", &why))?,
-        (None, None) => Rs485Mode::Auto,
-    };
-    let before = text("ANTRIEB_RS485_BEFORE", |file| file.rs485_before.as_ref());
-    let after = text("ANTRIEB_RS485_AFTER", |file| file.rs485_after.as_ref());
-    let rs485 = Rs485 {
-        mode,
-        before: delay("rs485_before", globals.rs485_before, before)?,
-        after: delay("rs485_after", globals.rs485_after, after)?,
-    };
+fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
+    let said = low.variable("ANTRIEB_RS485").or_else(|| low.said(|_| None, |file| file.rs485.clone()));
+    let mode = low.pick("rs485", low.flags.rs485, said, |text| text.parse())?.unwrap_or(Rs485Mode::Auto);
+    let said = low.variable("ANTRIEB_RS485_BEFORE").or_else(|| low.said(|_| None, |file| file.rs485_before.clone()));
+    let before = low.pick("rs485_before", low.flags.rs485_before, said, |text| parse_span(&text))?;
+    let said = low.variable("ANTRIEB_RS485_AFTER").or_else(|| low.said(|_| None, |file| file.rs485_after.clone()));
+    let after = low.pick("rs485_after", low.flags.rs485_after, said, |text| parse_span(&text))?;
+    let rs485 = Rs485 { mode, before: before.unwrap_or(Span::ZERO), after: after.unwrap_or(Span::ZERO) };
     if rs485.before.max(rs485.after) > LONGEST_RS485_DELAY {
         return Err(bad_setting("rs485_before, rs485_after", "expected at most 100ms"));
     }
@@ -377,23 +333,6 @@ fn replaces_rows(value: &toml::Value) -> bool {
     }
 }
 
-fn first<'a, T>(layers: [&'a File; 2], pick: impl Fn(&'a File) -> Option<T>) -> Option<T> {
-    layers.into_iter().find_map(pick)
-}
-
-fn choose(name: &str, range: std::ops::RangeInclusive<u8>, set: Option<u8>, default: u8) -> Result<u8, Failure> {
-    match set {
-        Some(value) if !range.contains(&value) => {
-            Err(bad_setting(name, &format!("expected {} or {}, got {value}", range.start(), range.end())))
-        }
-        set => Ok(set.unwrap_or(default)),
-    }
-}
-
-fn bad_setting(name: &str, why: &str) -> Failure {
-    Failure::new(Class::Usage, format!("usage.{name}"), format!("{name}: {why}"))
-}
-
 fn protocol_failure(text: &str, why: &str) -> Failure {
     let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
@@ -407,127 +346,15 @@ fn locale(environment: &Environment) -> Lang {
     set.map_or(Lang::En, |locale| Lang::of_locale(locale))
 }
 
-fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
-    let shown = path.display();
-    let text = match files::read(path, files::TEXT) {
-        Ok(text) => text,
-        Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
-        Err(error) => return Err(Failure::new(Class::Data, "data.config", format!("{shown}: {error}"))),
-    };
-    toml::from_str(&text).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        let before = text.get(..at).unwrap_or("");
-        let (line, column) =
-            (before.matches('\n').count() + 1, before.chars().rev().take_while(|&c| c != '\n').count() + 1);
-        let message = error.message().replace(|c: char| c.is_control(), " ");
-        Failure::new(Class::Data, "data.config", format!("{shown}:{line}:{column}: {message}"))
-    })
-}
-
-/// The address of a drive in a file. 0 is everybody and only ever typed: what stands in a file for good must not become a
-/// broadcast.
-fn station<'de, D: Deserializer<'de>>(file: D) -> Result<u8, D::Error> {
-    let number = i64::deserialize(file)?;
-    let station = u8::try_from(number).ok().filter(|station| (1..=LAST_STATION).contains(station));
-    station.ok_or_else(|| D::Error::custom(no_station(&number)))
-}
-
-/// The same for a list of addresses; what is no number is a name, which is looked up later.
-fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
-    let text = String::deserialize(file)?;
-    let numbers = text.split([',', '-', '.']).filter_map(|part| part.trim().parse::<u32>().ok());
-    match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
-        Some(number) => Err(D::Error::custom(no_station(&number))),
-        None => Ok(Some(text)),
-    }
-}
-
-fn no_station(got: &dyn std::fmt::Display) -> String {
-    format!("address: expected 1 to {LAST_STATION}, got {got}; 0 is everybody and goes on the command line only")
-}
-
-/// Which drives are meant, and what the project file knows of the one that has a name.
-fn addresses(globals: &Globals, project: &File, user: &File) -> Result<(Addresses, u8, Option<NamedDrive>), Failure> {
-    let text = globals.address.as_ref().or(first([project, user], |file| file.address.as_ref()));
-    let Some(text) = text else {
-        let mut drives = project.drives.values();
-        return Ok(match (drives.next(), drives.next()) {
-            (Some(only), None) => (Addresses::Named(vec![only.address]), 0, Some(only.clone())),
-            _ => (Addresses::Unnamed, 0, None),
-        });
-    };
-    if let Some(drive) = first([project, user], |file| file.drives.get(text)) {
-        return Ok((Addresses::Named(vec![drive.address]), 0, Some(drive.clone())));
-    }
-    let names: Vec<&str> = project.drives.keys().chain(user.drives.keys()).map(String::as_str).collect();
-    let (drive, node) = match text.split_once('.') {
-        Some((drive, node)) => (drive, parse_node(drive, node)?),
-        None => (text.as_str(), 0),
-    };
-    parse_addresses(drive, &names).map(|list| (Addresses::Named(list), node, None))
-}
-
-/// Reads the node of `3.17`: drive 3, and node 17 of the system bus behind it (EM-RES-03 manual 5.10.2.2).
-fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
-    let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));
-    let one = drive.trim().parse::<u8>().is_ok();
-    number.filter(|_| one).ok_or_else(|| {
-        let expected = format!("expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17");
-        bad_setting("address", &format!("{expected}; got '{drive}.{node}'"))
-    })
-}
-
-/// Highest node of the system bus (EM-RES-03 manual 5.10.2.2).
-const LAST_NODE: u8 = 63;
-
-/// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
-pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
-    let bad = || {
-        let known = if names.is_empty() { String::new() } else { format!(", or one of: {}", names.join(", ")) };
-        let expected = format!("expected addresses such as 1 or 1,2,5-9{known}; got '{text}'");
-        bad_setting("address", &expected)
-    };
-    let mut list = Vec::new();
-    for part in text.split(',').map(str::trim) {
-        let (first, last) = part.split_once('-').unwrap_or((part, part));
-        let first: u32 = first.trim().parse().map_err(|_| bad())?;
-        let last: u32 = last.trim().parse().map_err(|_| bad())?;
-        check_address(first, text)?;
-        check_address(last, text)?;
-        if first > last {
-            return Err(bad());
-        }
-        for address in first..=last {
-            let address = u8::try_from(address).map_err(|_| bad())?;
-            if !list.contains(&address) {
-                list.push(address);
-            }
-        }
-    }
-    Ok(list)
-}
-
-fn check_address(address: u32, text: &str) -> Result<(), Failure> {
-    if address > LAST_STATION.into() {
-        return Err(bad_setting("address", &format!("expected 0 to {LAST_STATION}, got {address} in '{text}'")));
-    }
-    Ok(())
-}
-
 /// The user's catalogues: configuration directory, then files named in configurations, then `--catalogue`.
-fn catalogues(
-    globals: &Globals,
-    environment: &Environment,
-    project: &File,
-    user: &File,
-) -> Result<Vec<CatalogueFile>, Failure> {
+fn catalogues(low: &Low<'_>, environment: &Environment) -> Result<Vec<CatalogueFile>, Failure> {
     let mut paths = Vec::new();
-    if let Some(directory) = environment.user_config.as_ref().filter(|_| !globals.no_config) {
+    if let Some(directory) = environment.user_config.as_ref().filter(|_| !low.flags.no_config) {
         let entries = std::fs::read_dir(directory.join("catalogues")).into_iter().flatten().flatten();
         paths.extend(entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "toml")));
         paths.sort();
     }
-    let named = user.catalogue.iter().chain(&project.catalogue).chain(&globals.catalogue);
+    let named = low.user().catalogue.iter().chain(&low.project().1.catalogue).chain(&low.flags.catalogue);
     paths.extend(named.map(|path| environment.directory.join(path)));
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
@@ -541,19 +368,6 @@ fn catalogues(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn parsed(text: &str) -> Result<Vec<u8>, String> {
-        parse_addresses(text, &[]).map_err(|failure| failure.message)
-    }
-
-    #[test]
-    fn address_lists() {
-        assert_eq!(parsed("1"), Ok(vec![1]));
-        assert_eq!(parsed("1,2, 5-7,2"), Ok(vec![1, 2, 5, 6, 7]));
-        for text in ["", "248", "5-2", "a", "1,,2", "-1"] {
-            assert!(parsed(text).is_err(), "{text}");
-        }
-    }
 
     #[test]
     fn flags_beat_environment_beats_files() {

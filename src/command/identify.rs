@@ -72,7 +72,8 @@ async fn identify(
                 answered: name.clone(),
                 tells: lang.pick("as given", "so angegeben").to_owned(),
             };
-            let target = Target::new(address, super::named_family(registry, name)?).in_word_order(settings.word_order);
+            let target =
+                Target::new(address, super::named_family(settings, registry, name)?).in_word_order(settings.word_order);
             let told = introduce(session, registry, &target, lang).await.map_err(failed)?.unwrap_or_default();
             (Some(target), [vec![given], told.evidence].concat(), told.product)
         }

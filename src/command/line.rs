@@ -86,7 +86,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         return Err(Failure::new(Class::Usage, "usage.one_address", message).hint("name one drive, such as -a 1"));
     }
     let families = match &context.settings.drive {
-        Some(name) => vec![super::named_family(context.registry, name)?],
+        Some(name) => vec![super::named_family(context.settings, context.registry, name)?],
         None => context.registry.families(),
     };
     wish.check(&families, context.settings.lang)?;

@@ -20,7 +20,7 @@ pub mod sollwert;
 pub mod statemachine;
 pub mod write;
 
-use crate::args::{Addresses, Settings};
+use crate::args::{Addresses, Origin, Settings};
 use crate::drive::motion::working;
 use crate::drive::{
     AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Recording, Session, Target, describe, open_port,
@@ -84,6 +84,9 @@ async fn open<'a>(
         verbose: settings.verbose,
         lang: settings.lang,
     };
+    if settings.verbose {
+        observe(Event::Note(settings.told()));
+    }
     if let Some(note) = &settings.port_note {
         observe(Event::Note(note.clone()));
     }
@@ -134,7 +137,7 @@ async fn target(
     shows_register: bool,
 ) -> Result<Target, Failure> {
     if let Some(name) = &settings.drive {
-        return Ok(Target::new(address, named_family(registry, name)?).in_word_order(settings.word_order));
+        return Ok(Target::new(address, named_family(settings, registry, name)?).in_word_order(settings.word_order));
     }
     let presumed = registry.family("acu");
     let finding = recognise(session, registry, address, settings.lang, shows_register)
@@ -151,17 +154,21 @@ async fn target(
 }
 
 /// The family that `--drive` names.
-fn named_family(registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> {
+fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> {
     registry.family(name).ok_or_else(|| {
         let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
-        let message = format!("unknown drive '{name}' (expected: auto, {})", known.join(", "));
+        let whence = match settings.origin("drive") {
+            Origin::File { path, .. } => format!("{}: ", path.display()),
+            _ => String::new(),
+        };
+        let message = format!("{whence}unknown drive '{name}' (expected: auto, {})", known.join(", "));
         Failure::new(Class::Usage, "usage.drive", message)
     })
 }
 
 /// The family for work without a line: the one that was named, or the one with the larger catalogue.
 fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>, Failure> {
-    named_family(registry, settings.drive.as_deref().unwrap_or("acu"))
+    named_family(settings, registry, settings.drive.as_deref().unwrap_or("acu"))
 }
 
 /// Work without a line, in the words of the family that was named; otherwise of the usual one, or of the first of the

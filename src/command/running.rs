@@ -167,7 +167,7 @@ async fn stop_first(
     address: u8,
     act: Relief,
 ) -> Result<(), Failure> {
-    let family = settings.drive.as_deref().map(|name| named_family(registry, name)).transpose()?;
+    let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let meant = Meant { address, family, order: settings.word_order };
     match shout(session, registry, &meant, act).await {
         Ok(_acknowledged) => Ok(()),

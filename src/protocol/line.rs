@@ -40,7 +40,7 @@ impl LineSetting {
         LineSetting { baud, data_bits: 7, parity, stop_bits: stop_bits_for(parity) }
     }
 
-    /// Usual format of VABus: 7 data bits, even parity, 1 stop bit (facts A1).
+    /// Usual format of VABus: 7 data bits, even parity, 1 stop bit (S1 p25).
     pub const fn vabus(baud: u32) -> Self {
         Self::ascii(baud, Parity::Even)
     }

@@ -132,3 +132,21 @@ fn hostile_names_in_a_project_file_are_escaped() {
     assert!(!run.err.contains('\u{1b}'), "{:?}", run.err);
     assert!(run.err.contains("\\u{1b}[31mred"), "{}", run.err);
 }
+
+#[test]
+fn what_holds_is_told_with_where_it_comes_from() {
+    let file = "retries = 1\n[drives.pump]\naddress = 2\ndrive = \"acu\"\n";
+    let run = antrieb("-p sim -v read 411").file("antrieb.toml", file).exits(0);
+    for told in ["port sim (command line)", "address 2 (antrieb.toml: drives.pump)", "retries 1 (antrieb.toml)"] {
+        assert!(run.err.contains(told), "{told}\n{}", run.err);
+    }
+    assert!(run.err.contains("baud 19200 (default)") && run.err.contains("drive acu (antrieb.toml: drives.pump)"));
+}
+
+#[test]
+fn a_bad_setting_names_the_file_that_it_stands_in() {
+    let run = antrieb("-p sim -a 1 read 411").file("antrieb.toml", "drive = \"acx\"\n").exits(2);
+    assert!(run.err.contains("antrieb.toml: unknown drive 'acx'"), "{}", run.err);
+    let run = antrieb("-p sim -a 1 read 411").file("antrieb.toml", "parity = \"mark\"\n").exits(2);
+    assert!(run.err.contains("(antrieb.toml)"), "{}", run.err);
+}

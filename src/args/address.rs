@@ -1,0 +1,79 @@
+//! Which drives are meant: `1`, `1,2,5-9`, `3.17`.
+
+use super::low::bad_setting;
+use crate::failure::Failure;
+use crate::protocol::modbus::LAST_STATION;
+
+/// Which drives are meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Addresses {
+    /// None was named.
+    Unnamed,
+    /// These, in this order.
+    Named(Vec<u8>),
+}
+
+/// Reads the node of `3.17`: drive 3, and node 17 of the system bus behind it (EM-RES-03 manual 5.10.2.2).
+pub(super) fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
+    let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));
+    let one = drive.trim().parse::<u8>().is_ok();
+    number.filter(|_| one).ok_or_else(|| {
+        let expected = format!("expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17");
+        bad_setting("address", &format!("{expected}; got '{drive}.{node}'"))
+    })
+}
+
+/// Highest node of the system bus (EM-RES-03 manual 5.10.2.2).
+const LAST_NODE: u8 = 63;
+
+/// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
+pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
+    let bad = || {
+        let known = if names.is_empty() { String::new() } else { format!(", or one of: {}", names.join(", ")) };
+        let expected = format!("expected addresses such as 1 or 1,2,5-9{known}; got '{text}'");
+        bad_setting("address", &expected)
+    };
+    let mut list = Vec::new();
+    for part in text.split(',').map(str::trim) {
+        let (first, last) = part.split_once('-').unwrap_or((part, part));
+        let first: u32 = first.trim().parse().map_err(|_| bad())?;
+        let last: u32 = last.trim().parse().map_err(|_| bad())?;
+        check_address(first, text)?;
+        check_address(last, text)?;
+        if first > last {
+            return Err(bad());
+        }
+        for address in first..=last {
+            let address = u8::try_from(address).map_err(|_| bad())?;
+            if !list.contains(&address) {
+                list.push(address);
+            }
+        }
+    }
+    Ok(list)
+}
+
+fn check_address(address: u32, text: &str) -> Result<(), Failure> {
+    if address > LAST_STATION.into() {
+        return Err(bad_setting("address", &format!("expected 0 to {LAST_STATION}, got {address} in '{text}'")));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str) -> Result<Vec<u8>, String> {
+        parse_addresses(text, &[]).map_err(|failure| failure.message)
+    }
+
+    #[test]
+    fn address_lists() {
+        assert_eq!(parsed("1"), Ok(vec![1]));
+        assert_eq!(parsed("1,2, 5-7,2"), Ok(vec![1, 2, 5, 6, 7]));
+        for text in ["", "248", "5-2", "a", "1,,2", "-1"] {
+            assert!(parsed(text).is_err(), "{text}");
+        }
+    }
+}
