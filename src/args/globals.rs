@@ -93,7 +93,7 @@ pub struct Globals {
     #[arg(short, long, global = true, conflicts_with = "verbose", help_heading = "Output")]
     pub quiet: bool,
 
-    /// Show every telegram on stderr, decoded, with its time
+    /// Show the settings with where each comes from, and every telegram, decoded, with its time, on stderr
     #[arg(short, long, global = true, action = ArgAction::Count, help_heading = "Output")]
     pub verbose: u8,
 

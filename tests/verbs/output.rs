@@ -117,6 +117,8 @@ fn the_quiet_are_told_failures_only() {
 fn telegrams_are_shown_decoded_with_their_times() {
     let run = antrieb("-p sim -a 1 --drive act -v read 372@2").exits(0);
     let lines: Vec<_> = run.err.lines().collect();
+    assert!(lines[0].starts_with("note: settings: port sim"), "{}", lines[0]);
+    let lines = &lines[1..];
     assert_eq!(lines.len(), 2);
     assert!(lines[0].trim_start().starts_with("2.006 ms > 01 03 21 74 00 01 CE 2C  "), "{}", lines[0]);
     assert!(lines[0].contains("P.372@2"), "{}", lines[0]);
