@@ -3,7 +3,7 @@
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    Ended, Meant, Motor, Situation, StopChoice, look, may_turn, shout, watchdog_raw, watchdog_words,
+    Ended, Meant, Motor, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, watchdog_raw, watchdog_words,
 };
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
@@ -148,7 +148,16 @@ pub(super) async fn run<'p, C>(
         ended.stop = Some(motor.stop_after_all(stop).await);
         after = motor.look().await.ok();
     }
+    let standing = match &ended.stop {
+        Some(stop) if after.is_none() || stop.standing == Some(true) => stop.standing,
+        _ if after.is_some() => motor.stands_at_the_end().await,
+        _ => None,
+    };
+    let unseen = if motor.shouted && motor.powered && standing.is_none() { motor.why_unseen().await } else { None };
     let done = Done {
+        standing,
+        idle: motor.is_idle(),
+        unseen,
         steps: std::mem::take(&mut motor.steps),
         changed: std::mem::take(&mut motor.changes),
         setpoint: motor.setpoint.take(),
@@ -228,6 +237,12 @@ struct Done {
     setpoint: Option<crate::outcome::Setpoint>,
     notes: Vec<String>,
     mode: Option<String>,
+    /// Whether the shaft stands.
+    standing: Option<bool>,
+    /// The drive had no power at any look.
+    idle: bool,
+    /// Why nothing shows whether a drive stands that was to be stopped.
+    unseen: Option<Unseen>,
 }
 
 /// What the drive said before and afterwards.
@@ -243,14 +258,11 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     let running = seen.after.as_ref().map(has_power);
     let mut notes = done.notes.clone();
     if running == Some(true) {
-        let keeps = match plan.relief {
-            Some(Relief::Zero) => {
-                lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
-            }
-            _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
-        };
-        notes.push(keeps.to_owned());
+        notes.push(keeps(plan, seen.after.as_ref(), done.standing, lang).to_owned());
     }
+    let is_said = ended.stop.as_ref().is_some_and(|stop| stop.note.is_some());
+    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !done.idle && !is_said);
+    notes.extend(coasts.map(str::to_owned));
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
     if is_off && plan.args.watchdog.is_none() && running != Some(false) {
@@ -273,13 +285,32 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
         watchdog_s,
         stop: ended.stop,
         running,
+        standing: done.standing,
+        idle: done.idle,
         notes,
     };
     Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
 }
 
+/// What the drive does that keeps its power.
+fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
+    match (plan.relief, after.map(|seen| seen.state.as_str()), standing) {
+        (Some(Relief::Zero), ..) => {
+            lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
+        }
+        (_, Some("quick-stop-active"), Some(true)) => lang.pick(
+            "the quick stop holds the shaft at standstill, with power",
+            "der Schnellhalt hält die Welle im Stillstand, mit Strom",
+        ),
+        (_, Some("quick-stop-active"), _) => {
+            lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
+        }
+        _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
+    }
+}
+
 fn has_power(situation: &Situation) -> bool {
-    ["operation-enabled", "quick-stop-active"].contains(&situation.state.as_str())
+    crate::drive::motion::has_power(&situation.state) == Some(true)
 }
 
 /// Names address, family, present state and what will happen.

@@ -29,10 +29,28 @@ pub struct Motion {
     pub watchdog_s: Option<Decimal>,
     /// The stop at the end, if one was needed.
     pub stop: Option<Stop>,
-    /// Whether the drive keeps running now that the program leaves; null if that is not known.
+    /// Whether the drive keeps its power now that the program leaves; null if that is not known.
     pub running: Option<bool>,
+    /// Whether the shaft stands now that the program leaves: true only if that was seen, false if it was seen turning; null
+    /// if nothing tells, as of a drive that shows the frequency of its stator and has no power.
+    pub standing: Option<bool>,
+    /// The drive had no power at any look, and was not told to take it: its shaft is nobody's concern here.
+    #[serde(skip)]
+    pub idle: bool,
     /// What is worth knowing besides.
     pub notes: Vec<String>,
+}
+
+impl Motion {
+    /// What belongs to "running: no" or "running: yes", so that neither says more of the shaft than is known.
+    pub(crate) fn shaft(&self) -> Option<&'static str> {
+        match (self.running?, self.standing) {
+            (true, Some(true)) => Some("powered, held at standstill"),
+            (false, Some(false)) => Some("the shaft still turns"),
+            (false, None) if !self.idle => Some("whether the shaft stands is not told"),
+            _ => None,
+        }
+    }
 }
 
 /// A transition that was walked.
@@ -105,7 +123,7 @@ pub struct Stop {
     pub standing: Option<bool>,
     /// State that was seen last.
     pub state: Option<State>,
-    /// What stops the drive if the line is dead.
+    /// What is to be known of the shaft, or what stops the drive if the line is dead.
     pub note: Option<String>,
 }
 

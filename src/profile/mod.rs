@@ -20,8 +20,8 @@ pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultCodes, FaultRow, Loo
 pub use link::{Cause, Holds, LineTable, Link, Route};
 pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
 pub use motion::{
-    Adds, Choice, Control, Convert, Floor, Interlock, Mode, Motion, Movement, Part, Preset, Rest, Setting, Show,
-    Source, Start, StopRow,
+    Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, Motion, Movement, Part, Preset, Rest, Setting, Show,
+    Source, Start, Stator, StopRow,
 };
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};

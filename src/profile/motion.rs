@@ -19,6 +19,8 @@ pub struct Motion {
     pub fault_lock_s: u64,
     /// What the parameter with the role `movement` is.
     pub movement: Movement,
+    /// The movement is the frequency of the stator, which tells of the shaft only under power; any other always does.
+    pub stator: Option<Stator>,
     /// Bit of the status word that says that the setpoint is reached, in modes that name no other.
     pub reached: u8,
     /// What must be given before the drive runs, and how it is seen.
@@ -88,6 +90,43 @@ pub enum Movement {
     Speed,
     /// The shaft stands when it does not change.
     Position,
+}
+
+/// What a drive tells of its shaft whose movement is the frequency of the stator: 0 without power, whatever the shaft does.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stator {
+    /// Roles of what an encoder shows, in the order in which they are asked for: turning it proves at any time, a standstill
+    /// only if it was seen turning.
+    pub encoders: Vec<String>,
+    /// Role of the setting that says how a ramp stop ends.
+    pub ends: String,
+    /// Its values with which that frequency says nothing of the shaft.
+    pub blind: Vec<Blind>,
+    /// What lets the power go before the shaft stands, and what to do about it.
+    pub early: Text,
+}
+
+/// A way to end a ramp stop that the frequency of the stator does not show.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Blind {
+    /// Value of the setting.
+    pub value: i64,
+    /// It switches the power off and does no more: whoever asked for that was given it.
+    #[serde(default)]
+    pub coasts: bool,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+}
+
+impl Blind {
+    /// What it does.
+    pub fn name(&self, lang: Lang) -> &str {
+        lang.pick(&self.en, &self.de)
+    }
 }
 
 /// Something that a transition needs, and how its absence is seen.

@@ -676,7 +676,9 @@ impl Page {
             rows.push(("stop", format!("{}{by} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));
         }
         if let Some(running) = motion.running {
-            rows.push(("running", self.word(if running { "yes" } else { "no" }).to_owned()));
+            let word = self.word(if running { "yes" } else { "no" });
+            let shaft = motion.shaft().map_or_else(String::new, |told| format!("; {}", self.word(told)));
+            rows.push(("running", format!("{word}{shaft}")));
         }
         rows.extend(motion.notes.iter().map(|note| ("note", note.clone())));
         text += &self.pairs(rows);

@@ -38,6 +38,7 @@ pub(super) enum Reading {
     LineReplyLost,
     LineReplyNew,
     ResetNeedsRemote,
+    CoastShowsShaft,
     SilentAfterNak,
     SilentOnWrongCheck,
 }
@@ -90,6 +91,8 @@ pub(super) const QUESTIONS: &[Question] = &[
     row("line_reply", ACTIVE, &[("old", None), ("lost", Some(R::LineReplyLost)), ("new", Some(R::LineReplyNew))]),
     // CM-485 manual 9.1
     row("reset", ACTIVE, &[("free", None), ("needs-remote", Some(R::ResetNeedsRemote))]),
+    // CM-485 manual 9.2.1: what the frequency of the stator (P.210) is while the shaft coasts
+    row("coast_shows", ACTIVE, &[("nothing", None), ("shaft", Some(R::CoastShowsShaft))]),
     row("after_nak", ACTIVE, &[("nak", None), ("silence", Some(R::SilentAfterNak))]),
     row("wrong_bcc", ACTIVE, &[("nak", None), ("silence", Some(R::SilentOnWrongCheck))]),
 ];

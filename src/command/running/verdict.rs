@@ -2,7 +2,7 @@
 
 use super::{Done, Plan, Seen};
 use crate::args::StopArg;
-use crate::drive::motion::{Ended, may_turn, tripped};
+use crate::drive::motion::{Ended, Situation, has_power, may_turn, tripped};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
@@ -19,69 +19,119 @@ pub(super) fn of(
     lang: Lang,
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
-        (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, lang)),
+        (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done, lang)),
         // A stop on a line that proves nothing, and nobody saw what became of it.
         (Some(failure), None) if plan.relief.is_some() && running.is_none() => Some(dangerous(failure, family, lang)),
         (Some(failure), None) => Some(failure),
-        (None, Some(stop)) if !stop.acknowledged && stop.choice != "keep" => Some(unproven(stop, family, lang)),
+        (None, Some(stop)) if is_unproven(stop, done) => Some(match fault(plan, seen) {
+            Some(code) => stopped(tripped(family, code, lang), stop, running, family, done, lang),
+            None => unproven(stop, family, lang),
+        }),
         (None, _) => broken_promise(plan, family, seen, running, lang)
+            .or_else(|| unseen_relief(plan, done, lang))
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref(), lang))
             .or_else(|| not_given_back(plan, &done.changed, lang)),
     }
 }
 
+/// Whether a stop is not the one that was promised: a ramp or a quick stop ends at standstill, whoever was in a hurry.
+fn is_unproven(stop: &Stop, done: &Done) -> bool {
+    let ends_still = !["coast", "keep"].contains(&stop.choice) && !done.idle;
+    stop.choice != "keep" && (!stop.acknowledged || (ends_still && stop.standing != Some(true)))
+}
+
 /// A run that went wrong, and what its stop did.
-fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family, lang: Lang) -> Failure {
+fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family, done: &Done, lang: Lang) -> Failure {
     let mut failure = failure;
     if stop.choice == "keep" {
         let kept = lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt");
         failure.message = format!("{}; keep: {kept}", failure.message);
-        if failure.class != Class::Port {
-            return failure;
-        }
-        failure.message = format!("{}: {}", danger(lang), failure.message);
-        let hints = [Some(what_stops_it(family, lang)), failure.hint.take()];
-        return failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "));
+        return if failure.class == Class::Port { dangerous(failure, family, lang) } else { failure };
     }
     let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
-    let proof = match stop.acknowledged {
-        true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
-        false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
-    };
-    failure.message = format!("{}; {way}: {proof}", failure.message);
-    if stop.acknowledged || running == Some(false) {
+    failure.message = format!("{}; {way}: {}", failure.message, came_of(stop, done.idle, lang));
+    if stop.acknowledged && stop.standing == Some(true) {
         return failure;
     }
-    let hints = [stop.note.clone(), failure.hint.take()];
-    dangerous(failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; ")), family, lang)
+    let is_over = stop.acknowledged || is_off(stop) || running == Some(false);
+    let failure = hinted(failure, [stop.note.clone()]);
+    if is_over { failure } else { dangerous(failure, family, lang) }
+}
+
+/// What came of a stop, so that nobody takes a shaft without power for one that stands.
+fn came_of(stop: &Stop, idle: bool, lang: Lang) -> &'static str {
+    match (stop.acknowledged, stop.standing) {
+        (_, Some(false)) if is_off(stop) => {
+            lang.pick("without power, but the shaft still turns", "ohne Strom, aber die Welle dreht noch")
+        }
+        (_, None) if is_off(stop) && !idle => lang.pick(
+            "without power; whether the shaft stands is not told",
+            "ohne Strom; ob die Welle steht, zeigt nichts",
+        ),
+        (true, _) => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
+        (false, _) => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
+    }
+}
+
+fn is_off(stop: &Stop) -> bool {
+    stop.state.as_ref().is_some_and(|state| has_power(&state.slug) == Some(false))
 }
 
 /// The danger first, and what ends it; why it came to that is for later.
 fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
     let mut failure = failure;
-    if failure.message.starts_with(danger(lang)) {
+    if failure.message.starts_with(may_turn(lang)) {
         return failure;
     }
-    failure.message = format!("{}: {}", danger(lang), failure.message);
-    let hints = [Some(what_stops_it(family, lang)), failure.hint.take().filter(|hint| !hint.is_empty())];
-    failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
+    failure.message = format!("{}: {}", may_turn(lang), failure.message);
+    hinted(failure, [Some(what_stops_it(family, lang))])
+}
+
+/// A failure with hints before the one that it has.
+fn hinted<const N: usize>(failure: Failure, hints: [Option<String>; N]) -> Failure {
+    let mut failure = failure;
+    let last = failure.hint.take().filter(|hint| !hint.is_empty());
+    let hints: Vec<_> = hints.into_iter().flatten().chain(last).collect();
+    if hints.is_empty() { failure } else { failure.hint(hints.join("; ")) }
 }
 
 /// The end came as it was to come, but not the stop.
 fn unproven(stop: &Stop, family: &Family, lang: Lang) -> Failure {
-    let text = lang.pick("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt");
-    let powered = stop.standing.is_none();
+    if is_off(stop) && stop.standing.is_none() {
+        return unseen(stop.note.clone(), lang);
+    }
+    let text = match is_off(stop) {
+        true => came_of(stop, false, lang),
+        false => lang.pick("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt"),
+    };
     let (class, code) = match stop.state {
         Some(_) => (Class::Forbidden, "forbidden.not_stopped"),
         None => (Class::Silence, "silence.stop"),
     };
-    let message = if powered { format!("{}: {text}", danger(lang)) } else { text.to_owned() };
-    let hints = [powered.then(|| what_stops_it(family, lang)), stop.note.clone()];
-    Failure::new(class, code, message).hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
+    let failure = hinted(Failure::new(class, code, text), [stop.note.clone()]);
+    // Who coasts is stopped by nothing of that.
+    if is_off(stop) { failure } else { dangerous(failure, family, lang) }
 }
 
-fn danger(lang: Lang) -> &'static str {
-    may_turn(lang)
+/// A stop that took the power away, and nothing showed the shaft at standstill.
+fn unseen(why: Option<String>, lang: Lang) -> Failure {
+    let text = lang.pick(
+        "the drive is without power, but nothing showed that the shaft stands",
+        "der Antrieb ist ohne Strom, aber nichts zeigte, dass die Welle steht",
+    );
+    let failure =
+        Failure::new(Class::Forbidden, "forbidden.standstill_unproven", format!("{}: {text}", may_turn(lang)));
+    hinted(failure, [why])
+}
+
+/// A drive that was to stop, and was seen to have power, but not to stand. What is set to coast may do so.
+fn unseen_relief(plan: &Plan<'_>, done: &Done, lang: Lang) -> Option<Failure> {
+    let seen = done.unseen.as_ref()?;
+    match plan.relief? {
+        Relief::QuickStop => Some(unseen(Some(seen.why.clone()), lang)),
+        Relief::Disable if !seen.as_set => Some(unseen(Some(seen.why.clone()), lang)),
+        _ => None,
+    }
 }
 
 /// What stops a drive that cannot be reached.
@@ -99,10 +149,11 @@ fn what_stops_it(family: &Family, lang: Lang) -> String {
 
 /// Nothing went wrong on the way; is the drive where it was to be?
 fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option<bool>, lang: Lang) -> Option<Failure> {
-    let Some(after) = &seen.after else { return Some(dangerous(unknown(lang), family, lang)) };
-    let had_tripped = seen.before.as_ref().is_some_and(|before| before.state.starts_with("fault"));
-    if after.state.starts_with("fault") && !(had_tripped && plan.relief.is_some()) {
-        return Some(tripped(family, after.fault.unwrap_or(0) as u32, lang));
+    if seen.after.is_none() {
+        return Some(dangerous(unknown(lang), family, lang));
+    }
+    if let Some(code) = fault(plan, seen) {
+        return Some(tripped(family, code, lang));
     }
     let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
     let must_stop = matches!(plan.relief, Some(act) if act != Relief::Zero);
@@ -114,6 +165,14 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
             Failure::new(Class::Forbidden, "forbidden.not_running", text)
         })
     })
+}
+
+/// The fault in which the run ended; a stop of a drive that had tripped before may leave it so.
+fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
+    let tripped = |situation: &&Situation| situation.state.starts_with("fault");
+    let had = seen.before.as_ref().filter(tripped).is_some() && plan.relief.is_some();
+    let after = seen.after.as_ref().filter(tripped).filter(|_| !had)?;
+    Some(after.fault.unwrap_or(0) as u32)
 }
 
 /// A setpoint of zero at which the shaft turns on.

@@ -5,12 +5,14 @@
 //! back. This room decides by roles and machine data only, so it serves every family.
 
 use super::describe;
+mod changes;
 mod look;
 mod patience;
 mod relief;
 mod setpoint;
 mod shaft;
 mod shout;
+mod still;
 mod stop;
 
 pub use super::route::Meant;
@@ -20,6 +22,7 @@ pub use look::{
 };
 pub use relief::may_turn;
 pub use shout::shout;
+pub use still::{Unseen, coasting, has_power};
 pub use stop::{StopChoice, watchdog_words};
 
 use super::session::{AccessError, Session};
@@ -27,13 +30,14 @@ use super::transfer::{Order, Target, WriteFate};
 use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Event, Setpoint, State, Step, Stop};
-use crate::profile::{Command, Lang, Mode, Need, Param, Transition};
+use crate::profile::{Blind, Command, Lang, Mode, Need, Param, Transition};
 use crate::tick::{Span, Tick};
 use look::{no_plan, state_name};
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::pin;
 use std::task::Poll;
+use still::Sight;
 
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +67,16 @@ pub struct Motor<'a, 's> {
     stops: Option<StopChoice>,
     /// The drive was seen to be enabled, so anything else ends the run.
     enabled: bool,
+    /// It was seen to have power, or was told to take it: its shaft may turn.
+    pub powered: bool,
+    /// It was stopped before anybody looked: it may have been turning.
+    pub shouted: bool,
+    /// What looks tell of the shaft of a drive that shows the frequency of its stator.
+    sight: Sight,
+    /// The encoder that tells without power too, once it was looked for.
+    encoder: Option<Option<Param>>,
+    /// How the drive is set to end a ramp stop, if its frequency does not show that; once it was asked.
+    ending: Option<Option<Blind>>,
     /// The stop is under way: every telegram of it is tried anew as a whole.
     stopping: bool,
     lever: Lever,
@@ -131,6 +145,11 @@ impl<'a, 's> Motor<'a, 's> {
             touched: false,
             stops: None,
             enabled: false,
+            powered: false,
+            shouted: false,
+            sight: Sight::default(),
+            encoder: None,
+            ending: None,
             stopping: false,
             lever,
             remote: false,
@@ -156,6 +175,7 @@ impl<'a, 's> Motor<'a, 's> {
     /// enabled.
     pub fn controls(&mut self, situation: &Situation) {
         self.enabled = situation.state == "operation-enabled";
+        self.see(&situation.state);
         if situation.obeys(&self.target.family) {
             self.lever = Lever::ControlWord;
         }
@@ -198,20 +218,17 @@ impl<'a, 's> Motor<'a, 's> {
         stop
     }
 
-    /// A drive that still runs may need what was changed for the run; one that obeys somebody else does not.
-    fn may_give_back(&self, stop: Option<&Stop>) -> bool {
-        let proven = stop.is_none_or(|stop| stop.acknowledged && stop.choice != StopChoice::Keep.slug());
-        proven || self.lever == Lever::Taken
-    }
-
     /// What the drive says now.
     pub async fn look(&mut self) -> Result<Situation, Failure> {
-        look(self.session, self.target, self.lang).await
+        let situation = look(self.session, self.target, self.lang).await?;
+        self.see(&situation.state);
+        Ok(situation)
     }
 
     /// Walks to a state, step by step, each proven. A fault is never reset on the way.
     pub async fn walk(&mut self, goal: &str) -> Result<(), Failure> {
         self.enabled = false;
+        self.sight.forget();
         let situation = self.look().await?;
         self.demand_control(&situation)?;
         if situation.state.starts_with("fault") {
@@ -377,6 +394,7 @@ impl<'a, 's> Motor<'a, 's> {
         let status = status.unwrap_or(0) as u32;
         let state = describe::state(&self.target.family, status, self.lang).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
+        self.see(&state);
         self.seen = Some(state);
         self.feed(enabled).await?;
         Ok(status)
@@ -393,11 +411,8 @@ impl<'a, 's> Motor<'a, 's> {
     async fn feed(&mut self, enabled: bool) -> Result<(), Failure> {
         let (Some(guard), Some((param, raw))) = (self.guard, self.again.clone()) else { return Ok(()) };
         let is_due = self.session.now().since(self.fed).as_micros() >= guard.as_micros() / 3;
-        let family = &self.target.family;
-        let is_word = family.role("control-word").is_some_and(|word| word.id == param.id);
-        let enables =
-            family.machine.command("enable").is_some_and(|row| raw & i64::from(row.mask) == i64::from(row.value));
-        if !is_due || (is_word && enables && !enabled) {
+        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
+        if !is_due || (is_word && self.enables(raw) && !enabled) {
             return Ok(());
         }
         match self.write_once(&param, 0, raw).await {
@@ -405,6 +420,12 @@ impl<'a, 's> Motor<'a, 's> {
             // Whether the drive is there is what the next look tells.
             _ => Ok(()),
         }
+    }
+
+    /// Whether a control word asks for power.
+    fn enables(&self, word: i64) -> bool {
+        let enable = self.target.family.machine.command("enable");
+        enable.is_some_and(|row| word & i64::from(row.mask) == i64::from(row.value))
     }
 
     async fn state(&mut self) -> Result<State, Failure> {
@@ -420,7 +441,13 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn role_raw(&mut self, role: &str) -> Result<Option<i64>, Failure> {
-        let raw = role_raw(self.session, self.target, role, self.lang).await?;
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
+        self.raw(&param).await
+    }
+
+    /// The raw value of a parameter; `None` if the drive refuses it.
+    async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
+        let raw = look::raw(self.session, self.target, param, 0, self.lang).await?;
         self.heard = self.session.now();
         Ok(raw)
     }
@@ -428,6 +455,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
         let param = self.control_word()?;
         (self.touched, self.seen, self.word) = (true, None, word);
+        self.powered |= self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0);
         self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await
     }

@@ -12,6 +12,10 @@ use crate::tick::{Span, Tick};
 pub(super) const USUAL: Span = Span::from_secs(3);
 /// Nothing is waited for longer, however evenly the shaft still changes, unless `--wait` itself is longer.
 const LONGEST: Span = Span::from_secs(600);
+/// How long the state is not looked at while the frequency of the stator falls.
+const FALLING: Span = Span::from_secs(1);
+/// Nor where it will be 0 so soon: on a slow line the look at the state would fall into the time that the 0 lasts.
+const SHORTLY: Span = Span::from_secs(2);
 /// How often the state is looked at while waiting.
 const POLL: Span = Span::from_millis(50);
 /// A round of holding a run, in looks.
@@ -33,6 +37,11 @@ impl Wait {
     /// Something has changed.
     pub(super) fn renew(&mut self, now: Tick) {
         self.since = now;
+    }
+
+    /// It may take so much longer.
+    pub(super) fn extend(&mut self, more: Span) {
+        self.patience = self.patience + more;
     }
 
     pub(super) fn is_over(&self, now: Tick) -> bool {
@@ -88,10 +97,11 @@ impl Motor<'_, '_> {
         takes: Option<Takes>,
         fault_is_fine: bool,
     ) -> Result<State, Failure> {
-        let patience = self.patience + self.braking(takes).await?;
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut wait = Wait::new(self.session.now(), patience);
-        let mut seen = None;
+        let (mut wait, mut braking, mut seen) = (self.wait(), takes, None);
+        if takes == Some(Takes::Transition5) {
+            self.sight.goes_by_setting();
+        }
         loop {
             let state = self.state().await?;
             if goals.contains(&state.slug.as_str()) {
@@ -100,18 +110,39 @@ impl Motor<'_, '_> {
             if state.slug.starts_with("fault") && !fault_is_fine {
                 return Err(self.fault_failure().await);
             }
-            let slows = takes.is_some() && {
-                let raw = self.movement().await?;
-                watch.see(self.session.now(), raw).slows
-            };
+            let slows = takes.is_some() && self.slows(&mut watch).await?;
             if slows || seen.as_ref() != Some(&state.slug) {
                 seen = Some(state.slug.clone());
                 wait.renew(self.session.now());
             }
             if wait.is_over(self.session.now()) {
-                return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await);
+                // Asked only now: on a slow line the looks before are what shows the shaft standing.
+                match self.braking(braking.take()).await? {
+                    Span::ZERO => return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await),
+                    more => wait.extend(more),
+                }
             }
-            self.rest(self.beat()).await?;
+            if !self.sight.must_look() {
+                self.rest(self.beat()).await?;
+            }
+        }
+    }
+
+    /// Whether the shaft slows down. A frequency that tells only under power is looked at again while it falls, because its
+    /// 0 may be short.
+    async fn slows(&mut self, watch: &mut Watch) -> Result<bool, Failure> {
+        let (begun, mut slowed) = (self.session.now(), false);
+        loop {
+            let raw = self.shaft().await?;
+            let slows = watch.see(self.session.now(), raw).slows;
+            slowed |= slows;
+            let since = self.session.now().since(begun);
+            if !slows || !self.sight.falls() || (since >= FALLING && !watch.rests_within(SHORTLY)) {
+                return Ok(slowed);
+            }
+            if since < FALLING {
+                self.rest(self.beat()).await?;
+            }
         }
     }
 
@@ -123,43 +154,10 @@ impl Motor<'_, '_> {
         }
         let family = self.target.family.clone();
         for param in family.motion.patience.iter().filter_map(|role| family.role(role)) {
-            let raw = look::raw(self.session, self.target, param, 0, self.lang).await?.unwrap_or(0);
+            let raw = look::working(self.session, self.target, param, self.lang).await?.unwrap_or(0);
             let ms = raw.saturating_mul(1_000) / 10i64.pow(param.decimals_or_zero().into());
             sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
         }
         Ok(sum)
-    }
-
-    /// Whether the shaft stands: waits for it as long as it still slows down. `None` if the drive does not tell.
-    pub(super) async fn standstill(&mut self) -> Result<Option<bool>, Failure> {
-        let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut wait = self.wait();
-        loop {
-            let Some(raw) = self.movement().await? else { return Ok(None) };
-            if watch.see(self.session.now(), Some(raw)).slows {
-                wait.renew(self.session.now());
-            }
-            if watch.stands() || wait.is_over(self.session.now()) {
-                return Ok(Some(watch.stands()));
-            }
-            self.rest(self.beat()).await?;
-        }
-    }
-
-    /// Waits until the shaft stands, with the drive's power on or not.
-    pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
-        let still = self.standstill().await?;
-        let state = self.state().await?;
-        match still {
-            Some(false) => Err(self.still_turning(&state)),
-            _ => Ok(state),
-        }
-    }
-
-    /// The failure to show where the shaft does not come to rest.
-    fn still_turning(&self, state: &State) -> Failure {
-        let text =
-            self.lang.pick("the shaft does not come to rest; state", "die Welle kommt nicht zum Stillstand; Zustand");
-        Failure::new(Class::Forbidden, "forbidden.still_turning", format!("{text}: {}", state.name))
     }
 }

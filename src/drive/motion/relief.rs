@@ -2,10 +2,11 @@
 
 use super::look::no_control;
 use super::shout::blind;
+use super::still::STOPPED;
 use super::{Lever, Motor, Situation, StopChoice};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::{Lang, Mode, Movement, Param, Transition};
+use crate::profile::{Lang, Mode, Param, Takes, Transition};
 
 /// The command of the state machine that an act is; `None` for a setpoint.
 pub(super) fn command_of(act: Relief) -> Option<&'static str> {
@@ -41,6 +42,8 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         self.enabled = false;
+        self.shouted = true;
+        self.sight.forget();
         self.session.insist(true);
         let mut situation = self.glance().await?;
         let family = self.target.family.clone();
@@ -127,29 +130,12 @@ impl Motor<'_, '_> {
 
     /// A drive that coasts may do so for long; whoever asked for that is told when it is without power.
     async fn prove_relief(&mut self, act: Relief) -> Result<(), Failure> {
-        self.until_without_power().await?;
-        if act == Relief::DisableVoltage {
-            self.tell_coasting().await;
-            return Ok(());
+        let takes = if act == Relief::Disable { Takes::Transition5 } else { Takes::QuickStop };
+        self.until(STOPPED, Some(takes), true).await?;
+        if act != Relief::DisableVoltage {
+            self.until_still().await?;
         }
-        self.until_still().await.map(|_| ())
-    }
-
-    /// What is without power may turn on. A position shows that; the frequency of a motor without power is 0 in any case.
-    async fn tell_coasting(&mut self) {
-        let movement = self.target.family.motion.movement;
-        let told = match movement {
-            Movement::Position if self.stands_now().await.ok().flatten() == Some(true) => return,
-            Movement::Position => self.lang.pick(
-                "without power, but the shaft still turns by itself",
-                "ohne Strom, aber die Welle dreht noch von selbst",
-            ),
-            Movement::Speed => self.lang.pick(
-                "without power: a shaft that was turning coasts, which the drive does not show",
-                "ohne Strom: eine Welle, die drehte, läuft aus, was der Antrieb nicht zeigt",
-            ),
-        };
-        self.notes.push(told.to_owned());
+        Ok(())
     }
 
     /// Sends one command, whatever the state, and waits for where it leads from the present state.

@@ -94,6 +94,7 @@ impl Motor<'_, '_> {
     /// Writes a parameter that belongs to the setpoint.
     pub async fn set(&mut self, param: &Param, raw: i64) -> Result<(), Failure> {
         self.touched = true;
+        self.sight.forget();
         self.write(param, 0, raw).await
     }
 

@@ -71,6 +71,15 @@ impl Watch {
         }
     }
 
+    /// Whether a speed that goes on falling as it did between the last looks will be 0 within a time.
+    pub(super) fn rests_within(&self, span: Span) -> bool {
+        let mut last = self.looks.iter().rev();
+        let (Some(&(now, pace)), Some(&(then, before))) = (last.next(), last.next()) else { return false };
+        let [pace, before] = [pace, before].map(|pace| i128::from(pace.unsigned_abs()));
+        let took = i128::from(now.since(then).as_micros());
+        self.movement == Movement::Speed && pace * took <= (before - pace) * i128::from(span.as_micros())
+    }
+
     /// Whether the shaft stands; one look at a position does not tell.
     pub(super) fn stands(&self) -> bool {
         let mut last = self.looks.iter().rev();
@@ -122,6 +131,19 @@ mod tests {
     fn a_speed_tells_by_itself() {
         assert_eq!(looks(Movement::Speed, &[500, 400, 400, 450, 399]), (vec![true, true, false, false, true], false));
         assert!(looks(Movement::Speed, &[0]).1);
+    }
+
+    #[test]
+    fn a_speed_that_falls_is_0_soon_or_later() {
+        let mut watch = Watch::new(Movement::Speed);
+        let mut soon = |at: u64, raw: i64| {
+            watch.see(Tick::ZERO + Span::from_millis(at), Some(raw));
+            watch.rests_within(Span::from_secs(2))
+        };
+        assert_eq!(
+            [soon(0, -2_000), soon(400, -1_800), soon(800, -1_200), soon(1_200, -1_200)],
+            [false, false, true, false]
+        );
     }
 
     #[test]

@@ -1,16 +1,15 @@
-//! The stop at the end of a run, and giving back what was changed for it.
+//! The stop at the end of a run: sent, proven, escalated, and said.
 
-use super::look::{ram_set, raw, watchdog_seconds};
-use super::shaft::Watch;
-use super::{Lever, Motor, guard};
-use crate::drive::describe;
+use super::look::{raw, watchdog_seconds};
+use super::still::STOPPED;
+use super::{Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Change, Decimal, Event, State, Stop};
+use crate::outcome::{Decimal, Event, State, Stop};
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Family, Lang, Mode, Need, Param, StopRow, Takes};
+use crate::profile::{Family, Lang, Mode, Param, StopRow, Takes};
 use crate::tick::Span;
 
-/// How often the stop at the end is tried at least on a line that does not answer, and what was changed is given back.
+/// How often the stop at the end is tried at least on a line that does not answer.
 const STOP_TRIES: u8 = 5;
 /// The stop is given up when the drive has not answered for so long.
 const SILENT: Span = Span::from_secs(10);
@@ -65,104 +64,11 @@ struct Proof {
     state: State,
     /// Whether the shaft stands; `None` if nothing tells.
     standing: Option<bool>,
-    /// That was waited for, so it belongs to the proof.
-    waited: bool,
+    /// The standstill belongs to the proof.
+    owed: bool,
 }
 
 impl Motor<'_, '_> {
-    /// Changes the setting with a role for the run, if the family has it; it is given back at the end.
-    pub async fn change(&mut self, role: &str, new: i64) -> Result<(), Failure> {
-        let Some(param) = self.target.family.role(role).cloned() else { return Ok(()) };
-        self.change_param(&param, new).await?;
-        if role == "watchdog" {
-            self.guard = guard(self.target, Some(new));
-        }
-        Ok(())
-    }
-
-    /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
-    pub async fn change_param(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
-        let set = ram_set(self.session, self.target, param, self.lang).await?;
-        let reading = self.target.read_set(self.session, param, set).await;
-        let old = reading.map_err(|error| self.failure(&error))?.raw;
-        if old == new {
-            return Ok(());
-        }
-        let (data_set, _) = describe::place(set);
-        let name = match self.target.family.link.route.has_data_sets() {
-            true => format!("{}@{data_set}ram", param.label()),
-            false => param.label(),
-        };
-        self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
-        self.write(param, set, new).await
-    }
-
-    /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.
-    pub(super) async fn give_back(&mut self, stands: bool) {
-        let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
-        if stands && zeroed && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
-            let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
-            if let Some(param) = param {
-                // So that nobody is surprised by it at the next enable.
-                if self.write(&param, 0, 0).await.is_err() {
-                    self.notes.push(match self.lang {
-                        Lang::En => format!("{} may still stand in the drive; it could not be set to 0", param.label()),
-                        Lang::De => {
-                            format!("{} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben", param.label())
-                        }
-                    });
-                }
-            }
-        }
-        if !stands {
-            return;
-        }
-        for index in (0..self.changes.len()).rev() {
-            let Some(change) = self.changes.get(index).cloned() else { continue };
-            let param = self.target.family.param_or_unknown(change.param);
-            if self.target.family.role("control-mode").is_some_and(|mode| mode.id == param.id)
-                && !self.may_give_control_back(change.old).await
-            {
-                continue;
-            }
-            let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
-            let mut restored = false;
-            for _ in 0..STOP_TRIES {
-                restored = restored || self.write(&param, change.data_set + ram, change.old).await.is_ok();
-            }
-            if let Some(change) = self.changes.get_mut(index) {
-                change.restored = restored;
-            }
-        }
-    }
-
-    /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual
-    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them.
-    async fn may_give_control_back(&mut self, old: i64) -> bool {
-        if self.write_control(0).await.is_err() {
-            return false;
-        }
-        let family = self.target.family.clone();
-        let Some(control) = family.motion.control else { return true };
-        let Ok(status) = self.status().await else { return false };
-        let released = family.motion.interlock(Need::Release).and_then(|row| row.bit);
-        if old != control.terminals || released.is_none_or(|bit| status >> bit & 1 == 0) {
-            return true;
-        }
-        let label = family.role("control-mode").map_or_else(String::new, Param::label);
-        let (now, would) = (control.obeys, control.terminals);
-        self.notes.push(match self.lang {
-            Lang::En => format!(
-                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}"
-            ),
-            Lang::De => format!(
-                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
-                 {would} starten"
-            ),
-        });
-        false
-    }
-
     /// Sends the stop and waits for the state and the standstill that prove it. Somebody who interrupts again gets a
     /// stronger one, and so does a drive that does not obey. Never fails: it reports.
     pub(super) async fn stop(&mut self, choice: StopChoice, because: &'static str) -> Stop {
@@ -179,13 +85,14 @@ impl Motor<'_, '_> {
             self.tell_stopping(choice);
         }
         self.stopping = true;
+        self.sight.forget();
         self.session.insist(true);
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
         loop {
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
-                Ok(proof) => return self.proven(stop, proof),
+                Ok(proof) => return self.proven(stop, proof).await,
                 Err(failure) => failure,
             };
             match (failure.class, self.stronger(way)) {
@@ -217,7 +124,7 @@ impl Motor<'_, '_> {
         }
         // Whoever waits no longer is told what the drive says now.
         self.session.note_interrupts();
-        self.last_look(stop).await
+        self.last_look(stop, !hurry && way != StopChoice::Coast).await
     }
 
     /// What is left to stop it with.
@@ -273,33 +180,40 @@ impl Motor<'_, '_> {
         self.notes.push(text);
     }
 
-    /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it.
-    fn proven(&self, mut stop: Stop, proof: Proof) -> Stop {
-        let off = self.lever != Lever::Taken || STOPPED.contains(&proof.state.slug.as_str());
-        stop.acknowledged = off && (proof.standing != Some(false) || !proof.waited);
+    /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it, and so is that
+    /// nothing tells.
+    async fn proven(&mut self, mut stop: Stop, proof: Proof) -> Stop {
+        let off = self.lever != Lever::Taken || has_power(&proof.state.slug) == Some(false);
+        stop.acknowledged = off
+            && match proof.standing {
+                Some(stands) => stands || !proof.owed,
+                // Of a drive that never had power there is nothing to prove.
+                None => !(proof.owed && self.powered),
+            };
         if !off {
             let text = self.lang.pick(
                 "the setpoint is 0; its contacts or its keypad keep the drive enabled",
                 "der Sollwert ist 0; seine Kontakte oder seine Bedieneinheit halten den Antrieb freigegeben",
             );
             stop.note = Some(text.to_owned());
-        } else if proof.standing == Some(false) {
-            let text = self.lang.pick(
-                "without power, but the shaft still turns by itself",
-                "ohne Strom, aber die Welle dreht noch von selbst",
-            );
-            stop.note = Some(text.to_owned());
+        } else if self.powered || proof.standing == Some(false) {
+            stop.note = coasting(proof.standing, self.lang).map(str::to_owned);
+            if !stop.acknowledged && proof.standing.is_none() && stop.because != "error" {
+                let why = self.why_unseen().await.map(|unseen| unseen.why);
+                stop.note =
+                    stop.note.map(|note| [Some(note), why].into_iter().flatten().collect::<Vec<_>>().join("; "));
+            }
         }
         (stop.state, stop.standing) = (Some(proof.state), proof.standing);
         stop
     }
 
     /// The stop was not proven: what does the drive say now?
-    async fn last_look(&mut self, mut stop: Stop) -> Stop {
+    async fn last_look(&mut self, mut stop: Stop, owed: bool) -> Stop {
         if let (Ok(state), true) = (self.state().await, self.lever != Lever::Setpoint) {
             if STOPPED.contains(&state.slug.as_str()) {
                 let standing = self.stands_now().await.ok().flatten();
-                return self.proven(stop, Proof { state, standing, waited: false });
+                return self.proven(stop, Proof { state, standing, owed }).await;
             }
             stop.state = Some(state);
         }
@@ -351,13 +265,14 @@ impl Motor<'_, '_> {
                 self.until_still().await?
             }
         };
-        let waits = !hurry && way != StopChoice::Coast;
-        let standing = if waits { self.standstill().await } else { self.stands_now().await };
+        // Also after a coast: what was changed is given back to a shaft that stands, where the drive tells.
+        let standing = if hurry { self.stands_now().await } else { self.standstill().await };
+        let owed = !hurry && way != StopChoice::Coast;
         match standing {
-            Ok(standing) => Ok(Proof { state, standing, waited: waits }),
+            Ok(standing) => Ok(Proof { state, standing, owed }),
             // Without power it is already; nothing stronger makes it stand sooner.
             Err(failure) if failure.class == Class::Interrupted => {
-                Ok(Proof { state, standing: Some(false), waited: false })
+                Ok(Proof { state, standing: self.last_seen(), owed: false })
             }
             Err(failure) => Err(failure),
         }
@@ -380,24 +295,6 @@ impl Motor<'_, '_> {
         }
         self.write_control(0).await?;
         self.until(STOPPED, Some(Takes::Transition5), true).await
-    }
-
-    /// Waits for a state without power, whichever it is.
-    pub(super) async fn until_without_power(&mut self) -> Result<State, Failure> {
-        self.until(STOPPED, Some(Takes::Transition5), true).await
-    }
-
-    /// Whether the shaft stands now; `None` if the drive does not tell.
-    pub(super) async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
-        let mut watch = Watch::new(self.target.family.motion.movement);
-        loop {
-            let Some(raw) = self.movement().await? else { return Ok(None) };
-            watch.see(self.session.now(), Some(raw));
-            if watch.tells() {
-                return Ok(Some(watch.stands()));
-            }
-            self.rest(self.beat()).await?;
-        }
     }
 
     async fn stop_by_commands(&mut self, row: &StopRow, last: bool) -> Result<State, Failure> {
@@ -499,6 +396,3 @@ pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> 
 
 /// States from which a command of a stop would lead up.
 const OFF: &[&str] = &["switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
-
-/// States without power: a stop has done its work.
-const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];

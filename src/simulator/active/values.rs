@@ -146,6 +146,7 @@ impl Active {
         let per_minute = |frequency: i64| frequency.saturating_mul(60) / (100 * self.value(373).max(1));
         Some(match number {
             11 => i64::from(self.register),
+            210 if !shaft.powered() && self.has(Reading::CoastShowsShaft) => shaft.speed(),
             210 => shaft.stator(),
             211 => shaft.current(),
             213 => shaft.power(),

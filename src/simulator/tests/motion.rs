@@ -181,11 +181,23 @@ fn losing_the_enable_lets_the_shaft_coast() {
         assert!(coasting > 0);
         // Nothing measures it in this configuration but the encoder.
         assert_eq!((hand.drive().ram(241, 0), hand.drive().ram(217, 0)), (Some(0), Some(coasting)));
+        assert_eq!(hand.read_long(210), Some(0), "the field is gone");
         hand.wait(2_000);
         assert_eq!(hand.shaft(), 0);
         hand.wait(2_500);
         assert_eq!(hand.state(), ENABLED, "0x0F still stands");
     }
+}
+
+#[test]
+fn a_drive_may_show_its_coasting_shaft_and_may_have_no_encoder() {
+    let script = "[[drive.event]]\nat = \"1s\"\nenable = false\n[drive.readings]\ncoast_shows = \"shaft\"";
+    let mut hand = Hand::on("act", script, "\"392\" = 2, \"217\" = 0, \"218\" = 0");
+    hand.run();
+    hand.wait(400);
+    let coasting = hand.shaft();
+    assert!(coasting > 0 && !hand.energised());
+    assert_eq!((hand.drive().ram(210, 0), hand.drive().ram(217, 0)), (Some(coasting), Some(0)));
 }
 
 #[test]

@@ -1,0 +1,115 @@
+//! What is changed for a run, and giving it back.
+
+use super::look::ram_set;
+use super::{Lever, Motor, StopChoice, guard, has_power};
+use crate::drive::describe;
+use crate::failure::Failure;
+use crate::outcome::{Change, Stop};
+use crate::profile::{DataSets, Lang, Need, Param};
+
+/// How often it is tried.
+const TRIES: u8 = 5;
+
+impl Motor<'_, '_> {
+    /// Changes the setting with a role for the run, if the family has it; it is given back at the end.
+    pub async fn change(&mut self, role: &str, new: i64) -> Result<(), Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(()) };
+        self.change_param(&param, new).await?;
+        if role == "watchdog" {
+            self.guard = guard(self.target, Some(new));
+        }
+        Ok(())
+    }
+
+    /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
+    pub async fn change_param(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
+        let set = ram_set(self.session, self.target, param, self.lang).await?;
+        let reading = self.target.read_set(self.session, param, set).await;
+        let old = reading.map_err(|error| self.failure(&error))?.raw;
+        if old == new {
+            return Ok(());
+        }
+        let (data_set, _) = describe::place(set);
+        let name = match self.target.family.link.route.has_data_sets() {
+            true => format!("{}@{data_set}ram", param.label()),
+            false => param.label(),
+        };
+        self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
+        self.write(param, set, new).await
+    }
+
+    /// Whether what was changed goes back: not to a drive that still runs and may need it, but to one that is without power,
+    /// or obeys somebody else.
+    pub(super) fn may_give_back(&self, stop: Option<&Stop>) -> bool {
+        let is_off = |stop: &Stop| stop.state.as_ref().is_some_and(|state| has_power(&state.slug) == Some(false));
+        let ended =
+            stop.is_none_or(|stop| stop.choice != StopChoice::Keep.slug() && (stop.acknowledged || is_off(stop)));
+        ended || self.lever == Lever::Taken
+    }
+
+    /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.
+    pub(super) async fn give_back(&mut self, may: bool) {
+        let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
+        if may && zeroed && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
+            let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
+            if let Some(param) = param {
+                // So that nobody is surprised by it at the next enable.
+                if self.write(&param, 0, 0).await.is_err() {
+                    self.notes.push(match self.lang {
+                        Lang::En => format!("{} may still stand in the drive; it could not be set to 0", param.label()),
+                        Lang::De => {
+                            format!("{} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben", param.label())
+                        }
+                    });
+                }
+            }
+        }
+        if !may {
+            return;
+        }
+        for index in (0..self.changes.len()).rev() {
+            let Some(change) = self.changes.get(index).cloned() else { continue };
+            let param = self.target.family.param_or_unknown(change.param);
+            if self.target.family.role("control-mode").is_some_and(|mode| mode.id == param.id)
+                && !self.may_give_control_back(change.old).await
+            {
+                continue;
+            }
+            let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
+            let mut restored = false;
+            for _ in 0..TRIES {
+                restored = restored || self.write(&param, change.data_set + ram, change.old).await.is_ok();
+            }
+            if let Some(change) = self.changes.get_mut(index) {
+                change.restored = restored;
+            }
+        }
+    }
+
+    /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual
+    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them.
+    async fn may_give_control_back(&mut self, old: i64) -> bool {
+        if self.write_control(0).await.is_err() {
+            return false;
+        }
+        let family = self.target.family.clone();
+        let Some(control) = family.motion.control else { return true };
+        let Ok(status) = self.status().await else { return false };
+        let released = family.motion.interlock(Need::Release).and_then(|row| row.bit);
+        if old != control.terminals || released.is_none_or(|bit| status >> bit & 1 == 0) {
+            return true;
+        }
+        let label = family.role("control-mode").map_or_else(String::new, Param::label);
+        let (now, would) = (control.obeys, control.terminals);
+        self.notes.push(match self.lang {
+            Lang::En => format!(
+                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}"
+            ),
+            Lang::De => format!(
+                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
+                 {would} starten"
+            ),
+        });
+        false
+    }
+}

@@ -1,0 +1,278 @@
+//! Does the shaft stand? What proves it, with the drive's power on or off, and what is said where nothing does.
+
+use super::Motor;
+use super::look::working;
+use super::shaft::Watch;
+use crate::failure::{Class, Failure};
+use crate::outcome::State;
+use crate::profile::{Blind, Lang, Param};
+
+/// States without power: a stop has done its work.
+pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
+/// States with it. Of a reaction to a fault nobody knows.
+const POWERED: &[&str] = &["operation-enabled", "quick-stop-active"];
+
+/// Whether the drive has power in this state; `None` where that is not known.
+pub fn has_power(slug: &str) -> Option<bool> {
+    POWERED.contains(&slug).then_some(true).or_else(|| STOPPED.contains(&slug).then_some(false))
+}
+
+/// What looks tell of a shaft whose drive shows the frequency of its stator, which is 0 without power.
+#[derive(Debug, Default)]
+pub(super) struct Sight {
+    /// Whether the drive had power at the last look at its state.
+    on: Option<bool>,
+    /// The frequency was 0 since then; whether under power, only the next look at the state tells.
+    zero: bool,
+    /// The last look showed movement.
+    turns: bool,
+    /// What also tells without power was seen turning: an encoder, or the frequency itself.
+    free: bool,
+    /// It was seen to stand under power.
+    held: bool,
+    /// It was seen to come to rest without power.
+    rested: bool,
+    /// The stop goes as a setting says, which may be by direct current: that takes the frequency away, not the speed.
+    by_setting: bool,
+}
+
+impl Sight {
+    /// A look at the state.
+    pub(super) fn state(&mut self, on: Option<bool>) {
+        self.held |= self.zero && on == Some(true);
+        (self.on, self.zero) = (on, false);
+    }
+
+    /// A look at the frequency, or without power at the encoder.
+    fn frequency(&mut self, raw: i64) {
+        self.turns = raw != 0;
+        match self.on {
+            _ if self.turns => {
+                self.free |= self.on == Some(false);
+                (self.zero, self.held, self.rested) = (false, false, false);
+            }
+            Some(true) => self.zero = true,
+            _ => self.rested |= self.free,
+        }
+    }
+
+    /// What was seen before tells no more: something else is under way.
+    pub(super) fn forget(&mut self) {
+        *self = Sight { on: self.on, free: self.free, ..Sight::default() };
+    }
+
+    /// A stop that goes as a setting says.
+    pub(super) fn goes_by_setting(&mut self) {
+        self.by_setting = true;
+    }
+
+    /// Whether a 0 waits for the look at the state that tells what it is worth.
+    pub(super) fn must_look(&self) -> bool {
+        self.zero && !self.held
+    }
+
+    /// Whether the frequency is on its way to 0, under power.
+    pub(super) fn falls(&self) -> bool {
+        self.turns && self.on == Some(true)
+    }
+
+    fn standing(&self) -> Option<bool> {
+        if self.turns { Some(false) } else { (self.held || self.rested).then_some(true) }
+    }
+}
+
+impl Motor<'_, '_> {
+    /// Whether nobody gave the drive power at any look, us included: its shaft is nobody's concern here.
+    pub fn is_idle(&self) -> bool {
+        !self.powered && !self.shouted
+    }
+
+    /// Notes what a state says of the power.
+    pub(super) fn see(&mut self, slug: &str) {
+        let on = has_power(slug);
+        self.powered |= on == Some(true);
+        self.sight.state(on);
+    }
+
+    /// Whether the shaft stands: waits for it as long as it still slows down. `None` if the drive does not tell.
+    pub(super) async fn standstill(&mut self) -> Result<Option<bool>, Failure> {
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        let mut wait = self.wait();
+        loop {
+            let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
+            if watch.see(self.session.now(), Some(raw)).slows {
+                wait.renew(self.session.now());
+            }
+            let stands = self.stands(&watch);
+            if stands != Some(false) || wait.is_over(self.session.now()) {
+                return Ok(stands);
+            }
+            self.rest(self.beat()).await?;
+        }
+    }
+
+    /// Whether the shaft stands now; `None` if the drive does not tell.
+    pub(super) async fn stands_now(&mut self) -> Result<Option<bool>, Failure> {
+        let mut watch = Watch::new(self.target.family.motion.movement);
+        loop {
+            let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
+            watch.see(self.session.now(), Some(raw));
+            if watch.tells() {
+                return Ok(self.stands(&watch));
+            }
+            self.rest(self.beat()).await?;
+        }
+    }
+
+    /// Whether the shaft stands as the program leaves; `None` if nothing tells, the line included.
+    pub async fn stands_at_the_end(&mut self) -> Option<bool> {
+        self.stands_now().await.ok().flatten()
+    }
+
+    /// Waits until the shaft stands, with the drive's power on or not.
+    pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
+        let still = self.standstill().await?;
+        let state = self.state().await?;
+        match still {
+            Some(false) => Err(self.still_turning(&state)),
+            _ => Ok(state),
+        }
+    }
+
+    /// The failure to show where the shaft does not come to rest.
+    fn still_turning(&self, state: &State) -> Failure {
+        let text =
+            self.lang.pick("the shaft does not come to rest; state", "die Welle kommt nicht zum Stillstand; Zustand");
+        Failure::new(Class::Forbidden, "forbidden.still_turning", format!("{text}: {}", state.name))
+    }
+
+    fn stands(&self, watch: &Watch) -> Option<bool> {
+        match self.target.family.motion.stator {
+            Some(_) => self.sight.standing(),
+            None => Some(watch.stands()),
+        }
+    }
+
+    /// What the last looks showed, where no other can be waited for; a shaft whose position was watched still turned.
+    pub(super) fn last_seen(&self) -> Option<bool> {
+        if self.target.family.motion.stator.is_some() { self.sight.standing() } else { Some(false) }
+    }
+
+    /// Looks at the shaft, and as often at the state as it takes to know whether that was under power.
+    async fn look_at_shaft(&mut self) -> Result<Option<i64>, Failure> {
+        if self.target.family.motion.stator.is_none() {
+            return self.movement().await;
+        }
+        if self.is_idle() {
+            return Ok(None);
+        }
+        if self.sight.on != Some(false) {
+            self.state().await?;
+        }
+        let mut raw = self.shaft().await?;
+        if self.sight.zero {
+            self.state().await?;
+            if self.sight.on == Some(false) {
+                raw = self.shaft().await?;
+            }
+        }
+        self.doubt().await?;
+        Ok(raw)
+    }
+
+    /// What tells of the shaft: without power also an encoder.
+    pub(super) async fn shaft(&mut self) -> Result<Option<i64>, Failure> {
+        let Some(raw) = self.movement().await? else { return Ok(None) };
+        if self.target.family.motion.stator.is_none() {
+            return Ok(Some(raw));
+        }
+        let raw = match (raw, self.sight.on) {
+            (0, Some(false)) => self.encoder().await?.unwrap_or(0),
+            (raw, Some(true)) if raw != 0 && self.encoder.is_none() => {
+                // One that turns is there, so that it tells later on.
+                self.sight.free |= self.encoder().await?.is_some_and(|shown| shown != 0);
+                raw
+            }
+            (raw, _) => raw,
+        };
+        self.sight.frequency(raw);
+        Ok(Some(raw))
+    }
+
+    /// What an encoder shows; which one is found out once.
+    async fn encoder(&mut self) -> Result<Option<i64>, Failure> {
+        let family = self.target.family.clone();
+        let roles = family.motion.stator.iter().flat_map(|stator| &stator.encoders);
+        let candidates: Vec<Param> = match &self.encoder {
+            Some(known) => known.iter().cloned().collect(),
+            None => roles.filter_map(|role| family.role(role)).cloned().collect(),
+        };
+        for param in candidates {
+            let shown = self.bear(async |motor: &mut Self| motor.raw(&param).await).await?;
+            if shown.is_some() {
+                self.encoder = Some(Some(param));
+                return Ok(shown);
+            }
+        }
+        self.encoder = Some(None);
+        Ok(None)
+    }
+
+    /// Direct current takes the frequency of the stator away, not the speed of the shaft.
+    async fn doubt(&mut self) -> Result<(), Failure> {
+        if self.sight.held && self.sight.by_setting {
+            self.sight.held = self.ending().await?.is_none_or(|row| row.coasts);
+        }
+        Ok(())
+    }
+
+    /// The way in which the drive is set to end a ramp stop, if it is one that its frequency does not show.
+    async fn ending(&mut self) -> Result<Option<Blind>, Failure> {
+        if let Some(known) = &self.ending {
+            return Ok(known.clone());
+        }
+        let family = self.target.family.clone();
+        let Some(stator) = &family.motion.stator else { return Ok(None) };
+        let Some(setting) = family.role(&stator.ends) else { return Ok(None) };
+        let ask = async |motor: &mut Self| working(motor.session, motor.target, setting, motor.lang).await;
+        let value = self.bear(ask).await?;
+        let ending = stator.blind.iter().find(|row| Some(row.value) == value).cloned();
+        self.ending = Some(ending.clone());
+        Ok(ending)
+    }
+
+    /// Why nothing showed a standstill of a drive that was stopped; `None` if its family always tells.
+    pub async fn why_unseen(&mut self) -> Option<Unseen> {
+        let family = self.target.family.clone();
+        let stator = family.motion.stator.as_ref()?;
+        let ending = if self.sight.by_setting { self.ending().await.ok().flatten() } else { None };
+        Some(match ending {
+            Some(row) => Unseen { why: row.name(self.lang).to_owned(), as_set: row.coasts },
+            None => Unseen { why: stator.early.get(self.lang).to_owned(), as_set: false },
+        })
+    }
+}
+
+/// Why nothing showed a standstill.
+#[derive(Clone, Debug)]
+pub struct Unseen {
+    /// In words, with what to do about it.
+    pub why: String,
+    /// The drive is set to coast, so that whoever disables it was given what is set.
+    pub as_set: bool,
+}
+
+/// What is said of a shaft without power.
+pub fn coasting(standing: Option<bool>, lang: Lang) -> Option<&'static str> {
+    match standing {
+        Some(true) => None,
+        Some(false) => Some(lang.pick(
+            "without power, but the shaft still turns by itself",
+            "ohne Strom, aber die Welle dreht noch von selbst",
+        )),
+        None => Some(lang.pick(
+            "without power: a shaft that was turning coasts; nothing tells when it stands",
+            "ohne Strom: eine Welle, die drehte, läuft aus; nichts zeigt, wann sie steht",
+        )),
+    }
+}
