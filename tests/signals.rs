@@ -126,7 +126,7 @@ fn every_further_signal_shortens_the_stop() {
     assert_eq!(run.ends(), Some(130), "{}", run.seen);
     run.shows("note: stopping: ramp; another Ctrl-C: quick-stop");
     assert!(begun.elapsed() < Duration::from_secs(8), "the ramp would take 40 s: {:?}", begun.elapsed());
-    run.shows("ramp -> coast: the stop was acknowledged");
+    run.shows("ramp -> coast: without power, but the shaft still turns");
     assert!(run.seen.contains("quick-stop in place of ramp") && run.seen.contains("coast in place of quick-stop"));
 }
 
@@ -143,5 +143,7 @@ fn the_fate_of_the_stop_is_told_on_stderr_where_the_reader_of_stdout_died_of_the
     run.signal("-INT");
     drop(run.child.stdout.take());
     assert_eq!(run.ends(), Some(130), "{}", run.seen);
-    run.shows("ramp: the stop was acknowledged");
+    // Whether a look fell into the second in which the drive holds the shaft is the machine's that runs this.
+    run.shows("; ramp: ");
+    assert!(run.seen.contains("the stop was acknowledged") || run.seen.contains("without power"), "{}", run.seen);
 }
