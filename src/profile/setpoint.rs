@@ -188,6 +188,41 @@ mod tests {
     }
 
     #[test]
+    fn a_frequency_is_rounded_to_the_nearest_on_both_sides_of_0() {
+        for (speed, pairs, frequency) in [(89, 1, 1), (90, 1, 2), (29, 1, 0), (30, 1, 1), (100, 3, 5), (0, 3, 0)] {
+            assert_eq!(frequency_of_speed(speed, pairs), Some(frequency), "{speed}");
+            assert_eq!(frequency_of_speed(-speed, pairs), Some(-frequency), "{}", -speed);
+        }
+    }
+
+    #[test]
+    fn only_two_numbers_are_a_ratio() {
+        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
+        for text in ["2/x", "x/3", "2/", "/3", "a/b"] {
+            assert!(mode_of(&family, text).is_none(), "{text}");
+        }
+        assert_eq!(said("lxm05", " 2 / 3 "), Some(("gear".to_owned(), 2, false, Some(3))));
+    }
+
+    #[test]
+    fn a_schedule_tells_its_end_its_values_and_the_largest_of_them() {
+        let steps = Schedule::steps(vec![(0, 500), (2_000_000, -1_000), (3_000_000, 20)]).unwrap();
+        assert_eq!((steps.end_us(), steps.peak()), (3_000_000, 1_000));
+        assert_eq!(steps.values().collect::<Vec<_>>(), [500, -1_000, 20]);
+        let doubled = steps.map(|raw| raw.checked_mul(2)).unwrap();
+        assert_eq!((doubled.values().collect::<Vec<_>>(), doubled.at(1)), (vec![1_000, -2_000, 40], 1_000));
+        assert_eq!(steps.map(|raw| (raw > 0).then_some(raw)), None, "one value that cannot be converted is enough");
+        let ramp = Schedule::ramp(100, 300, 1_000).map(|raw| Some(raw + 1)).unwrap();
+        assert_eq!((ramp.at(0), ramp.at(500), ramp.at(1_000)), (101, 201, 301), "what was straight stays so");
+        let falling = Schedule::ramp(300, 100, 1_000);
+        assert_eq!([0, 250, 750, 999].map(|us| falling.at(us)), [300, 250, 150, 101]);
+        let late = Schedule { points: vec![(1_000, 100), (3_000, 300)], straight: true };
+        assert_eq!([0, 1_000, 2_000, 3_000].map(|us| late.at(us)), [100, 100, 200, 300]);
+        assert_eq!(Schedule::steps(vec![(1, 1), (2, 2), (2, 3)]), Err(3));
+        assert!(Schedule::steps(vec![(1, 1), (2, 2)]).is_ok());
+    }
+
+    #[test]
     fn the_lower_number_of_a_ratio_is_never_0() {
         let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
         let gear = family.mode("gear").unwrap();
