@@ -14,6 +14,8 @@ pub(super) struct Watch {
     steady: Option<i64>,
     /// The slowest pace so far.
     slowest: Option<i64>,
+    /// The pace at the look before, of positions.
+    before: Option<i64>,
 }
 
 /// What a look has shown.
@@ -34,7 +36,7 @@ const JITTER: i64 = 1;
 
 impl Watch {
     pub(super) fn new(movement: Movement) -> Self {
-        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None }
+        Watch { movement, looks: VecDeque::new(), steady: None, slowest: None, before: None }
     }
 
     /// Takes a look.
@@ -48,13 +50,16 @@ impl Watch {
         // Of positions the times at which they were read are known with their own error.
         let tolerance = |pace: i64| if self.movement == Movement::Speed { 0 } else { pace.abs() / 128 };
         let changes = self.steady.is_none_or(|steady| (pace - steady).abs() > tolerance(steady)) && !self.stands();
-        let slows = self.slowest.is_none_or(|slowest| pace.abs() < slowest.abs() - tolerance(slowest));
+        // And an answer that came late makes one look slower than the shaft is: two must say so.
+        let sure = self.before.filter(|before| before.abs() > pace.abs()).unwrap_or(pace);
+        let slows = self.slowest.is_none_or(|slowest| sure.abs() < slowest.abs() - tolerance(slowest));
         if changes {
             self.steady = Some(pace);
         }
         if slows {
-            self.slowest = Some(pace);
+            self.slowest = Some(sure);
         }
+        self.before = Some(pace).filter(|_| self.movement == Movement::Position);
         Trend { changes, slows }
     }
 
@@ -149,7 +154,7 @@ mod tests {
     #[test]
     fn a_position_tells_by_its_change() {
         let (slows, stands) = looks(Movement::Position, &[0, 100, 200, 260, 261, 260]);
-        assert_eq!((slows, stands), (vec![true, true, false, true, true, true], true));
+        assert_eq!((slows, stands), (vec![true, true, false, false, true, true], true));
         assert!(!looks(Movement::Position, &[7]).1, "one look is not enough");
     }
 
@@ -176,6 +181,23 @@ mod tests {
             swing.wavers()
         });
         assert!(!swings);
+    }
+
+    #[test]
+    fn an_answer_that_comes_late_does_not_hide_a_ramp() {
+        // 3000 1/min, 30 1/min slower a second; every 61st answer comes 80 ms late, while the shaft turns on.
+        let mut watch = Watch::new(Movement::Position);
+        let (mut seen, mut longest) = (0, 0);
+        for index in 0i64..1_800 {
+            let ms = index * 50;
+            let turned = 3_000 * ms - 15 * ms * ms / 1_000;
+            let late = if index % 61 == 0 { 80 } else { 0 };
+            let at = Tick::ZERO + Span::from_millis((ms + late).unsigned_abs());
+            if watch.see(at, Some(turned * 16_384 / 60_000)).slows {
+                (longest, seen) = (longest.max(ms - seen), ms);
+            }
+        }
+        assert!(longest < 2_500, "{longest}");
     }
 
     #[test]
