@@ -45,7 +45,9 @@ impl Motion {
     /// What belongs to "running: no" or "running: yes", so that neither says more of the shaft than is known.
     pub(crate) fn shaft(&self) -> Option<&'static str> {
         match (self.running?, self.standing) {
-            (true, Some(true)) => Some("powered, held at standstill"),
+            (true, Some(true)) if self.to.as_ref().is_some_and(|state| state.slug == "quick-stop-active") => {
+                Some("powered, held at standstill")
+            }
             (false, Some(false)) => Some("the shaft still turns"),
             (false, None) if !self.idle => Some("whether the shaft stands is not told"),
             _ => None,

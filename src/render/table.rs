@@ -670,7 +670,12 @@ impl Page {
             rows.push(("changed", what));
         }
         if let Some(stop) = &motion.stop {
-            let proof = if stop.acknowledged { "acknowledged" } else { "NOT acknowledged" };
+            let proof = match stop.acknowledged {
+                true => "acknowledged",
+                // It is obeyed, but by a drive that shows no standstill.
+                false if motion.running == Some(false) && stop.standing.is_none() => "standstill NOT proven",
+                false => "NOT acknowledged",
+            };
             let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
             let by = stop.escalated.map_or_else(String::new, |by| format!(" -> {by}"));
             rows.push(("stop", format!("{}{by} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));

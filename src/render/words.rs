@@ -60,6 +60,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("access", "Zugriff"),
     ("acknowledged", "bestätigt"),
     ("NOT acknowledged", "NICHT bestätigt"),
+    ("standstill NOT proven", "Stillstand NICHT belegt"),
     ("actual value", "Istwert"),
     ("changed", "geändert"),
     ("command", "Befehl"),

@@ -614,6 +614,19 @@ fn the_end_of_a_run_that_lost_its_power_says_that_the_shaft_may_coast() {
 }
 
 #[test]
+fn a_drive_that_left_the_run_is_stopped_before_it_is_asked_why() {
+    let event = "[[drive.event]]\nwhen = \"above 19Hz\"\nenable = false";
+    let line = format!("-v {}", TO_20_HZ.replace("50ms", "5s"));
+    let run = antrieb(&line).on(&blind("\"392\" = 2", event)).json().exits(8);
+    let sent: Vec<_> = run.err.lines().filter_map(|line| line.split_once("> ")?.1.get(..17)).collect();
+    let last = |hex: &str| sent.iter().rposition(|line| line.starts_with(hex)).unwrap();
+    let stopped = sent.iter().position(|line| line.starts_with(DISABLE)).unwrap();
+    let looked = sent.iter().take(stopped).rposition(|line| line.starts_with("01 03 01 9B")).unwrap();
+    assert_eq!(looked + 1, stopped, "the stop follows the look that showed it: {}", run.err);
+    assert!(last("01 03 00 FA") > stopped && run.error()["hint"].as_str().unwrap().contains("STOA"), "{}", run.err);
+}
+
+#[test]
 fn a_verb_that_stops_says_what_is_known_of_the_shaft() {
     let running = |set: &str| quick(&format!("{RUNNING}, \"217\" = 0, \"218\" = 0, {set}"), "");
     for (verb, set, exit, standing) in [
@@ -639,4 +652,6 @@ fn a_servo_without_power_that_turns_is_never_under_a_plain_no() {
     let run = antrieb(&format!("{at_speed} --on-exit coast")).on(&turning).json().exits(0);
     // It was watched until it stood.
     assert_eq!((run.data("/stop/standing"), run.data("/standing")), (&json!(true), &json!(true)));
+    let changed = antrieb(&format!("{at_speed} --on-exit coast --set RAMPdecel=500")).on(&turning).json().exits(0);
+    assert_eq!((changed.data("/changed/0/restored"), changed.data("/stop/standing")), (&json!(true), &json!(true)));
 }

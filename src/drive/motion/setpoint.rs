@@ -13,6 +13,9 @@ use crate::tick::Span;
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
 const RAMP_BAND: u64 = 10;
 
+/// The drive left the run by itself.
+const LEFT_RUN: &str = "forbidden.left_run";
+
 impl Motor<'_, '_> {
     /// What is going to be set: decides how the run is stopped and when a setpoint is reached.
     pub fn prepare(&mut self, mode: &Mode) {
@@ -257,12 +260,17 @@ impl Motor<'_, '_> {
                     "the drive left the run by itself; it is now",
                     "der Antrieb ist von selbst ausgestiegen, jetzt:",
                 );
-                let missing = self.missing_now().await;
-                let failure = Failure::new(Class::Forbidden, "forbidden.left_run", format!("{text} {}", state.name));
-                return Err(if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) });
+                // Why is asked once the stop is out: the enable may come back meanwhile.
+                return Err(Failure::new(Class::Forbidden, LEFT_RUN, format!("{text} {}", state.name)));
             }
         }
         Ok(status)
+    }
+
+    /// Adds to a failure what keeps a drive from running that left the run by itself.
+    pub(super) async fn explained(&mut self, failure: Failure) -> Failure {
+        let missing = if failure.code == LEFT_RUN { self.missing_now().await } else { Vec::new() };
+        if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
     }
 
     /// Whether the drive no longer obeys the control word; notes that it does.

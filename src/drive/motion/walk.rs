@@ -1,0 +1,181 @@
+//! Walking the state machine, each step proven, and why a step does not come.
+
+use super::look::{missing, no_control, no_plan, state_name, tripped};
+use super::{Lever, Motor, Situation};
+use crate::drive::describe;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Event, State, Step};
+use crate::profile::{Command, Lang, Need, Param, Transition};
+use crate::tick::Span;
+
+impl Motor<'_, '_> {
+    /// Walks to a state, step by step, each proven. A fault is never reset on the way.
+    pub async fn walk(&mut self, goal: &str) -> Result<(), Failure> {
+        self.enabled = false;
+        self.sight.forget();
+        let situation = self.look().await?;
+        self.demand_control(&situation)?;
+        if situation.state.starts_with("fault") {
+            // A fault is reset only when somebody says so.
+            return Err(self.fault_failure().await);
+        }
+        let family = self.target.family.clone();
+        let mut from = situation.state.clone();
+        if goal == "operation-enabled" && from != goal {
+            self.clear().await?;
+            from = self.begin(&from).await?;
+        }
+        let facts = situation.facts(&family);
+        let way = family.machine.plan(&from, goal, &facts);
+        let way = way.map_err(|why| no_plan(&why, &situation, &family, self.lang))?;
+        if goal != "operation-enabled" && way.iter().any(|transition| transition.to == "operation-enabled") {
+            return Err(self.detour(goal));
+        }
+        for transition in way {
+            self.pass(transition).await?;
+        }
+        self.enabled = goal == "operation-enabled";
+        Ok(())
+    }
+
+    /// Sends the command that the family wants before it is walked up; returns the state that it leads to.
+    async fn begin(&mut self, from: &str) -> Result<String, Failure> {
+        let family = self.target.family.clone();
+        let command = family.motion.begin.as_ref().and_then(|slug| family.machine.command(slug));
+        let Some(command) = command else { return Ok(from.to_owned()) };
+        match family.machine.transition(from, &command.slug) {
+            Some(transition) => {
+                self.pass(transition).await?;
+                Ok(transition.to.clone())
+            }
+            None => {
+                self.write_control(command.word).await?;
+                Ok(from.to_owned())
+            }
+        }
+    }
+
+    /// Resets a fault: once, by a rising edge, after the drive's lock has passed.
+    pub async fn reset(&mut self) -> Result<(), Failure> {
+        self.enabled = false;
+        let situation = self.look().await?;
+        if situation.state != "fault" {
+            return Err(no_fault(self.lang));
+        }
+        let machine = self.target.family.machine.clone();
+        match machine.transition("fault", "reset").cloned() {
+            Some(transition) => {
+                self.pass(&transition).await?;
+                // The numbers of the fault memory are in no source, so this is all there is to show of it.
+                let was = describe::fault(&self.target.family, situation.fault.unwrap_or(0) as u32, self.lang);
+                let now = self.look().await?.fault.unwrap_or(0);
+                let now = describe::fault(&self.target.family, now as u32, self.lang);
+                let told = |fault: Option<crate::outcome::Fault>| {
+                    fault.map_or_else(|| "-".to_owned(), |fault| format!("{} {}", fault.key, fault.name))
+                };
+                let label = self.target.family.role("fault").map_or_else(String::new, Param::label);
+                self.notes.push(format!("{label}: {} -> {}", told(was), told(now)));
+                Ok(())
+            }
+            None => Err(Failure::new(Class::Data, "data.machine", "this drive has no reset")),
+        }
+    }
+
+    /// Goes through one transition.
+    pub(super) async fn pass(&mut self, transition: &Transition) -> Result<(), Failure> {
+        let begun = self.session.now();
+        let command = transition.command.as_ref().and_then(|slug| self.target.family.machine.command(slug).cloned());
+        if transition.needs.contains(&Need::Lock) {
+            self.count_down(self.target.family.motion.fault_lock_s).await?;
+        }
+        if let Some(command) = &command {
+            self.trigger(command).await?;
+        }
+        let leaves_fault = transition.from == "fault";
+        let came = self.until(&[&transition.to], transition.takes, leaves_fault).await;
+        if let Some(command) = command.as_ref().filter(|command| command.edge) {
+            // Also where it led nowhere: an edge that stands is none the next time.
+            self.write_control(command.word & !command.mask).await?;
+        }
+        let state = came?;
+        self.steps.push(Step {
+            transition: transition.number.clone(),
+            control: command.as_ref().map(|command| format!("0x{:04X}", command.word)),
+            command: command.map(|command| command.slug),
+            state,
+            took_ms: self.session.now().since(begun).as_millis(),
+        });
+        Ok(())
+    }
+
+    async fn trigger(&mut self, command: &Command) -> Result<(), Failure> {
+        if command.edge {
+            self.write_control(command.word & !command.mask).await?;
+        }
+        self.write_control(command.word).await
+    }
+
+    /// Tells how long the drive still refuses a reset.
+    async fn count_down(&mut self, total: u64) -> Result<(), Failure> {
+        for done in 0..total {
+            let what = match self.lang {
+                Lang::En => format!("the drive refuses a reset for another {} s", total - done),
+                Lang::De => format!("der Antrieb lässt {} s lang noch keine Quittierung zu", total - done),
+            };
+            self.session.tell(Event::Progress { done, total, what });
+            self.rest(Span::from_secs(1)).await?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn demand_control(&mut self, situation: &Situation) -> Result<(), Failure> {
+        match no_control(situation, self.target, self.lang) {
+            Some(failure) => Err(failure),
+            None => {
+                self.lever = Lever::ControlWord;
+                Ok(())
+            }
+        }
+    }
+
+    /// Nobody powers a motor only to stop it.
+    fn detour(&self, goal: &str) -> Failure {
+        let goal = state_name(&self.target.family, goal, self.lang);
+        let text = match self.lang {
+            Lang::En => format!("'{goal}' is reached only from 'operation enabled', and the drive is not enabled"),
+            Lang::De => format!("'{goal}' geht nur aus 'Betrieb freigegeben', und der Antrieb ist nicht freigegeben"),
+        };
+        Failure::new(Class::Forbidden, "forbidden.detour", text)
+    }
+
+    /// Why a state does not come.
+    pub(super) async fn stuck(&mut self, state: &State, goal: &str) -> Failure {
+        let goal = state_name(&self.target.family, goal, self.lang).to_owned();
+        let text = match self.lang {
+            Lang::En => format!("the drive stays in '{}' and does not go to '{goal}'", state.name),
+            Lang::De => format!("der Antrieb bleibt in '{}' und geht nicht nach '{goal}'", state.name),
+        };
+        let missing = self.missing_now().await;
+        let failure = Failure::new(Class::Forbidden, "forbidden.interlock", text);
+        if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
+    }
+
+    /// What keeps the drive from running, as far as it can be asked.
+    pub(super) async fn missing_now(&mut self) -> Vec<String> {
+        match self.look().await {
+            Ok(situation) => missing(&situation, self.target, self.lang),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    pub(super) async fn fault_failure(&mut self) -> Failure {
+        let code = self.role_raw("fault").await.ok().flatten().unwrap_or(0);
+        tripped(&self.target.family, code as u32, self.lang)
+    }
+}
+
+/// Where nothing is to be reset.
+pub fn no_fault(lang: Lang) -> Failure {
+    let text = lang.pick("there is no fault to reset", "es steht keine Störung an");
+    Failure::new(Class::Forbidden, "forbidden.no_fault", text)
+}
