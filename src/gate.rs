@@ -126,3 +126,42 @@ pub async fn ask(somebody: &mut dyn Ask, question: &Question) -> Result<Permit, 
         Answer::Nobody => Err(Denied::Nobody),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::pin::pin;
+    use std::task::{Context, Poll, Waker};
+
+    struct Says(Answer);
+
+    impl Ask for Says {
+        fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
+            Box::pin(async { self.0 })
+        }
+        fn is_there(&self) -> bool {
+            self.0 != Answer::Nobody
+        }
+    }
+
+    #[test]
+    fn only_a_yes_is_a_permit() {
+        let question = Question { hazards: vec![Hazard::Motion], title: String::new(), details: Vec::new() };
+        for (answer, denied) in
+            [(Answer::Yes, None), (Answer::No, Some(Denied::Refused)), (Answer::Nobody, Some(Denied::Nobody))]
+        {
+            let mut says = Says(answer);
+            let mut asked = pin!(ask(&mut says, &question));
+            let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
+                unreachable!("the answer is there at once")
+            };
+            assert_eq!(permit.err(), denied, "{answer:?}");
+        }
+    }
+
+    #[test]
+    fn where_nobody_can_answer_nothing_needs_to_be_opened_to_find_that_out() {
+        assert_eq!(somebody(&Says(Answer::Nobody)), Err(Denied::Nobody));
+        assert_eq!(somebody(&Says(Answer::No)), Ok(()));
+    }
+}

@@ -405,3 +405,112 @@ pub(super) async fn ram_set(
     let active = role_raw(session, target, "active-set", lang).await?.unwrap_or(1);
     Ok(DataSets::RAM_OFFSET + u8::try_from(active).unwrap_or(1).clamp(1, 4))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Registry;
+    use std::rc::Rc;
+
+    fn family(drive: &str) -> Rc<Family> {
+        Registry::open(&[]).unwrap().family(drive).unwrap()
+    }
+
+    fn situation(status: u32, mode: Option<i64>) -> Situation {
+        Situation { status, mode, ..Situation::default() }
+    }
+
+    #[test]
+    fn a_watchdog_time_is_never_rounded_down_and_never_off() {
+        let raw = |drive: &str, us: u64| watchdog_raw(&family(drive), Span::from_micros(us), Lang::En).ok();
+        for (drive, us, expected) in [
+            ("acu", 2_000_000, 2),
+            ("acu", 2_000_001, 3),
+            ("acu", 1, 1),
+            ("acu", 0, 1),
+            ("lxm05", 700_000, 700),
+            ("lxm05", 700_001, 701),
+            ("lxm05", 1, 1),
+        ] {
+            assert_eq!(raw(drive, us), Some(expected), "{drive} {us}");
+        }
+        for (drive, unit_us) in [("acu", 1_000_000), ("lxm05", 1_000)] {
+            let most = family(drive).role("watchdog").unwrap().max.unwrap();
+            assert_eq!(raw(drive, most as u64 * unit_us), Some(most), "{drive}");
+            let beyond =
+                watchdog_raw(&family(drive), Span::from_micros(most as u64 * unit_us + 1), Lang::De).unwrap_err();
+            assert_eq!(beyond.code, "data.range", "{drive}");
+            assert!(beyond.message.contains("höchstens"), "{}", beyond.message);
+        }
+        assert_eq!(watchdog_seconds(&family("acu"), 2), Decimal { raw: 2, decimals: 0 });
+        assert_eq!(watchdog_seconds(&family("lxm05"), 700), Decimal { raw: 700, decimals: 3 });
+    }
+
+    #[test]
+    fn what_does_not_say_who_controls_it_is_not_refused() {
+        let target = |drive: &str| Target::new(1, family(drive));
+        let refused = |drive: &str, mode| no_control(&situation(0, mode), &target(drive), Lang::En).map(|f| f.message);
+        assert_eq!([refused("acu", None), refused("acu", Some(1)), refused("lxm05", Some(0))], [None, None, None]);
+        let text = refused("act", Some(2)).unwrap();
+        assert!(text.contains("P.412 is 2, it must be 1"), "{text}");
+        let obeys = |drive: &str, mode| situation(0, mode).obeys(&family(drive));
+        assert_eq!([obeys("acu", Some(1)), obeys("acu", Some(2)), obeys("acu", None)], [true, false, false]);
+        assert!(obeys("lxm05", None), "a servo always obeys");
+    }
+
+    #[test]
+    fn only_what_is_missing_is_named() {
+        let acu = Target::new(1, family("acu"));
+        let told = |seen: &Situation| missing(seen, &acu, Lang::En);
+        // Remote and mains are given: bits 9 and 4.
+        let ready = situation(0x0210, Some(1));
+        assert_eq!(told(&ready), [""; 0]);
+        let open = |inputs| Situation { inputs: Some(inputs), ..situation(0x0010, Some(1)) };
+        let (enable, start) = ("external enable STOA", "start contact S2IND");
+        for (inputs, has_enable, has_start) in [(0b110, true, false), (0b001, false, true), (0b000, true, true)] {
+            let told = told(&open(inputs));
+            assert_eq!(told.len(), 1, "{inputs:b}: {told:?}");
+            let named = told.first().map(|text| (text.contains(enable), text.contains(start), text.contains("P.250")));
+            assert_eq!(named, Some((has_enable, has_start, true)), "{inputs:b}: {told:?}");
+        }
+        // All inputs are there, and yet: everything is named, because one of them lies.
+        assert!(told(&open(0b011)).iter().all(|text| text.contains(enable) && text.contains(start)));
+        let dark = told(&situation(0x0200, Some(1)));
+        assert!(dark.len() == 1 && dark.iter().all(|text| text.contains("no mains voltage")), "{dark:?}");
+        // Remote tells nothing where nobody would obey it.
+        let foreign = told(&situation(0x0010, Some(0)));
+        assert!(foreign.len() == 1 && foreign.iter().all(|text| text.contains("P.412 is 0")), "{foreign:?}");
+        let tripped = told(&Situation { fault: Some(0x0500), ..ready.clone() });
+        assert!(tripped.len() == 1 && tripped.iter().all(|text| text.starts_with("F0500 ")), "{tripped:?}");
+    }
+
+    #[test]
+    fn a_configuration_with_positioning_is_known_by_its_last_digits() {
+        let family = family("acu");
+        let with = |p30| Situation {
+            settings: BTreeMap::from([("configuration".to_owned(), p30)]),
+            ..situation(0x0210, Some(1))
+        };
+        for (p30, by_steps) in [(240, true), (440, true), (40, true), (110, false), (410, false), (241, false)] {
+            let facts = with(p30).facts(&family);
+            let way = family.machine.plan("switch-on-disabled", "operation-enabled", &facts).unwrap();
+            assert_eq!(way.len() > 1, by_steps, "P.30 = {p30}: {way:?}");
+        }
+    }
+
+    #[test]
+    fn a_state_without_a_name_is_called_by_its_word() {
+        let family = family("acu");
+        assert_eq!(state_name(&family, "fault", Lang::De), "Störung");
+        assert_eq!(state_name(&family, "switched-on", Lang::En), "Switched on");
+        assert_eq!(state_name(&family, "unknown", Lang::En), "unknown");
+    }
+
+    #[test]
+    fn a_trip_is_named_with_its_remedy() {
+        let acu = family("acu");
+        let known = tripped(&acu, 0x0500, Lang::En);
+        assert!(known.message.starts_with("the drive has tripped: F0500 "), "{}", known.message);
+        assert_eq!(tripped(&acu, 0, Lang::En).message, "the drive has tripped");
+    }
+}
