@@ -183,3 +183,25 @@ mod tests {
         assert_eq!([700, 701].map(|second| patient.is_over(at(second))), [false, true], "what was asked for is kept");
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wait_begins_anew_with_every_change_but_not_for_ever() {
+        let at = |second| Tick::ZERO + Span::from_secs(second);
+        let mut wait = Wait::new(at(10), Span::from_secs(3));
+        assert_eq!([10, 13, 14].map(|second| wait.is_over(at(second))), [false, false, true]);
+        for second in (12..=610).step_by(2) {
+            wait.renew(at(second));
+            assert!(!wait.is_over(at(second)) && wait.is_over(at(second + 4)), "{second}");
+        }
+        wait.renew(at(611));
+        assert!(wait.is_over(at(611)), "ten minutes are enough, however evenly it changes");
+        let mut patient = Wait::new(at(0), Span::from_secs(700));
+        assert_eq!([650, 700, 701].map(|second| patient.is_over(at(second))), [false, false, true]);
+        patient.renew(at(690));
+        assert_eq!([700, 701].map(|second| patient.is_over(at(second))), [false, true], "what was asked for is kept");
+    }
+}

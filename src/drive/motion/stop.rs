@@ -59,6 +59,9 @@ impl StopChoice {
     }
 }
 
+#[cfg(test)]
+mod tests;
+
 /// What proves a stop.
 struct Proof {
     state: State,
