@@ -12,6 +12,7 @@ mod job;
 mod limits;
 pub mod master;
 pub mod survey;
+mod twins;
 
 pub use dialect::{Question, Said};
 pub use limits::{INSIST, Limits};
