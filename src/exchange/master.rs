@@ -21,13 +21,16 @@ use super::{
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
-use crate::tick::Tick;
+use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, VecDeque};
 
 pub(super) type Outcome = Result<Answer, ExchangeError>;
 
 /// Harmless questions that are remembered of every station, to part replies by.
 const MOST_KNOWN: usize = 4;
+
+/// A question that goes out so soon after an answer meets what follows it.
+const RIGHT_BEHIND: Span = Span::from_millis(20);
 
 /// The master of one line.
 #[derive(Debug)]
@@ -568,6 +571,11 @@ impl Master {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
+        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase) {
+            if *last == station && waiting.sent_at.since(*then) < RIGHT_BEHIND {
+                self.twins.loses(station);
+            }
+        }
         let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
         let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
         let Some(job) = &mut self.job else { return Step::Wait(now) };
@@ -698,9 +706,9 @@ impl Master {
     }
 }
 
-/// Nothing that came proves anything; if answers differed, two drives are the cause.
+/// Nothing that came proves anything; where more came than was asked for, two drives are the cause.
 fn unproven(twins: &Twins, station: u8, asked: u8) -> ExchangeError {
-    match twins.is_marked(station) {
+    match twins.are_likely(station) {
         true => ExchangeError::TwoAnswers { station },
         false => ExchangeError::Unproven { asked },
     }

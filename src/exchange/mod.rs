@@ -181,7 +181,7 @@ pub enum ExchangeError {
         /// How often it was asked.
         asked: u8,
     },
-    /// A station answered one question in two ways, again and again.
+    /// A station answered one question in two ways, or everything twice so that nothing is sure.
     #[error("station {station} gives two answers to one question")]
     TwoAnswers {
         /// The station.

@@ -14,6 +14,8 @@ const SINGLES: u8 = 2;
 const SINGLES_OF_MARKED: u8 = 8;
 /// So often in a row a suspect must answer twice until that is told.
 const DOUBLES: u8 = 2;
+/// So many questions must be lost right behind an answer until it is suspected.
+const LOST: u8 = 2;
 /// So many answers that differ make two drives; one may be a reply that another has overtaken.
 const MARKS: u8 = 2;
 /// So long two drives stay two; then somebody may have taken one away.
@@ -38,12 +40,23 @@ struct Standing {
 #[derive(Debug, Default)]
 pub(super) struct Twins {
     by_station: BTreeMap<u8, Standing>,
+    /// How often a question was lost right behind an answer.
+    lost: BTreeMap<u8, u8>,
 }
 
 impl Twins {
     /// An answer came once more, in the same words.
     pub(super) fn suspects(&mut self, station: u8) {
         self.by_station.entry(station).or_default();
+    }
+
+    /// A question was lost that went out right behind an answer: it may have met the second one.
+    pub(super) fn loses(&mut self, station: u8) {
+        let lost = self.lost.entry(station).or_default();
+        *lost = lost.saturating_add(1);
+        if *lost >= LOST {
+            self.suspects(station);
+        }
     }
 
     /// A second answer came in other words, but the first or the second may be to something older.
@@ -72,6 +85,11 @@ impl Twins {
     /// Whether it answers everything twice, in the same words: two drives alike, or a repeater.
     pub(super) fn answers_twice(&self, station: u8) -> bool {
         self.by_station.get(&station).is_some_and(|standing| standing.marks == 0 && standing.doubles >= DOUBLES)
+    }
+
+    /// Whether more came from it than was asked for, and nothing speaks against two drives.
+    pub(super) fn are_likely(&self, station: u8) -> bool {
+        self.by_station.get(&station).is_some_and(|standing| standing.marks > 0 || standing.doubles > 0)
     }
 
     /// Whether it may be two drives.
