@@ -448,11 +448,10 @@ impl Master {
     fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
-        let doubted = self.is_doubted(&said);
-        if let Some(job) = self.job.as_ref().filter(|_| doubted) {
+        if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
             self.twins.suspects(job.station); // two telegrams came
         }
-        if doubted || self.may_be_old(&said) {
+        if self.is_doubted(&said) || self.may_be_old(&said) {
             return self.ask_behind_fence(at, sent_end);
         }
         if self.is_suspected(at) {
