@@ -10,7 +10,7 @@ mod line;
 #[path = "trial/thrown.rs"]
 mod thrown;
 
-use antrieb::exchange::{Answer, Limits, Master, Question, Said, Step, Tally};
+use antrieb::exchange::{Answer, Limits, Master, Question, Record, Said, Step, Tally};
 use antrieb::profile::Registry;
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::{LineSetting, Parity};
@@ -212,10 +212,11 @@ fn doubled_replies_believe_no_wrong_value() {
     assert!(all.unread * 50 < all.right, "{all:?}");
 }
 
-/// Reads of the long form: `ANTRIEB_TRIAL=1000000 cargo test --release --test never_fooled dice -- --nocapture`.
+/// Reads of the long form: `ANTRIEB_TRIAL=1000000 cargo test --release --test never_fooled dice -- --nocapture`. One
+/// protocol and manner: `ANTRIEB_TRIAL_OF="rtu/twins"`; one session of it, with all its telegrams: `rtu/twins/7000045`.
 #[expect(clippy::disallowed_methods, reason = "a variable is how a test is told to take its time")]
-fn reads() -> u64 {
-    std::env::var("ANTRIEB_TRIAL").ok().and_then(|text| text.parse().ok()).unwrap_or(18_000)
+fn told(name: &str) -> Option<String> {
+    std::env::var(name).ok()
 }
 
 /// Whatever the dice throw: late by up to 6 s, doubled, twins, lost, foreign, echoed, noisy, torn, flipped, left in the
@@ -223,14 +224,29 @@ fn reads() -> u64 {
 #[test]
 fn the_dice_bring_no_wrong_value() {
     let manners = &thrown::MANNERS;
-    let share = reads() / (manners.len() as u64 * 4);
+    let reads = told("ANTRIEB_TRIAL").and_then(|text| text.parse().ok()).unwrap_or(18_000_u64);
+    let only = told("ANTRIEB_TRIAL_OF").unwrap_or_default();
+    let seed = only.split('/').nth(2).and_then(|seed| seed.parse().ok());
+    let share = reads / (manners.len() as u64 * 4);
     let mut found = Vec::new();
     for protocol in Protocol::ALL {
-        for manner in manners {
-            let score = thrown::play(protocol, manner, share, 7);
-            let thrown::Score { right, wrong, unread, twin, chance, .. } = score;
+        let is_meant = |manner: &&thrown::Manner| {
+            let mut parts = only.split('/');
+            [&protocol.to_string(), manner.name]
+                .iter()
+                .all(|name| parts.next().is_none_or(|part| part.is_empty() || part == *name))
+        };
+        for manner in manners.iter().filter(is_meant) {
+            let score = match seed {
+                Some(seed) => thrown::replay(protocol, manner, seed),
+                None => thrown::play(protocol, manner, share, 7),
+            };
+            for Record { at, verdict, bytes } in &score.telegrams {
+                println!("{:>12} {verdict:?} {bytes:02X?}", at.as_micros());
+            }
+            let thrown::Score { right, wrong, unread, twin, chance, seconds, named, .. } = score;
             println!(
-                "{protocol:>6} {:30} right {right}, wrong {wrong}, unread {unread}, of the twin {twin}, chance {chance}",
+                "{protocol:>6} {:30} right {right}, wrong {wrong}, unread {unread} ({named} named), of the twin {twin}, chance {chance}, {seconds} s",
                 manner.name
             );
             let all = right + wrong + unread + twin + chance;

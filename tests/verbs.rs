@@ -52,6 +52,8 @@ mod sniffing;
 mod stopping;
 #[path = "verbs/tape.rs"]
 mod tape;
+#[path = "verbs/twins.rs"]
+mod twins;
 #[path = "verbs/vabus.rs"]
 mod vabus;
 #[path = "verbs/words.rs"]

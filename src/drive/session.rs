@@ -18,7 +18,7 @@ use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, LinkError, Port, Rs485, Trace, Wake, list_ports};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::rc::Rc;
 
@@ -77,6 +77,8 @@ pub struct Session<'a> {
     overheard: Option<Vec<Record>>,
     /// What is known of the drives by address, to name what goes over the line.
     known: BTreeMap<u8, Known>,
+    /// Drives of which it was told that they answer twice.
+    twice: BTreeSet<u8>,
     verbose: bool,
     lang: Lang,
 }
@@ -165,6 +167,7 @@ impl<'a> Session<'a> {
             insists: false,
             overheard: None,
             known: BTreeMap::new(),
+            twice: BTreeSet::new(),
             verbose,
             lang,
         })
@@ -221,7 +224,24 @@ impl<'a> Session<'a> {
             let room = MOST_OVERHEARD.saturating_sub(overheard.len());
             overheard.extend(records.into_iter().filter(strange).take(room));
         }
+        self.tell_twice(station);
         Ok(outcome??)
+    }
+
+    /// Tells once that everything is answered twice: what is read may come from either of two drives.
+    fn tell_twice(&mut self, station: u8) {
+        if self.master.answers_twice(station) && self.twice.insert(station) {
+            let note = match self.lang {
+                Lang::En => format!(
+                    "address {station}: every question is answered twice: two drives with one address, or a repeater"
+                ),
+                Lang::De => format!(
+                    "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
+                     Repeater"
+                ),
+            };
+            (self.observe)(Event::Note(note));
+        }
     }
 
     /// Carries a survey on until it has something to tell.

@@ -179,15 +179,13 @@ fn exchange(error: &ExchangeError, address: u8, lang: Lang) -> Failure {
             ))
         }
         ExchangeError::TwoAnswers { .. } => {
-            let said = lang.pick(
-                "two different answers came to one question, again and again",
-                "auf eine Frage kamen immer wieder zwei verschiedene Antworten",
-            );
+            let said =
+                lang.pick("more than one answer came to one question", "auf eine Frage kam mehr als eine Antwort");
             Failure::new(Class::Garbled, "garbled.two_answers", format!("{at}: {said}")).hint(lang.pick(
-                "two drives have this address, or another master asks the same drive: leave one drive on the line and give \
-                 it another address",
-                "zwei Antriebe haben diese Adresse, oder ein zweiter Master fragt denselben: nur einen Antrieb am Bus lassen \
-                 und ihm eine andere Adresse geben",
+                "two drives answer at this address, or another master asks the same drive: leave one drive on the line and \
+                 give it another address",
+                "zwei Antriebe antworten unter dieser Adresse, oder ein zweiter Master fragt denselben: nur einen Antrieb am \
+                 Bus lassen und ihm eine andere Adresse geben",
             ))
         }
         ExchangeError::BroadcastRead => {

@@ -2,6 +2,7 @@
 //! reply or settled by the answer to a fence, not by time alone.
 
 use super::dialect::{Question, Said};
+use super::heard::COPY_WITHIN;
 use super::limits::LATEST_OF_ALL;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,13 +22,22 @@ pub(super) struct Overtaken {
     pub(super) missing: Question,
     /// When it was missed.
     pub(super) since: Tick,
+    /// It came as garbage: only a copy of it, which was spared, may still come.
+    spoilt: bool,
+}
+
+impl Overtaken {
+    /// Until when it may come.
+    pub(super) fn until(&self) -> Tick {
+        self.since + if self.spoilt { COPY_WITHIN } else { LATEST_OF_ALL }
+    }
 }
 
 /// What one station owes.
 #[derive(Clone, Debug, Default)]
 struct Debt {
     missing: Vec<Question>,
-    /// The same, every asking for itself, without those that were answered by garbage.
+    /// The same, every asking for itself.
     lately: Vec<Overtaken>,
     since: Tick,
     /// Nothing else can overtake the missing replies after this; a drive under load may still be late.
@@ -49,12 +59,12 @@ pub(super) struct Debts {
 impl Debts {
     /// A station owes the reply to a question, which is due at a time.
     pub(super) fn owes(&mut self, station: u8, missing: Question, due: Tick, now: Tick) {
-        self.note(station, &missing, due, now).remember(&missing, now);
+        self.note(station, &missing, due, now).remember(&missing, now, false);
     }
 
     /// A question was answered by garbage, which most likely was the reply.
     pub(super) fn may_owe(&mut self, station: u8, missing: &Question, now: Tick) {
-        self.note(station, missing, now, now);
+        self.note(station, missing, now, now).remember(missing, now, true);
     }
 
     fn note(&mut self, station: u8, missing: &Question, due: Tick, now: Tick) -> &mut Debt {
@@ -72,7 +82,7 @@ impl Debts {
     pub(super) fn owes_fence(&mut self, station: u8, fence: Question, now: Tick) {
         let Some(debt) = self.by_station.get_mut(&station) else { return };
         debt.owed = debt.owed.saturating_add(1);
-        debt.remember(&fence, now);
+        debt.remember(&fence, now, false);
         if !debt.missing.contains(&fence) {
             debt.missing.push(fence);
         }
@@ -98,29 +108,33 @@ impl Debts {
         pays
     }
 
-    /// Everything that a station owed has come, or cannot come any more, as stations answer in order. What has not come is
-    /// remembered for as long as a line that mixes up telegrams may take.
-    pub(super) fn settle(&mut self, station: u8, now: Tick) {
+    /// Everything that a station owed before `asked` has come, or cannot come any more, as stations answer in order. What has
+    /// not come is remembered for as long as a line that mixes up telegrams may take.
+    pub(super) fn settle(&mut self, station: u8, asked: Tick, now: Tick) {
         let Some(debt) = self.by_station.remove(&station) else { return };
+        let (later, earlier): (Vec<_>, Vec<_>) = debt.lately.into_iter().partition(|old| old.since > asked);
         let overtaken = self.overtaken.entry(station).or_default();
-        overtaken.extend(debt.lately);
-        overtaken.retain(|old| now < old.since + LATEST_OF_ALL);
+        overtaken.extend(earlier);
+        overtaken.retain(|old| now < old.until());
         let surplus = overtaken.len().saturating_sub(MOST_OVERTAKEN);
         overtaken.drain(..surplus);
+        for Overtaken { missing, since, .. } in later {
+            self.owes(station, missing, debt.due, since);
+        }
     }
 
     /// Replies of a station that may still come although later ones have.
     pub(super) fn overtaken(&self, station: u8, now: Tick) -> impl Iterator<Item = &Overtaken> {
-        self.overtaken.get(&station).into_iter().flatten().filter(move |old| now < old.since + LATEST_OF_ALL)
+        self.overtaken.get(&station).into_iter().flatten().filter(move |old| now < old.until())
     }
 
     /// A reply came that nobody waited for: it is one that was overtaken, if it answers what was asked then.
     pub(super) fn arrives(&mut self, station: u8, said: &Said, now: Tick) -> bool {
         let Some(overtaken) = self.overtaken.get_mut(&station) else { return false };
-        overtaken.retain(|old| now < old.since + LATEST_OF_ALL);
-        let arrives = take_first(overtaken, said);
-        self.mixes |= arrives;
-        arrives
+        overtaken.retain(|old| now < old.until());
+        let arrived = take_first(overtaken, said);
+        self.mixes |= arrived.as_ref().is_some_and(|old| !old.spoilt);
+        arrived.is_some()
     }
 
     /// Whether a reply came after a later one.
@@ -146,16 +160,16 @@ impl Debts {
 }
 
 impl Debt {
-    fn remember(&mut self, missing: &Question, since: Tick) {
+    fn remember(&mut self, missing: &Question, since: Tick, spoilt: bool) {
         if self.lately.len() >= MOST_OVERTAKEN {
             self.lately.remove(0);
         }
-        self.lately.push(Overtaken { missing: missing.clone(), since });
+        self.lately.push(Overtaken { missing: missing.clone(), since, spoilt });
     }
 }
 
 /// Takes away the first that is answered by this.
-fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said) -> bool {
-    let place = overtaken.iter().position(|old| old.missing.is_answered_by(said));
-    place.map(|place| overtaken.remove(place)).is_some()
+fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said) -> Option<Overtaken> {
+    let place = overtaken.iter().position(|old| old.missing.is_answered_by(said))?;
+    Some(overtaken.remove(place))
 }

@@ -125,6 +125,9 @@ pub(super) struct Found {
 /// Bytes of one telegram may come in pieces with pauses between them: USB adapters hold them for up to 16 ms.
 const STRAGGLE: Span = Span::from_millis(50);
 
+/// Bytes of the longest reply that is looked for among others.
+const LONGEST_WITHIN: usize = 40;
+
 /// Counters that have counted the very question that asks for them, so that their reply never looks like its echo:
 /// telegrams on the bus, telegrams to this station (CM-485 manual 6.4.5; LXM05 manual, table 5.2, has the first).
 const BUSY_COUNTERS: [u16; 2] = [0x0B, 0x0E];
@@ -212,6 +215,20 @@ impl Dialect {
                 Err(_) => vabus::Request::decode(bytes).ok().map(|request| (request.address().id(), None)),
             },
         }
+    }
+
+    /// The first whole reply among bytes that are none as a whole: where telegrams met, or came in one piece.
+    pub(super) fn reply_within(self, bytes: &[u8]) -> Option<std::ops::Range<usize>> {
+        let framing = match self.protocol {
+            Protocol::Modbus(framing) => framing,
+            Protocol::Vabus => return None,
+        };
+        let whole = |range: &std::ops::Range<usize>| {
+            let piece = bytes.get(range.clone()).unwrap_or_default();
+            has_form_of_reply(framing, piece) && framing.decode(piece).is_ok_and(|adu| Reply::decode(&adu.pdu).is_ok())
+        };
+        let ends = |start: usize| start + self.shortest_reply()..=bytes.len().min(start + LONGEST_WITHIN);
+        (0..bytes.len()).find_map(|start| ends(start).map(|end| start..end).find(whole))
     }
 
     /// Silence that must go before a telegram.
@@ -334,6 +351,18 @@ impl Dialect {
             _ => false,
         };
         !(may_be_old || is_echo && may_echo)
+    }
+}
+
+/// Whether it looks like a reply that we know, before its check value is computed.
+fn has_form_of_reply(framing: Framing, bytes: &[u8]) -> bool {
+    match framing {
+        Framing::Rtu => {
+            let pdu = bytes.get(1..bytes.len().saturating_sub(2)).unwrap_or_default();
+            Reply::decode(pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. }))
+        }
+        Framing::Ascii => bytes.first() == Some(&ascii::START) && bytes.ends_with(ascii::END),
+        Framing::Tcp => false,
     }
 }
 

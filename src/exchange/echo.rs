@@ -16,8 +16,12 @@ pub(super) enum Echo {
 }
 
 impl Echo {
-    /// What a reply that came behind `before` tells.
+    /// What a reply that came behind `before` tells; behind noise an echo may have been spoilt, so that tells nothing.
     pub(super) fn learn(&mut self, sent: &[u8], before: &[u8]) {
-        *self = if before.ends_with(sent) { Echo::Present } else { Echo::Absent };
+        match before {
+            [] => *self = Echo::Absent,
+            before if before.ends_with(sent) => *self = Echo::Present,
+            _ => {}
+        }
     }
 }

@@ -22,8 +22,6 @@ const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
 /// Telegrams that are remembered: more than fit into the time.
 const MOST: usize = 512;
-/// So often a station must answer one question in two ways until it is believed to be two.
-const TWINS: u8 = 2;
 
 #[derive(Debug)]
 struct Telegram {
@@ -47,8 +45,6 @@ pub(super) struct Heard {
     paces: BTreeMap<(u8, u8), Pace>,
     /// A reply came twice, or one that nobody had asked for.
     surplus: bool,
-    /// How often a station answered in two ways.
-    twins: BTreeMap<u8, u8>,
 }
 
 /// An answer, as far as time and bytes tell of it.
@@ -108,28 +104,6 @@ impl Heard {
     /// The line brings more than was asked for.
     pub(super) fn sees_surplus(&mut self) {
         self.surplus = true;
-    }
-
-    /// A station answered one question in two ways.
-    pub(super) fn sees_twins(&mut self, station: u8) {
-        self.surplus = true;
-        let times = self.twins.entry(station).or_default();
-        *times = times.saturating_add(1);
-    }
-
-    /// Whether a station answers so often in two ways that it must be two.
-    pub(super) fn are_twins(&self, station: u8) -> bool {
-        self.twins.get(&station).is_some_and(|&times| times >= TWINS)
-    }
-
-    /// Whether a station has answered in two ways at all.
-    pub(super) fn has_twins(&self, station: u8) -> bool {
-        self.twins.contains_key(&station)
-    }
-
-    /// It was told that there are two.
-    pub(super) fn forgives(&mut self, station: u8) {
-        self.twins.remove(&station);
     }
 
     /// Weighs an answer. `doubtful`: garbage came before it.

@@ -49,6 +49,8 @@ pub(super) struct Job {
     pub(super) echoed: bool,
     /// The station sent something valid meanwhile: it is there, and late.
     pub(super) heard: bool,
+    /// A suspect has answered the fence so often.
+    pub(super) counted: Option<Count>,
     /// The last fence is waited for as long as any reply may take.
     pub(super) patient: bool,
     pub(super) phase: Phase,
@@ -72,6 +74,8 @@ pub(super) enum Phase {
     /// Waiting for a silent line, since then.
     Gap(Tick),
     Reply(Waiting),
+    /// The answer has come, and a second one may.
+    Second(Second),
     Turnaround(Tick),
     /// The exchange is to be ended on the line, at the latest by then.
     Farewell(Outcome, Tick),
@@ -82,6 +86,7 @@ pub(super) enum Phase {
 #[derive(Debug)]
 pub(super) struct Waiting {
     pub(super) sent: Vec<u8>,
+    pub(super) sent_at: Tick,
     pub(super) sent_end: Tick,
     pub(super) deadline: Tick,
     pub(super) came: Vec<u8>,
@@ -101,8 +106,30 @@ pub(super) struct Held {
     pub(super) bytes: Vec<u8>,
     pub(super) at: Tick,
     pub(super) weight: Weight,
+    /// It came behind garbage as long as a telegram.
+    pub(super) doubted: bool,
     /// When it is decided upon.
     pub(super) until: Tick,
+}
+
+/// An answer behind which a second one may come.
+#[derive(Debug)]
+pub(super) struct Second {
+    pub(super) said: Said,
+    /// When its question went out and was over, and when it came.
+    pub(super) sent: (Tick, Tick),
+    pub(super) at: Tick,
+    pub(super) until: Tick,
+    pub(super) came: Vec<u8>,
+    /// The second one.
+    pub(super) second: Option<Said>,
+}
+
+/// How often what cannot be mistaken was answered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Count {
+    Once,
+    Twice,
 }
 
 /// What has come when the line fell silent, or the time was over.
@@ -143,9 +170,10 @@ impl Job {
 }
 
 impl Waiting {
-    pub(super) fn new(sent: Vec<u8>, sent_end: Tick, timeout: Span) -> Self {
+    pub(super) fn new(sent: Vec<u8>, sent_at: Tick, sent_end: Tick, timeout: Span) -> Self {
         Waiting {
             sent,
+            sent_at,
             sent_end,
             deadline: sent_end + timeout,
             came: Vec::new(),

@@ -6,6 +6,8 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::rtu;
 use crate::tick::Span;
 
+use super::twins::SECOND_WITHIN;
+
 /// Time limits of a conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -60,7 +62,8 @@ impl Limits {
         let telegram = dialect.duration(line, rtu::MAX_FRAME);
         let one_try = telegram + self.reply_timeout + dialect.longest_straggle();
         let tries = (u64::from(self.retries) + 1) * (1 + 2 * u64::from(ROUNDS) + WITNESSES as u64);
-        one_try.times(tries) + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
+        let seconds = SECOND_WITHIN.times(2 * (1 + u64::from(ROUNDS)));
+        one_try.times(tries) + seconds + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
     }
 
     /// How long all telegrams of a question together wait for a silent line.

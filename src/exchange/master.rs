@@ -12,21 +12,25 @@ use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
 use super::heard::{Heard, Sample, Weight};
-use super::job::{Came, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
+use super::job::{Came, Count, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
+use super::twins::Twins;
 use super::{
     Answer, Conversation, ExchangeError, Limits, MOST_BYTES, MOST_RECORDS, Pauses, Record, Step, Tally, Verdict,
 };
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
-use crate::tick::Tick;
+use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, VecDeque};
 
 pub(super) type Outcome = Result<Answer, ExchangeError>;
 
 /// Harmless questions that are remembered of every station, to part replies by.
 const MOST_KNOWN: usize = 4;
+
+/// A question that goes out so soon after an answer meets what follows it.
+const RIGHT_BEHIND: Span = Span::from_millis(20);
 
 /// The master of one line.
 #[derive(Debug)]
@@ -38,6 +42,8 @@ pub struct Master {
     ready_at: Tick,
     debts: Debts,
     echo: Echo,
+    /// A question that cannot be taken for a reply came back: whatever the last reply tells, another echo may come.
+    echoed: bool,
     job: Option<Job>,
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
@@ -47,12 +53,17 @@ pub struct Master {
     counters: BTreeMap<u8, Vec<u16>>,
     /// What came lately, and how soon stations answer.
     heard: Heard,
+    /// Addresses at which two drives may answer.
+    twins: Twins,
     /// The last question that was answered, and when.
     answered: Option<(u8, Question, Tick)>,
     /// Characters take their time on this line, and nothing comes sooner than that allows.
     wired: bool,
     /// Bytes that nobody waits for, until they make a telegram or pause.
     loose: Loose,
+    /// The last bytes that came, whoever waited for them, and the last telegrams that were sent.
+    stream: Vec<u8>,
+    sent: Vec<Vec<u8>>,
     /// When the last reply ended, until something is sent.
     replied_at: Option<Tick>,
     pauses: Pauses,
@@ -71,14 +82,18 @@ impl Master {
             ready_at: Tick::ZERO + dialect.silence(line),
             debts: Debts::default(),
             echo: Echo::default(),
+            echoed: false,
             job: None,
             orphan: None,
             known: BTreeMap::new(),
             counters: BTreeMap::new(),
             heard: Heard::default(),
+            twins: Twins::default(),
             answered: None,
             wired: false,
             loose: Loose::default(),
+            stream: Vec::new(),
+            sent: Vec::new(),
             replied_at: None,
             pauses: Pauses { required: dialect.gap(line, limits.pause), ..Pauses::default() },
             tally: Tally::default(),
@@ -141,6 +156,11 @@ impl Master {
         station != BROADCAST && self.echo == Echo::Unknown && question.resembles_its_reply()
     }
 
+    /// Whether a station answers everything twice, in the same words: two drives with one address, or a repeater.
+    pub fn answers_twice(&self, station: u8) -> bool {
+        self.twins.answers_twice(station)
+    }
+
     /// The telegrams since the last call.
     pub fn take_records(&mut self) -> Vec<Record> {
         std::mem::take(&mut self.records)
@@ -159,11 +179,13 @@ impl Master {
         self.abandon(now);
         let phase = if station == BROADCAST && !question.is_write() {
             Phase::Done(Err(ExchangeError::BroadcastRead))
+        } else if self.is_told_apart(&question, limits) && self.twins.are_two(station, now) {
+            Phase::Done(Err(ExchangeError::TwoAnswers { station }))
         } else {
             Phase::Gap(now)
         };
         self.job = Some(Job {
-            parting: self.parting(station, &question),
+            parting: self.first_parting(station, &question, limits, now),
             station,
             question,
             limits,
@@ -177,6 +199,7 @@ impl Master {
             doubted: false,
             echoed: false,
             heard: false,
+            counted: None,
             patient: false,
             phase,
         });
@@ -269,6 +292,8 @@ impl Master {
             Phase::Farewell(..) => self.bid_farewell(now),
             Phase::Turnaround(until) if now < *until => Step::Wait(*until),
             Phase::Turnaround(_) => self.finish(Ok(Answer::Broadcast)),
+            Phase::Second(second) if now < second.until => Step::Wait(second.until),
+            Phase::Second(_) => self.counted(now),
             Phase::Reply(waiting) => {
                 let over = waiting.over(self.dialect.straggle(&waiting.came));
                 if now < over { Step::Wait(over) } else { self.look(now) }
@@ -285,7 +310,7 @@ impl Master {
         let Some(job) = &self.job else { return Step::Wait(now) };
         let error = match job.phase {
             Phase::Gap(_) => ExchangeError::NeverSilent { asked: job.asked },
-            _ => ExchangeError::Unproven { asked: job.asked },
+            _ => unproven(&self.twins, job.station, job.asked),
         };
         self.tally.garbled += 1;
         self.abandon(now);
@@ -306,7 +331,7 @@ impl Master {
             job.patience = job.patience.min(last.since(now));
         }
         if matches!(job.parting, Parting::Until(until) if now >= until) {
-            self.debts.settle(job.station, now);
+            self.debts.settle(job.station, now, now);
             job.parting = Parting::None;
         }
         let verdict = if fence { Verdict::Fence } else { Verdict::Request };
@@ -322,8 +347,10 @@ impl Master {
         job.phase = if job.station == BROADCAST {
             Phase::Turnaround(sent_end + job.limits.turnaround.longer(silence))
         } else {
-            Phase::Reply(Waiting::new(bytes.clone(), sent_end, timeout))
+            Phase::Reply(Waiting::new(bytes.clone(), now, sent_end, timeout))
         };
+        self.sent.truncate(1);
+        self.sent.insert(0, bytes.clone());
         self.ready_at = sent_end + silence;
         self.record(Record { at: now, verdict, bytes: bytes.clone() });
         Step::Send(bytes)
@@ -343,6 +370,7 @@ impl Master {
     /// Takes bytes that came in at `at`.
     pub fn feed(&mut self, at: Tick, bytes: &[u8]) {
         self.ready_at = self.ready_at.max(at + self.dialect.gap(self.line, self.limits.pause));
+        self.overhear(at, bytes);
         if self.feed_orphan(at, bytes) {
             return;
         }
@@ -351,6 +379,7 @@ impl Master {
                 waiting.came.extend_from_slice(bytes);
                 waiting.last = at;
             }
+            Some(Job { phase: Phase::Second(_), .. }) => return self.feed_second(at, bytes),
             _ => return self.feed_loose(at, bytes),
         }
         if let Some((end, said)) = self.found(at) {
@@ -373,7 +402,8 @@ impl Master {
     fn proves(&self, job: &Job, said: &Said) -> bool {
         match &job.parting {
             Parting::Fence(fence, _) => {
-                self.dialect.settles(fence, said, self.debts.missing(job.station), self.echo != Echo::Absent)
+                let may_echo = self.echoed || self.echo != Echo::Absent;
+                self.dialect.settles(fence, said, self.debts.missing(job.station), may_echo)
             }
             _ => true,
         }
@@ -391,6 +421,13 @@ impl Master {
         })
     }
 
+    /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
+    fn is_doubted(&self, said: &Said) -> bool {
+        let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
+        let doubted = |job: &Job| job.doubted && !job.is_fenced() && !job.question.is_write();
+        !names && !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
+    }
+
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
     fn ask_behind_fence(&mut self, at: Tick, sent_end: Tick) {
         let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else {
@@ -400,7 +437,7 @@ impl Master {
         let parting = self.part(station, &question);
         let Some(job) = &mut self.job else { return };
         job.phase = match job.rounds {
-            ROUNDS.. => Phase::Done(Err(ExchangeError::Unproven { asked: job.asked })),
+            ROUNDS.. => Phase::Done(Err(unproven(&self.twins, station, job.asked))),
             _ => Phase::Gap(at),
         };
         (job.parting, job.rounds, job.wanted) = (parting, job.rounds.saturating_add(1), at);
@@ -411,23 +448,38 @@ impl Master {
     fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
-        if self.are_twins() {
-            return;
+        if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
+            self.twins.suspects(job.station); // two telegrams came
         }
-        if self.may_be_old(&said) {
+        if self.is_doubted(&said) || self.may_be_old(&said) {
             return self.ask_behind_fence(at, sent_end);
         }
+        if self.is_suspected(at) {
+            return self.count(at, sent_end, said);
+        }
+        self.settle(at, sent_end, said);
+    }
+
+    /// The answer is the only one that comes, or the second one has come as well.
+    fn settle(&mut self, at: Tick, sent_end: Tick, said: Said) {
         let Some(said) = self.witnessed(at, said) else { return };
         let Some(job) = &mut self.job else { return };
         self.debts.hears(job.station);
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
+            let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
             // Everything older has come; of a fence that was asked more than once further replies may.
-            self.debts.settle(job.station, at);
+            self.debts.settle(job.station, sent_at, at);
             for _ in 1..job.same_fence {
                 self.debts.owes(job.station, fence.clone(), sent_end + LATEST_REPLY, at);
             }
             (job.asked, job.patient) = (0, false);
             job.phase = Phase::Gap(at);
+            let (station, question) = (job.station, job.question.clone());
+            // Somebody else may have asked it since.
+            let parting = self.parting(station, &question);
+            if let Some(job) = &mut self.job {
+                job.parting = parting;
+            }
             return;
         }
         if said.is_unreached() {
@@ -518,6 +570,11 @@ impl Master {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
+        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase) {
+            if *last == station && waiting.sent_at.since(*then) < RIGHT_BEHIND {
+                self.twins.loses(station);
+            }
+        }
         let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
         let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
         let Some(job) = &mut self.job else { return Step::Wait(now) };
@@ -566,11 +623,13 @@ impl Master {
         let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
         self.orphan = None;
         self.debts.pays(station, &found.said);
-        self.debts.settle(station, at);
+        self.debts.settle(station, at, at);
         if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
             job.parting = Parting::None;
         }
-        self.note_stray(at, &came);
+        self.heard.note(at, &came, None);
+        self.tally.strays += 1;
+        self.record(Record { at, verdict: Verdict::Stray { station }, bytes: came });
         true
     }
 
@@ -607,11 +666,29 @@ impl Master {
 
     fn note_echo(&mut self, at: Tick, sent: &[u8]) {
         self.tally.echoes += 1;
+        self.echoed |= self.job.as_ref().is_some_and(|job| !job.asks().resembles_its_reply());
         self.record(Record { at, verdict: Verdict::Echo, bytes: sent.to_vec() });
     }
 
-    /// Counts bytes that are nobody's answer.
+    /// Counts bytes that are nobody's answer; each whole reply among them for itself.
     fn note_stray(&mut self, at: Tick, bytes: &[u8]) {
+        let mut rest = bytes;
+        while self.dialect.sender(rest).is_none() {
+            let Some(reply) = self.dialect.reply_within(rest) else { break };
+            let (before, from) = rest.split_at(reply.start.min(rest.len()));
+            let (reply, behind) = from.split_at(reply.len().min(from.len()));
+            if !before.is_empty() {
+                self.note_one(at, before);
+            }
+            self.note_one(at, reply);
+            rest = behind;
+        }
+        if !rest.is_empty() {
+            self.note_one(at, rest);
+        }
+    }
+
+    fn note_one(&mut self, at: Tick, bytes: &[u8]) {
         let verdict = match self.dialect.sender(bytes) {
             Some((station, said)) => {
                 self.debts.hears(station);
@@ -619,13 +696,20 @@ impl Master {
                     job.heard = true;
                 }
                 self.explain(at, station, said, bytes);
-                self.note_foreign(at, bytes);
                 self.tally.strays += 1;
                 Verdict::Stray { station }
             }
             None => Verdict::Garbage,
         };
         self.record(Record { at, verdict, bytes: bytes.to_vec() });
+    }
+}
+
+/// Nothing that came proves anything; where more came than was asked for, two drives are the cause.
+fn unproven(twins: &Twins, station: u8, asked: u8) -> ExchangeError {
+    match twins.are_likely(station) {
+        true => ExchangeError::TwoAnswers { station },
+        false => ExchangeError::Unproven { asked },
     }
 }
 
@@ -642,6 +726,7 @@ impl Conversation for Master {
 }
 
 mod believe;
+mod second;
 #[cfg(test)]
 mod tests;
 mod witness;

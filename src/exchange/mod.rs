@@ -12,6 +12,7 @@ mod job;
 mod limits;
 pub mod master;
 pub mod survey;
+mod twins;
 
 pub use dialect::{Question, Said};
 pub use limits::{INSIST, Limits};
@@ -180,7 +181,7 @@ pub enum ExchangeError {
         /// How often it was asked.
         asked: u8,
     },
-    /// A station answered one question in two ways, again and again.
+    /// A station answered one question in two ways, or everything twice so that nothing is sure.
     #[error("station {station} gives two answers to one question")]
     TwoAnswers {
         /// The station.

@@ -7,7 +7,7 @@ use super::dice::Dice;
 use antrieb::exchange::{Question, Said};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::LineSetting;
-use antrieb::protocol::modbus::pdu::{ParamAddress, Reply, Request};
+use antrieb::protocol::modbus::pdu::{Exception, ParamAddress, Reply, Request};
 use antrieb::protocol::modbus::{Framing, mbap};
 use antrieb::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber};
 use antrieb::tick::{Span, Tick};
@@ -96,6 +96,8 @@ pub(crate) struct HostileLine {
     ours: (Tick, Tick),
     busy: BTreeMap<(u8, bool), Tick>,
     count: u16,
+    /// So much more a twin has counted, which may have been switched on earlier.
+    ahead: u16,
     /// Valid telegrams that somebody really sent.
     told: HashSet<Vec<u8>>,
     /// When the other master asks next.
@@ -105,7 +107,8 @@ pub(crate) struct HostileLine {
 }
 
 impl HostileLine {
-    pub(crate) fn new(protocol: Protocol, line: LineSetting, hazards: Hazards, dice: Dice) -> Self {
+    pub(crate) fn new(protocol: Protocol, line: LineSetting, hazards: Hazards, mut dice: Dice) -> Self {
+        let ahead = if hazards.twins { dice.pick(&[0, 0, 3, 40]) } else { 0 };
         HostileLine {
             now: Tick::ZERO,
             hazards,
@@ -116,6 +119,7 @@ impl HostileLine {
             ours: (Tick::ZERO, Tick::ZERO),
             busy: BTreeMap::new(),
             count: 0,
+            ahead,
             told: HashSet::new(),
             other: Tick::ZERO,
             questions: Vec::new(),
@@ -142,6 +146,14 @@ impl HostileLine {
         };
         let (right, twin) = (self.says(station, &question, false), self.says(station, &question, true));
         Asked { station, question, right: right.unwrap(), twin: twin.unwrap() }
+    }
+
+    /// What the program asks every station first: who it is.
+    pub(crate) fn introduction(&self, station: u8) -> Option<Asked> {
+        let question = Question::from(Request::ReadIdentification { category: 1, object: 0 });
+        let right = self.says(station, &question, false)?;
+        let is_modbus = matches!(self.protocol, Protocol::Modbus(_));
+        is_modbus.then_some(Asked { station, question, twin: right.clone(), right })
     }
 
     /// A pause between two questions. What comes in it nobody reads, but for a driver that keeps it.
@@ -383,9 +395,16 @@ impl HostileLine {
             Question::Modbus(Request::ReadRegisters { start, .. }) => {
                 Said::Modbus(Reply::Registers(vec![place(*start) as u16]))
             }
+            // An ACTIVE drive does not know code 43 (CM-485 manual 6.4).
+            Question::Modbus(Request::ReadIdentification { .. }) => {
+                Said::Modbus(Reply::Exception { function: 0x2B, code: Exception::IllegalFunction })
+            }
             Question::Modbus(Request::ReadLong { address }) => Said::Modbus(Reply::Long(0x5A_0000 + place(*address))),
             Question::Modbus(Request::Diagnostics { sub: sub @ (0x0B | 0x0E), .. }) => {
-                Said::Modbus(Reply::Diagnostics { sub: *sub, data: self.count })
+                Said::Modbus(Reply::Diagnostics {
+                    sub: *sub,
+                    data: self.count.wrapping_add(self.ahead * u16::from(twin)),
+                })
             }
             Question::Modbus(Request::Diagnostics { sub, .. }) => {
                 Said::Modbus(Reply::Diagnostics { sub: *sub, data: 0 })

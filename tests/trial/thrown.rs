@@ -1,14 +1,14 @@
 //! The trial with dice: many short sessions, each on a line with hazards of its own.
 
 use super::dice::Dice;
-use super::line::{Asked, Hazards, HostileLine};
-use antrieb::exchange::{Answer, Limits, Master, Said, Step};
+use super::line::{Asked, Hazards, HostileLine, STATIONS};
+use antrieb::exchange::{Answer, ExchangeError, Limits, Master, Record, Said, Step};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
 use antrieb::protocol::modbus::pdu::Reply;
 use antrieb::protocol::vabus;
-use antrieb::tick::Span;
+use antrieb::tick::{Span, Tick};
 
 /// Questions of one session.
 const SESSION: u64 = 50;
@@ -24,6 +24,13 @@ pub(crate) struct Score {
     pub(crate) twin: u64,
     /// Nobody ever sent this telegram: a spoilt one whose check value happens to be right.
     pub(crate) chance: u64,
+    /// Seconds that all of it took.
+    pub(crate) seconds: u64,
+    /// Two drives at the address were named.
+    pub(crate) named: u64,
+    /// The telegrams of a session that is played again.
+    pub(crate) telegrams: Vec<Record>,
+    replays: bool,
     /// Seed and question of the first wrong values.
     pub(crate) found: Vec<String>,
 }
@@ -97,6 +104,13 @@ pub(crate) const MANNERS: [Manner; 9] = [
     },
 ];
 
+/// One session once more, with its telegrams.
+pub(crate) fn replay(protocol: Protocol, manner: &Manner, seed: u64) -> Score {
+    let mut score = Score { replays: true, ..Score::default() };
+    play_session(protocol, manner, seed, &mut score);
+    score
+}
+
 /// So many reads of one protocol in one manner.
 pub(crate) fn play(protocol: Protocol, manner: &Manner, reads: u64, seed: u64) -> Score {
     let mut score = Score::default();
@@ -124,7 +138,12 @@ pub(crate) fn play_session(protocol: Protocol, manner: &Manner, seed: u64, score
     let mut master = Master::new(protocol, setting, limits);
     master.set_wired(manner.wired && !is_tcp);
     let mut line = HostileLine::new(protocol, setting, hazards, dice);
+    for asked in STATIONS.map(|station| line.introduction(station)).into_iter().flatten() {
+        ask(&mut master, &mut line, &asked, score);
+    }
+    let mut paused = Span::ZERO;
     for round in 0..SESSION {
+        let before = line.now;
         line.pause();
         if manner.drained {
             let bytes = line.waiting();
@@ -132,16 +151,18 @@ pub(crate) fn play_session(protocol: Protocol, manner: &Manner, seed: u64, score
                 master.feed(line.now, &bytes);
             }
         }
+        paused = paused + line.now.since(before);
         let asked = line.question();
-        let said = ask(&mut master, &mut line, &asked);
+        let said = ask(&mut master, &mut line, &asked, score);
         judge(score, &line, &asked, said, || {
             format!("{protocol} {} seed {seed} read {round} {hazards:?}", manner.name)
         });
-        master.take_records();
+        score.telegrams.extend(master.take_records().into_iter().filter(|_| score.replays));
     }
+    score.seconds += (line.now.since(Tick::ZERO).as_micros() - paused.as_micros()) / 1_000_000;
 }
 
-fn ask(master: &mut Master, line: &mut HostileLine, asked: &Asked) -> Option<Said> {
+fn ask(master: &mut Master, line: &mut HostileLine, asked: &Asked, score: &mut Score) -> Option<Said> {
     let by = line.now + master.limits().longest(master.protocol(), master.line());
     master.ask(asked.station, asked.question.clone(), line.now);
     loop {
@@ -155,6 +176,7 @@ fn ask(master: &mut Master, line: &mut HostileLine, asked: &Asked) -> Option<Sai
             }
             Step::Done(outcome) => {
                 assert!(line.now <= by, "{:?} late: {asked:?} {outcome:?}", line.now.since(by));
+                score.named += u64::from(matches!(outcome, Err(ExchangeError::TwoAnswers { .. })));
                 return match outcome {
                     Ok(Answer::Reply { said, .. }) => Some(said),
                     _ => None,
@@ -173,7 +195,7 @@ fn judge(score: &mut Score, line: &HostileLine, asked: &Asked, said: Option<Said
         Some(said) if line.hazards.twins && said == asked.twin => score.twin += 1,
         Some(said) if line.is_numbered() || line.was_told(&line.telegram(asked.station, &said)) => {
             score.wrong += 1;
-            if score.found.len() < 5 {
+            if score.found.len() < 20 {
                 score.found.push(format!("{}: {:?} gave {said:?}, not {:?}", place(), asked.question, asked.right));
             }
         }

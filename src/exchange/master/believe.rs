@@ -20,22 +20,24 @@ impl Master {
                 from = start + 1;
                 continue;
             }
-            if let Some((station, question)) = self.foreign_before(waiting, start) {
-                // It answers somebody else's question, whatever ours is.
-                if station == job.station && question.is_answered_by(&found.said) {
-                    from = start + 1;
-                    continue;
-                }
-            }
             let bytes = waiting.came.get(start..end)?.to_vec();
             let noise = waiting
                 .came
                 .get(..start)
                 .is_some_and(|before| !self.dialect.behind_echo(before, &waiting.sent).is_empty());
             let doubtful = noise || !waiting.garbage.is_empty();
-            let weight = self.weigh(job, waiting.sent_end, &bytes, at, doubtful);
+            let another = waiting.came.get(end..).and_then(|rest| self.dialect.find(rest, job.station, job.asks()));
+            let weight = match self.weigh(job, waiting.sent_end, &bytes, at, doubtful) {
+                // Two in one piece: the other is looked at first.
+                Some(Weight::Answer) if another.is_some_and(|other| other.said != found.said) => {
+                    Some(Weight::Wait(Span::ZERO))
+                }
+                weight => weight,
+            };
+            let rivals = matches!(weight, Some(Weight::Answer | Weight::Wait(_))) && self.rivals(at, &bytes);
             match weight {
-                Some(Weight::Answer) if !self.rivals(&bytes) => return self.accept(at, start, end, found.said),
+                Some(Weight::Answer) if !rivals => return self.accept(at, start, end, found.said),
+                Some(_) if rivals => self.hold(at, start, end, found.said, Some(Weight::Answer)),
                 weight => self.hold(at, start, end, found.said, weight),
             }
             from = 0;
@@ -66,7 +68,7 @@ impl Master {
     }
 
     /// Whether another answer to the same question came before, in other words, and was no copy.
-    fn rivals(&mut self, bytes: &[u8]) -> bool {
+    fn rivals(&mut self, at: Tick, bytes: &[u8]) -> bool {
         let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &mut self.job else { return false };
         let Some(held) = waiting.held.as_mut().filter(|held| held.bytes != bytes) else { return false };
         if matches!(held.weight, Weight::Copy | Weight::Stale(_)) {
@@ -74,9 +76,11 @@ impl Master {
         }
         (held.weight, held.until) = (Weight::Copy, waiting.deadline);
         // One of the two may have been overtaken: that makes no second drive.
-        if !self.debts.arrives(*station, &held.said, held.at) {
-            self.heard.sees_twins(*station);
+        match self.debts.arrives(*station, &held.said, held.at) {
+            true => self.twins.suspects(*station),
+            false => self.twins.marks(*station, at),
         }
+        self.heard.sees_surplus();
         true
     }
 
@@ -84,16 +88,15 @@ impl Master {
     fn accept(&mut self, at: Tick, start: usize, end: usize, said: Said) -> Option<(Tick, Said)> {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return None };
         let (came, sent, sent_end) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.sent_end);
-        let (held, echoed, garbage) = (waiting.held.take(), waiting.echoed, waiting.garbage.len());
+        let (held, echoed, garbage) = (waiting.held.take(), waiting.echoed, std::mem::take(&mut waiting.garbage));
         let (before, rest) = came.split_at_checked(start)?;
         let (reply, behind) = rest.split_at_checked(end - start)?;
         if !echoed {
             self.echo.learn(&sent, before);
         }
-        let noise = before.strip_suffix(&sent[..]).unwrap_or(before);
-        let noise = if self.dialect.sender(noise).is_some() { 0 } else { noise.len() };
-        if let Some(job) = self.job.as_mut().filter(|job| !job.is_fenced()) {
-            job.doubted |= noise.max(garbage) >= self.dialect.shortest_reply();
+        let doubted = self.is_doubtful(before, &garbage, &sent);
+        if let Some(job) = &mut self.job {
+            job.doubted = doubted;
         }
         self.note_before(at, before, &sent);
         if let Some(held) = held {
@@ -105,6 +108,14 @@ impl Master {
             self.loose.bytes.extend_from_slice(behind);
         }
         Some((sent_end, said))
+    }
+
+    /// Whether garbage as long as a telegram came before an answer: two telegrams may have met, and the one that came whole is
+    /// to something else.
+    fn is_doubtful(&self, before: &[u8], garbage: &[u8], sent: &[u8]) -> bool {
+        let noise = before.strip_suffix(sent).unwrap_or(before);
+        let noise = if self.dialect.sender(noise).is_some() { 0 } else { noise.len() };
+        noise.max(garbage.len()) >= self.dialect.shortest_reply()
     }
 
     fn reply(&mut self, at: Tick, sent_end: Tick, bytes: &[u8], is_sure: bool) {
@@ -125,8 +136,10 @@ impl Master {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return };
         let bytes: Vec<u8> = waiting.came.drain(..end).collect();
         let (before, reply) = bytes.split_at(start.min(bytes.len()));
-        let (sent, echoed) = (waiting.sent.clone(), waiting.echoed);
+        let (sent, echoed, garbage) = (waiting.sent.clone(), waiting.echoed, waiting.garbage.clone());
         waiting.echoed |= before.ends_with(&sent);
+        let doubted = self.is_doubtful(before, &garbage, &sent);
+        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return };
         let until = match weight {
             Some(Weight::Wait(span) | Weight::Stale(span)) => {
                 let reply = self.dialect.duration(self.line, reply.len());
@@ -134,10 +147,12 @@ impl Master {
             }
             _ => waiting.deadline,
         };
-        let held = weight.map(|weight| Held { said, bytes: reply.to_vec(), at, weight, until });
+        let held = weight.map(|weight| Held { said, bytes: reply.to_vec(), at, weight, doubted, until });
         let other = match (&held, &waiting.held) {
             // The same once more: the first stays.
             (Some(new), Some(old)) if old.bytes == new.bytes || new.weight == Weight::Answer => None,
+            // What was heard before does not take the place of what is new.
+            (Some(_), Some(Held { weight: Weight::Wait(_), .. })) => None,
             (Some(_), _) => std::mem::replace(&mut waiting.held, held),
             (None, _) => None,
         };
@@ -164,6 +179,7 @@ impl Master {
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
         let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
         if !is_doubted && (is_sure || matches!(held.weight, Weight::Stale(_))) {
+            job.doubted = held.doubted;
             self.reply(held.at, sent_end, &held.bytes, is_sure);
             self.take(held.at, sent_end, held.said);
             if !is_sure {
@@ -181,23 +197,12 @@ impl Master {
     fn ask_anew(&mut self, now: Tick, parting: Parting) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         if job.rounds >= ROUNDS {
-            let asked = job.asked;
-            return self.finish(Err(ExchangeError::Unproven { asked }));
+            let error = unproven(&self.twins, job.station, job.asked);
+            return self.finish(Err(error));
         }
         (job.parting, job.rounds, job.phase) = (parting, job.rounds + 1, Phase::Gap(now));
         (job.asked, job.same_fence, job.echoed, job.patient) = (0, 0, false, false);
         self.step(now)
-    }
-
-    /// Whether the station is known to give two answers; then the question ends with that. What insists goes on.
-    pub(super) fn are_twins(&mut self) -> bool {
-        let Some(job) = &mut self.job else { return false };
-        if !self.heard.are_twins(job.station) || job.limits.insist.is_some() {
-            return false;
-        }
-        self.heard.forgives(job.station);
-        job.phase = Phase::Done(Err(ExchangeError::TwoAnswers { station: job.station }));
-        true
     }
 
     /// A valid telegram came that is not the answer: a copy, a reply that was missing, or one too many.
@@ -208,19 +213,26 @@ impl Master {
         let owed = self.debts.missing(station).iter().any(fits);
         match is_copy {
             true if owed => return, // a copy, or what is owed: nobody knows
-            true => return self.heard.sees_surplus(),
+            true => {
+                self.twins.suspects(station);
+                return self.heard.sees_surplus();
+            }
             false => {}
         }
         let Some(said) = said else { return };
-        if self.debts.pays(station, &said) || self.debts.arrives(station, &said, at) {
+        if self.debts.pays(station, &said) {
             return;
         }
+        let overtaken = self.debts.arrives(station, &said, at);
         let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {
             *answering == station && question.is_answered_by(&said) && at.since(*then) < SECOND_WITHIN
         });
         let alone = self.job.as_ref().is_none_or(|job| job.station != station || !job.asks().is_answered_by(&said));
-        if second && alone {
-            self.heard.sees_twins(station);
+        if second && alone && !overtaken {
+            self.heard.sees_surplus();
+            self.twins.marks(station, at);
+        } else {
+            self.twins.suspects(station);
         }
     }
 }

@@ -285,7 +285,9 @@ fn a_doubled_reply_is_one_stray_telegram() {
     let again: Vec<_> = value(1390).into_iter().enumerate().map(|(at, byte)| (11 + at as u64, vec![byte])).collect();
     let chunks: Vec<_> = [(10, value(1390))].into_iter().chain(again).collect();
     taken(line.ask(1, READ, &[&chunks]));
-    assert_eq!(taken(line.ask(1, OTHER, &[&[(10, value(7))]])), Reply::Registers(vec![7]));
+    // It may be a second drive's: how many answer is found out before a value is believed.
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(10, value(7))], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
     assert_eq!(line.master.tally().strays, 1);
     assert!(line.verdicts().contains(&Verdict::Stray { station: 1 }));
 }
@@ -596,8 +598,14 @@ fn a_reply_that_a_fence_has_overtaken_is_never_a_value() {
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
     // The reply to READ comes 700 ms after it was asked, behind the fence's, and the answer to OTHER later still.
     assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
-    let replies: [&[(u64, Vec<u8>)]; 4] =
-        [&[(10, fence_reply())], &[(300, value(7))], &[(10, value(7))], &[(10, value(7))]];
+    let replies: [&[(u64, Vec<u8>)]; 6] = [
+        &[(10, fence_reply())],
+        &[(300, value(7))],
+        &[(10, value(7))],
+        &[(10, fence_reply())],
+        &[(10, value(7))],
+        &[(10, value(7))],
+    ];
     assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
 }
 
@@ -628,11 +636,11 @@ fn the_answer_to_another_master_is_not_ours() {
 }
 
 #[test]
-fn an_answer_behind_garbage_as_long_as_a_telegram_is_heard_twice() {
+fn an_answer_behind_garbage_as_long_as_a_telegram_is_asked_for_behind_a_fence() {
     let mut line = Line::new(Framing::Rtu);
     assert_eq!(taken(line.ask(1, READ, &[&[(11, value(1390))]])), Reply::Registers(vec![1390]));
     let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40];
-    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, value(7))], &[(11, value(7))]];
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, fence_reply())], &[(11, value(7))]];
     assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
 }
 

@@ -3,11 +3,15 @@
 //! * On a line that mixes up telegrams: a reply that was missing when a fence was answered is lost on a wire, but a radio
 //!   link or a gateway may still bring it, in place of the answer to another question.
 //! * From a station that has answered one question in two ways: it may be two, each with its own delay.
-//! * Behind garbage as long as a telegram: two replies may have met, and the second is to something else.
 
 use super::*;
+use crate::exchange::debt::Overtaken;
 use crate::exchange::limits::WITNESSES;
 use crate::exchange::survey::foreign;
+use crate::tick::Span;
+
+/// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (facts/readings.md).
+const HIS_REPLY: Span = Span::from_millis(100);
 
 impl Master {
     /// How many missing replies this could be, although a later one has come.
@@ -30,12 +34,14 @@ impl Master {
         let Some(job) = self.job.as_ref().filter(plain) else {
             return Some(said);
         };
-        let doubles = self.doubles(job, &said, at).max(usize::from(job.doubted || self.heard.has_twins(job.station)));
+        let doubles = self.doubles(job, &said, at).max(usize::from(self.twins.is_marked(job.station)));
         let agree = job.witnesses.iter().filter(|&witness| *witness == said).count();
         if agree >= doubles.min(WITNESSES - 1) || self.dialect.is_numbered() {
             return Some(said);
         }
-        if job.witnesses.len() + 1 >= WITNESSES && !self.debts.mixes() {
+        let more = self.heard.has_surplus() || self.twins.is_marked(job.station);
+        let mixed = self.debts.mixes() || more && job.limits.insist.is_none();
+        if job.witnesses.len() + 1 >= WITNESSES && !mixed {
             let pair = job.witnesses.windows(2).find(|pair| pair.first() == pair.last());
             return Some(pair.and_then(|pair| pair.first()).cloned().unwrap_or(said));
         }
@@ -43,40 +49,43 @@ impl Master {
         None
     }
 
-    /// The question of somebody else that ends where an answer starts.
-    pub(super) fn foreign_before(&self, waiting: &Waiting, start: usize) -> Option<(u8, Question)> {
-        let before = waiting.came.get(..start)?;
-        let begins = (1..=before.len().min(foreign::LONGEST_QUESTION)).filter_map(|len| before.get(start - len..));
-        let asked = |piece: &[u8]| foreign::question(self.protocol(), piece).filter(|_| piece != waiting.sent);
-        begins.filter(|piece| piece.len() > 3).find_map(asked)
+    /// Listens for questions of somebody else in everything that comes, whoever waits for it. Each ends among these bytes; it
+    /// may have begun before, also before we asked, because adapters hand telegrams on in pieces.
+    pub(super) fn overhear(&mut self, at: Tick, bytes: &[u8]) {
+        if self.dialect.is_numbered() {
+            return;
+        }
+        let known = self.stream.len();
+        self.stream.extend_from_slice(bytes);
+        for end in known + 1..=self.stream.len() {
+            let question = self.stream.get(..end).and_then(|heard| foreign::last(self.protocol(), heard, &self.sent));
+            if let Some((station, question)) = question {
+                self.note_foreign(at, station, question);
+            }
+        }
+        let surplus = self.stream.len().saturating_sub(foreign::LONGEST_QUESTION);
+        self.stream.drain(..surplus);
     }
 
     /// Somebody else asks a station: its reply is to come, and none to us.
-    pub(super) fn note_foreign(&mut self, at: Tick, bytes: &[u8]) {
-        let ours = self.job.as_ref().is_some_and(|job| match &job.phase {
-            Phase::Reply(waiting) => waiting.sent == bytes,
-            _ => false,
-        });
-        let Some((station, question)) = foreign::question(self.protocol(), bytes).filter(|_| !ours) else { return };
-        if station == BROADCAST || question.is_write() || self.dialect.is_numbered() || self.echo == Echo::Present {
-            return;
+    fn note_foreign(&mut self, at: Tick, station: u8, question: Question) {
+        if station != BROADCAST && !question.is_write() {
+            self.debts.owes(station, question, at + HIS_REPLY, at);
         }
-        self.debts.owes(station, question, at + LATEST_REPLY, at);
     }
 
     fn call_witness(&mut self, at: Tick, said: Said) {
         let Some(job) = &mut self.job else { return };
-        let latest = self.debts.overtaken(job.station, at).map(|old| old.since + LATEST_OF_ALL).max();
+        let latest = self.debts.overtaken(job.station, at).map(Overtaken::until).max();
         job.witnesses.push(said);
         let lacks_one = job.witnesses.len() < WITNESSES;
         (job.parting, job.phase) = match (lacks_one, latest) {
-            (false, _) if job.limits.insist.is_some() => {
-                (Parting::None, Phase::Done(Err(ExchangeError::Unproven { asked: job.asked })))
+            (false, _) if job.limits.insist.is_some() || !self.debts.mixes() => {
+                (Parting::None, Phase::Done(Err(unproven(&self.twins, job.station, job.asked))))
             }
             (false, Some(latest)) => (Parting::Quiet(latest), Phase::Gap(at)),
             _ => (Parting::None, Phase::Gap(at)),
         };
         (job.asked, job.same_fence, job.echoed, job.patient, job.wanted) = (0, 0, false, false, at);
-        job.doubted = false;
     }
 }

@@ -3,6 +3,7 @@
 use super::super::dialect::Question;
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::{Framing, ascii};
 use crate::protocol::vabus;
 
 /// How many questions stand among bytes that are no reply to us: what only a master sends, and not `ours`, which a line may
@@ -27,8 +28,27 @@ pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
 /// Longest question that is looked for, in bytes; one in ASCII takes 17.
 pub(in crate::exchange) const LONGEST_QUESTION: usize = 32;
 
+/// The question that ends where these bytes end, unless it is among `ours`, which an adapter gives back.
+pub(in crate::exchange) fn last(protocol: Protocol, bytes: &[u8], ours: &[Vec<u8>]) -> Option<(u8, Question)> {
+    let begins = (4..=bytes.len().min(LONGEST_QUESTION)).filter_map(|length| bytes.get(bytes.len() - length..));
+    let others = begins.filter(|piece| has_form(protocol, piece) && !ours.iter().any(|sent| sent == piece));
+    others.into_iter().find_map(|piece| question(protocol, piece))
+}
+
+/// Whether it looks like a question, before its check value is computed.
+fn has_form(protocol: Protocol, bytes: &[u8]) -> bool {
+    match protocol {
+        Protocol::Modbus(Framing::Rtu) => {
+            let pdu = bytes.get(1..bytes.len().saturating_sub(2)).unwrap_or_default();
+            Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }))
+        }
+        Protocol::Modbus(Framing::Ascii) => bytes.first() == Some(&ascii::START) && bytes.ends_with(ascii::END),
+        Protocol::Modbus(Framing::Tcp) | Protocol::Vabus => true,
+    }
+}
+
 /// The station that is asked, and what, if this is a telegram that can only come from a master.
-pub(in crate::exchange) fn question(protocol: Protocol, bytes: &[u8]) -> Option<(u8, Question)> {
+fn question(protocol: Protocol, bytes: &[u8]) -> Option<(u8, Question)> {
     if !is_question(protocol, bytes) {
         return None;
     }
@@ -58,7 +78,7 @@ fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::protocol::modbus::{Framing, rtu};
+    use crate::protocol::modbus::rtu;
 
     const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
 

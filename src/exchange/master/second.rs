@@ -1,0 +1,126 @@
+//! A station that may be two drives: each question is answered by both, and the second answer is waited for.
+
+use super::*;
+use crate::exchange::job::Second;
+use crate::exchange::twins::SECOND_WITHIN;
+use crate::protocol::modbus::pdu::Reply;
+use crate::tick::Span;
+
+impl Master {
+    /// Whether two drives at the address matter to this question. A stop or a refresh goes on, and a write is proven
+    /// otherwise.
+    pub(super) fn is_told_apart(&self, question: &Question, limits: Limits) -> bool {
+        limits.insist.is_none() && limits.witness && !question.is_write()
+    }
+
+    /// Whether an answer names what it answers, so that none to another question can be taken for it.
+    fn is_named(&self) -> bool {
+        self.dialect.is_numbered() || self.protocol() == Protocol::Vabus
+    }
+
+    /// How a new question is kept apart from what the station may still say.
+    pub(super) fn first_parting(&self, station: u8, question: &Question, limits: Limits, now: Tick) -> Parting {
+        let parting = self.parting(station, question);
+        let counts = self.is_told_apart(question, limits) && self.twins.is_suspect(station) && !self.is_named();
+        match parting {
+            Parting::None if counts => {
+                self.fence(station, question).map_or(Parting::None, |fence| Parting::Fence(fence, now))
+            }
+            parting => parting,
+        }
+    }
+
+    /// Whether a second answer is to be waited for.
+    pub(super) fn is_suspected(&mut self, at: Tick) -> bool {
+        let Some(job) = &self.job else { return false };
+        let station = job.station;
+        self.is_told_apart(&job.question, job.limits)
+            && (self.twins.is_suspect(station) || self.twins.are_two(station, at))
+            && job.counted != Some(Count::Once)
+    }
+
+    /// An answer of a suspect: a value is none before a fence has told how many answer, or it names its question.
+    pub(super) fn count(&mut self, at: Tick, sent_end: Tick, said: Said) {
+        let is_named = self.is_named();
+        let Some(job) = &mut self.job else { return };
+        if self.twins.are_two(job.station, at) {
+            job.phase = Phase::Done(Err(ExchangeError::TwoAnswers { station: job.station }));
+            return;
+        }
+        let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
+        if !job.is_fenced() && job.counted.is_none() && !is_named {
+            // Once for each question: that is no round.
+            let rounds = std::mem::take(&mut job.rounds);
+            self.ask_behind_fence(at, sent_end);
+            if let Some(job) = &mut self.job {
+                job.rounds = rounds;
+            }
+            return;
+        }
+        let until = at + SECOND_WITHIN;
+        let came = std::mem::take(&mut self.loose.bytes);
+        job.phase =
+            Phase::Second(Second { said, sent: (sent_at, sent_end), at, until, came: Vec::new(), second: None });
+        if !came.is_empty() {
+            self.feed_second(at, &came);
+        }
+    }
+
+    /// Takes bytes behind the first answer.
+    pub(super) fn feed_second(&mut self, at: Tick, bytes: &[u8]) {
+        let Some(job) = &mut self.job else { return };
+        let (station, question) = (job.station, job.asks().clone());
+        let Phase::Second(second) = &mut job.phase else { return };
+        keep(&mut second.came, bytes);
+        while let Some(found) = self.dialect.find(&second.came, station, &question) {
+            let telegram: Vec<u8> = second.came.drain(..found.end).collect();
+            // An older fence of the same kind was counted lower.
+            if is_older(&found.said, &second.said) {
+                continue;
+            }
+            (second.second, second.until) = (Some(found.said), at);
+            let reply = telegram.get(found.start..).unwrap_or_default().to_vec();
+            self.heard.note(at, &reply, None);
+            self.tally.strays += 1;
+            return self.record(Record { at, verdict: Verdict::Stray { station }, bytes: reply });
+        }
+    }
+
+    /// The second answer has come, or none comes.
+    pub(super) fn counted(&mut self, now: Tick) -> Step<Outcome> {
+        let is_named = self.is_named();
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
+        let Phase::Second(Second { said, sent: (sent_at, sent_end), at, came, second, .. }) =
+            std::mem::replace(&mut job.phase, Phase::Gap(now))
+        else {
+            return Step::Wait(now);
+        };
+        let (station, is_fenced) = (job.station, job.is_fenced());
+        if is_fenced || is_named {
+            self.twins.counts(station, second.is_some());
+        }
+        if is_fenced {
+            job.counted = Some(if second.is_some() { Count::Twice } else { Count::Once });
+        } else if second.is_some_and(|second| second != said) {
+            self.twins.proves(station, now);
+            return self.finish(Err(ExchangeError::TwoAnswers { station }));
+        }
+        job.phase = Phase::Reply(Waiting::new(Vec::new(), sent_at, sent_end, Span::ZERO));
+        if !came.is_empty() {
+            self.loose.last = now;
+            self.loose.bytes = came;
+        }
+        self.settle(at, sent_end, said);
+        self.step(now)
+    }
+}
+
+/// Whether this is the answer to an older fence of the same kind.
+fn is_older(said: &Said, first: &Said) -> bool {
+    match (said, first) {
+        (Said::Modbus(Reply::Diagnostics { data, .. }), Said::Modbus(Reply::Diagnostics { data: first, .. })) => {
+            data < first
+        }
+        _ => false,
+    }
+}

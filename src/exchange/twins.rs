@@ -1,0 +1,115 @@
+//! Whether one drive answers at an address, or two.
+//!
+//! A second drive shows itself by a second answer to one question. A repeater sends copies too, so at first that is only a
+//! suspicion: from then on a question whose answer cannot be mistaken is asked before each other one, and so long is waited
+//! as any copy takes. Answered twice, both drives have said all that is older; answered once, again and again, it is one
+//! drive behind a repeater.
+
+use super::heard::COPY_WITHIN;
+use crate::tick::{Span, Tick};
+use std::collections::BTreeMap;
+
+/// So often in a row a suspect must answer once until it is one drive; one that gave answers that differ, so much oftener.
+const SINGLES: u8 = 2;
+const SINGLES_OF_MARKED: u8 = 8;
+/// So often in a row a suspect must answer twice until that is told.
+const DOUBLES: u8 = 2;
+/// So many questions must be lost right behind an answer until it is suspected.
+const LOST: u8 = 2;
+/// So many answers that differ make two drives; one may be a reply that another has overtaken.
+const MARKS: u8 = 2;
+/// So long two drives stay two; then somebody may have taken one away.
+const TWO_FOR: Span = Span::from_secs(10);
+/// A second answer comes within this time.
+pub(super) const SECOND_WITHIN: Span = COPY_WITHIN;
+
+/// What speaks for two drives at one address.
+#[derive(Clone, Copy, Debug, Default)]
+struct Standing {
+    /// Answers that differ from the first to the same question.
+    marks: u8,
+    /// How often it answered once since it is suspected.
+    singles: u8,
+    /// How often it answered twice.
+    doubles: u8,
+    /// It was proven, at the latest then.
+    two: Option<Tick>,
+}
+
+/// Addresses at which two drives may answer.
+#[derive(Debug, Default)]
+pub(super) struct Twins {
+    by_station: BTreeMap<u8, Standing>,
+    /// How often a question was lost right behind an answer.
+    lost: BTreeMap<u8, u8>,
+}
+
+impl Twins {
+    /// An answer came once more, in the same words.
+    pub(super) fn suspects(&mut self, station: u8) {
+        self.by_station.entry(station).or_default();
+    }
+
+    /// A question was lost that went out right behind an answer: it may have met the second one.
+    pub(super) fn loses(&mut self, station: u8) {
+        let lost = self.lost.entry(station).or_default();
+        *lost = lost.saturating_add(1);
+        if *lost >= LOST {
+            self.suspects(station);
+        }
+    }
+
+    /// A second answer came in other words, but the first or the second may be to something older.
+    pub(super) fn marks(&mut self, station: u8, now: Tick) {
+        let standing = self.by_station.entry(station).or_default();
+        (standing.marks, standing.singles) = (standing.marks.saturating_add(1), 0);
+        if standing.marks >= MARKS {
+            standing.two = Some(now);
+        }
+    }
+
+    /// Two answers to one question, and nothing older could come.
+    pub(super) fn proves(&mut self, station: u8, now: Tick) {
+        let standing = self.by_station.entry(station).or_default();
+        (standing.marks, standing.two) = (standing.marks.saturating_add(1), Some(now));
+    }
+
+    /// What cannot be mistaken was answered so often.
+    pub(super) fn counts(&mut self, station: u8, twice: bool) {
+        if let Some(standing) = self.by_station.get_mut(&station) {
+            standing.singles = if twice { 0 } else { standing.singles.saturating_add(1) };
+            standing.doubles = if twice { standing.doubles.saturating_add(1) } else { 0 };
+        }
+    }
+
+    /// Whether it answers everything twice, in the same words: two drives alike, or a repeater.
+    pub(super) fn answers_twice(&self, station: u8) -> bool {
+        self.by_station.get(&station).is_some_and(|standing| standing.marks == 0 && standing.doubles >= DOUBLES)
+    }
+
+    /// Whether more came from it than was asked for, and nothing speaks against two drives.
+    pub(super) fn are_likely(&self, station: u8) -> bool {
+        self.by_station.get(&station).is_some_and(|standing| standing.marks > 0 || standing.doubles > 0)
+    }
+
+    /// Whether it may be two drives.
+    pub(super) fn is_suspect(&self, station: u8) -> bool {
+        self.by_station
+            .get(&station)
+            .is_some_and(|standing| standing.singles < if standing.marks > 0 { SINGLES_OF_MARKED } else { SINGLES })
+    }
+
+    /// Whether it has ever given two answers that differ.
+    pub(super) fn is_marked(&self, station: u8) -> bool {
+        self.by_station.get(&station).is_some_and(|standing| standing.marks > 0)
+    }
+
+    /// Whether it is two drives.
+    pub(super) fn are_two(&mut self, station: u8, now: Tick) -> bool {
+        let Some(standing) = self.by_station.get_mut(&station) else { return false };
+        if standing.two.is_some_and(|since| now.since(since) > TWO_FOR) {
+            *standing = Standing { marks: 1, ..Standing::default() };
+        }
+        standing.two.is_some()
+    }
+}

@@ -1,0 +1,58 @@
+//! Two drives at one address: what they say is refused, and the cause is named.
+
+use super::run::antrieb;
+
+/// Two drives at address 1 whose parameters differ; the second answers later.
+fn twins(protocol: &str, first: u32, second: u32) -> String {
+    let drive = |delay, speed, frequency| {
+        format!(
+            "[[drive]]\nmodel = \"act\"\naddress = 1\nprotocol = \"{protocol}\"\nreply_delay = \"{delay}ms\"\nset = {{ \
+             \"372@1\" = {speed}, \"480\" = \"{frequency}\" }}\n"
+        )
+    };
+    drive(first, 1391, "12.00") + &drive(second, 1491, "5.00")
+}
+
+/// Delays of the two drives.
+const DELAYS: [(u32, u32); 3] = [(30, 45), (4, 14), (10, 40)];
+
+#[test]
+fn a_value_that_two_drives_answer_is_refused_and_the_cause_is_named() {
+    for protocol in ["rtu", "ascii", "vabus"] {
+        for (first, second) in DELAYS {
+            let run = antrieb(&format!("--protocol {protocol} -a 1 read 372@1 480"));
+            let run = run.on(&twins(protocol, first, second)).json();
+            // Over VABus an answer names its parameter, so the first may be told before the second drive is heard.
+            assert!(run.exit == 5 || run.exit == 9 && protocol == "vabus", "{protocol} {first}/{second}: {}", run.exit);
+            assert!(run.error()["hint"].as_str().unwrap().contains("two drives answer"), "{}", run.error());
+            let code = run.error()["code"].as_str().unwrap();
+            assert_eq!(code == "garbled.two_answers", run.exit == 5, "{protocol} {first}/{second}: {code}");
+        }
+    }
+}
+
+#[test]
+fn whoever_asks_two_drives_at_one_address_who_they_are_is_told() {
+    for protocol in ["rtu", "ascii"] {
+        for (first, second) in DELAYS {
+            let run =
+                antrieb(&format!("--protocol {protocol} --lang de -a 1 identify")).on(&twins(protocol, first, second));
+            let run = run.run();
+            assert!(run.err.contains("zwei Antriebe"), "{protocol} {first}/{second}: {}", run.err);
+        }
+    }
+}
+
+#[test]
+fn a_twin_on_the_bench_is_named_however_late_it_answers() {
+    // What comes when the last question has been answered nobody hears.
+    for by in [3, 5, 15, 40] {
+        let bench = format!(
+            "[[drive]]\nmodel = \"act\"\naddress = 1\n[[disturb]]\nevery = 1\nkind = \"twin\"\nby = \"{by}ms\"\n"
+        );
+        for verb in ["read 372@1 480", "identify"] {
+            let run = antrieb(&format!("-a 1 {verb}")).on(&bench).json().exits(5);
+            assert_eq!(run.error()["code"], "garbled.two_answers", "{by} ms, {verb}: {}", run.error());
+        }
+    }
+}
