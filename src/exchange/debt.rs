@@ -23,10 +23,18 @@ pub(super) struct Overtaken {
     pub(super) since: Tick,
 }
 
+/// A question whose reply may still come, and when it was asked last.
+#[derive(Clone, Debug)]
+struct Missing {
+    question: Question,
+    since: Tick,
+}
+
 /// What one station owes.
 #[derive(Clone, Debug, Default)]
 struct Debt {
-    missing: Vec<Question>,
+    /// In the order in which they were asked; of a fence counts the first time.
+    missing: Vec<Missing>,
     /// The same, every asking for itself, without those that were answered by garbage.
     lately: Vec<Overtaken>,
     since: Tick,
@@ -62,9 +70,8 @@ impl Debts {
         debt.since = now;
         debt.due = debt.due.max(due);
         debt.owed = debt.owed.saturating_add(1);
-        if !debt.missing.contains(missing) {
-            debt.missing.push(missing.clone());
-        }
+        debt.missing.retain(|old| old.question != *missing && now < old.since + LATEST_OF_ALL);
+        debt.missing.push(Missing { question: missing.clone(), since: now });
         debt
     }
 
@@ -73,8 +80,10 @@ impl Debts {
         let Some(debt) = self.by_station.get_mut(&station) else { return };
         debt.owed = debt.owed.saturating_add(1);
         debt.remember(&fence, now);
-        if !debt.missing.contains(&fence) {
-            debt.missing.push(fence);
+        debt.missing.retain(|old| now < old.since + LATEST_OF_ALL);
+        match debt.missing.iter_mut().find(|old| old.question == fence) {
+            Some(old) => old.since = now,
+            None => debt.missing.push(Missing { question: fence, since: now }),
         }
     }
 
@@ -87,7 +96,7 @@ impl Debts {
     /// Tells whether it does.
     pub(super) fn pays(&mut self, station: u8, said: &Said) -> bool {
         let Some(debt) = self.by_station.get_mut(&station) else { return false };
-        let pays = debt.missing.iter().any(|missing| missing.is_answered_by(said));
+        let pays = debt.missing.iter().any(|missing| missing.question.is_answered_by(said));
         if pays {
             debt.owed = debt.owed.saturating_sub(1);
             take_first(&mut debt.lately, said);
@@ -129,8 +138,9 @@ impl Debts {
     }
 
     /// Questions whose replies may still come from a station.
-    pub(super) fn missing(&self, station: u8) -> &[Question] {
-        self.by_station.get(&station).map_or(&[], |debt| &debt.missing)
+    pub(super) fn missing(&self, station: u8) -> Vec<Question> {
+        let missing = self.by_station.get(&station).into_iter().flat_map(|debt| &debt.missing);
+        missing.map(|missing| missing.question.clone()).collect()
     }
 
     /// When the replies are due that a station owes, and until when the latest of them may come.

@@ -225,7 +225,7 @@ impl Master {
     fn fence(&self, station: u8, question: &Question) -> Option<Question> {
         let known = self.known.get(&station).into_iter().flatten();
         let counters = self.counters.get(&station).map_or(&COMMON_COUNTERS[..], Vec::as_slice);
-        self.dialect.fence(self.debts.missing(station), question, known, counters)
+        self.dialect.fence(&self.debts.missing(station), question, known, counters)
     }
 
     /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family
@@ -363,17 +363,18 @@ impl Master {
 
     /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
     fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
-        let before = waiting.came.get(..from).unwrap_or_default();
-        let seen = waiting.echoed || before.windows(waiting.sent.len()).any(|window| window == waiting.sent);
+        let seen = waiting.has_echoed(from);
         let same = waiting.came.get(from..).is_some_and(|rest| rest.starts_with(&waiting.sent));
         same && !seen && self.echo != Echo::Absent
     }
 
-    /// Whether this answer can be no older one; that matters for a fence only.
-    fn proves(&self, job: &Job, said: &Said) -> bool {
+    /// Whether this answer can be no older one; that matters for a fence only. `behind_echo`: our own telegram stands before
+    /// it, so it is not that.
+    fn proves(&self, job: &Job, said: &Said, behind_echo: bool) -> bool {
         match &job.parting {
             Parting::Fence(fence, _) => {
-                self.dialect.settles(fence, said, self.debts.missing(job.station), self.echo != Echo::Absent)
+                let may_echo = self.echo != Echo::Absent && !behind_echo;
+                self.dialect.settles(fence, said, &self.debts.missing(job.station), may_echo)
             }
             _ => true,
         }

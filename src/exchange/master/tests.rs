@@ -57,6 +57,28 @@ impl Line {
         }
     }
 
+    /// Asks a station that answers everything after 10 ms; the words that were believed.
+    fn answered(&mut self, station: u8, request: Request) -> Option<Vec<u16>> {
+        self.master.ask(station, request, self.now);
+        loop {
+            match self.master.step(self.now) {
+                Step::Done(Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. })) => return Some(words),
+                Step::Done(_) => return None,
+                Step::Wait(until) => self.now = until,
+                Step::Send(bytes) => {
+                    let end = self.now + self.master.line.chars(bytes.len() as u64);
+                    let reply = match Request::decode(&rtu::decode(&bytes).unwrap().pdu).unwrap() {
+                        Request::Diagnostics { sub, .. } => Reply::Diagnostics { sub, data: self.sent.len() as u16 },
+                        _ => Reply::Registers(vec![7]),
+                    };
+                    self.sent.push(bytes);
+                    self.now = end + Span::from_millis(20);
+                    self.master.feed(self.now, &frame(station, &reply));
+                }
+            }
+        }
+    }
+
     fn verdicts(&mut self) -> Vec<Verdict> {
         self.master.take_records().into_iter().map(|record| record.verdict).collect()
     }
@@ -674,4 +696,38 @@ fn a_counter_that_stands_at_0_is_a_fence_on_a_line_without_echo() {
     let outcome = line.ask(1, OTHER, &[&[(10, stands)], &[(10, value(7))], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
     assert!(line.now.since(begun) < Span::from_millis(700), "an answered fence is not waited for again");
+}
+
+#[test]
+fn a_counter_that_stands_at_0_is_a_fence_behind_its_echo_too() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.has_counters(1, [0x12]);
+    let echo = |request: &Request| rtu::encode(1, &request.encode());
+    assert!(line.ask(1, READ, &[&[(0, echo(&READ)), (10, value(1390))]]).is_ok());
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(0, echo(&READ))]]).is_err());
+    let stands = frame(1, &Reply::Diagnostics { sub: 0x12, data: 0 });
+    let answer = [(0, echo(&OTHER)), (10, value(7))];
+    let begun = line.now;
+    let outcome = line.ask(1, OTHER, &[&[(0, stands.clone()), (10, stands)], &answer, &answer]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    assert!(line.now.since(begun) < Span::from_millis(700), "an answered fence is not waited for again");
+}
+
+#[test]
+fn behind_a_silence_that_took_every_fence_a_value_is_believed_within_seconds() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.has_counters(1, [0x0B, 0x0C, 0x12]);
+    let insist = Some(crate::exchange::INSIST);
+    line.master.set_limits(Limits { insist, reply_timeout: Span::from_millis(250), ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(10, value(1390))]]).is_ok());
+    for _ in 0..6 {
+        assert!(line.ask(1, OTHER, &[]).is_err());
+        assert!(line.ask(1, READ, &[]).is_err());
+        assert!(line.ask(1, Request::WriteRegister { address: 410, value: 2 }, &[]).is_err());
+    }
+    let begun = line.now;
+    // From now on the station answers everything.
+    let believed = (0..60).find_map(|_| line.answered(1, if line.sent.len() % 2 == 0 { OTHER } else { READ }));
+    assert!(believed.is_some() && line.now.since(begun) < Span::from_secs(5), "{believed:?} {}", line.now.since(begun));
 }
