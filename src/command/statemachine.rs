@@ -95,6 +95,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         needs_control: true,
         relief,
         runs: slug == "enable",
+        zero: None,
+        said: false,
     };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
@@ -182,8 +184,17 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
-    let plan =
-        Plan { action: "goto", announce, details: Vec::new(), args: motion, needs_control: true, relief: None, runs };
+    let plan = Plan {
+        action: "goto",
+        announce,
+        details: Vec::new(),
+        args: motion,
+        needs_control: true,
+        relief: None,
+        runs,
+        zero: None,
+        said: false,
+    };
     running::run(
         context,
         plan,
@@ -229,6 +240,8 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         needs_control: false,
         relief: None,
         runs: false,
+        zero: None,
+        said: false,
     };
     let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(

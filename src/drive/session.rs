@@ -73,6 +73,10 @@ pub struct Session<'a> {
     interrupt: Interrupt,
     /// Whether telegrams go out by the clock, whatever is on the line.
     insists: bool,
+    /// Every question ends then, whatever has come of it.
+    ends_at: Option<Tick>,
+    /// Why the last question brought no answer.
+    unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
     overheard: Option<Vec<Record>>,
     /// What is known of the drives by address, to name what goes over the line.
@@ -163,6 +167,8 @@ impl<'a> Session<'a> {
             observe,
             interrupt,
             insists: false,
+            ends_at: None,
+            unanswered: None,
             overheard: None,
             known: BTreeMap::new(),
             verbose,
@@ -188,6 +194,17 @@ impl<'a> Session<'a> {
         self.insists = on;
     }
 
+    /// From now on every question ends at this time, whatever has come of it, and none is asked any more; `None`: each has
+    /// the time that it needs. For what ends by the clock, and for what must not be pursued for ever.
+    pub fn end_at(&mut self, at: Option<Tick>) {
+        self.ends_at = at;
+    }
+
+    /// Whether that time is over.
+    pub fn is_over(&self) -> bool {
+        self.ends_at.is_some_and(|at| self.link.now() >= at)
+    }
+
     /// The longest that one question takes, whatever comes over the line.
     pub fn longest(&self) -> Span {
         self.master.limits().longest(self.protocol(), self.line())
@@ -210,10 +227,13 @@ impl<'a> Session<'a> {
     }
 
     async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        if self.is_over() {
+            return Err(self.too_late());
+        }
         pump::drain(&mut self.master, &mut self.link).await?;
         let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };
         self.master.ask_within(station, question, limits, self.link.now());
-        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
+        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         let records = self.master.take_records();
         self.show(&records, Some(station));
         if let Some(overheard) = &mut self.overheard {
@@ -221,12 +241,22 @@ impl<'a> Session<'a> {
             let room = MOST_OVERHEARD.saturating_sub(overheard.len());
             overheard.extend(records.into_iter().filter(strange).take(room));
         }
+        match outcome {
+            Err(PumpError::TimeUp) => return Err(self.too_late()),
+            Ok(Err(ref error)) => self.unanswered = Some(error.clone()),
+            _ => {}
+        }
         Ok(outcome??)
+    }
+
+    /// What a question ends with that has no time left: with what the line was like before.
+    fn too_late(&self) -> AccessError {
+        self.unanswered.clone().unwrap_or(ExchangeError::Unproven { asked: 0 }).into()
     }
 
     /// Carries a survey on until it has something to tell.
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
-        let outcome = pump::run(survey, &mut self.link, &self.interrupt).await;
+        let outcome = pump::run(survey, &mut self.link, &self.interrupt, None).await;
         self.show(&survey.take_records(), None);
         Ok(outcome?)
     }
@@ -538,6 +568,7 @@ impl From<PumpError> for AccessError {
         match error {
             PumpError::Link(error) => error.into(),
             PumpError::Interrupted => AccessError::Interrupted,
+            PumpError::TimeUp => ExchangeError::Unproven { asked: 0 }.into(),
         }
     }
 }

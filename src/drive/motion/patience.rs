@@ -16,6 +16,8 @@ const LONGEST: Span = Span::from_secs(600);
 const FALLING: Span = Span::from_secs(1);
 /// Nor where it will be 0 so soon: on a slow line the look at the state would fall into the time that the 0 lasts.
 const SHORTLY: Span = Span::from_secs(2);
+/// After so many looks a shaft that becomes slower does so.
+pub(super) const FEW: u8 = 3;
 /// How often the state is looked at while waiting.
 const POLL: Span = Span::from_millis(50);
 /// A round of holding a run, in looks.
@@ -82,7 +84,7 @@ impl Motor<'_, '_> {
                 Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) => failure,
                 done => return done,
             };
-            if self.session.now().since(begun) >= self.margin() {
+            if self.session.now().since(begun) >= self.margin() || self.session.is_over() {
                 return Err(failure);
             }
             self.rest(self.beat()).await?;
@@ -98,11 +100,12 @@ impl Motor<'_, '_> {
         fault_is_fine: bool,
     ) -> Result<State, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let (mut wait, mut braking, mut seen) = (self.wait(), takes, None);
+        let (mut wait, mut braking, mut seen, mut looks) = (self.wait(), takes, None, 0u8);
         if takes == Some(Takes::Transition5) {
             self.sight.goes_by_setting();
         }
         loop {
+            looks = looks.saturating_add(1);
             let state = self.state().await?;
             if goals.contains(&state.slug.as_str()) {
                 return Ok(state);
@@ -115,11 +118,17 @@ impl Motor<'_, '_> {
                 seen = Some(state.slug.clone());
                 wait.renew(self.session.now());
             }
+            if slows && looks > FEW {
+                self.takes_time(Span::ZERO);
+            }
             if wait.is_over(self.session.now()) {
                 // Asked only now: on a slow line the looks before are what shows the shaft standing.
                 match self.braking(braking.take()).await? {
                     Span::ZERO => return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await),
-                    more => wait.extend(more),
+                    more => {
+                        self.takes_time(more);
+                        wait.extend(more);
+                    }
                 }
             }
             if !self.sight.must_look() {

@@ -62,7 +62,9 @@ impl Line {
         self.master.ask(station, request, self.now);
         loop {
             match self.master.step(self.now) {
-                Step::Done(Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. })) => return Some(words),
+                Step::Done(Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. })) => {
+                    return Some(words);
+                }
                 Step::Done(_) => return None,
                 Step::Wait(until) => self.now = until,
                 Step::Send(bytes) => {
