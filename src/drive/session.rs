@@ -75,6 +75,8 @@ pub struct Session<'a> {
     insists: bool,
     /// Every question ends then, whatever has come of it.
     ends_at: Option<Tick>,
+    /// No answer is believed that may be one to the same question from before.
+    since: Option<Tick>,
     /// Why the last question brought no answer.
     unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
@@ -168,6 +170,7 @@ impl<'a> Session<'a> {
             interrupt,
             insists: false,
             ends_at: None,
+            since: None,
             unanswered: None,
             overheard: None,
             known: BTreeMap::new(),
@@ -198,6 +201,12 @@ impl<'a> Session<'a> {
     /// the time that it needs. For what ends by the clock, and for what must not be pursued for ever.
     pub fn end_at(&mut self, at: Option<Tick>) {
         self.ends_at = at;
+    }
+
+    /// From now on no answer is believed that may be one to the same question from before this moment: for what proves that
+    /// a write has been obeyed. `None`: an older answer will do.
+    pub fn believe_since(&mut self, since: Option<Tick>) {
+        self.since = since;
     }
 
     /// Whether that time is over.
@@ -231,7 +240,7 @@ impl<'a> Session<'a> {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..self.master.limits() };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         let records = self.master.take_records();

@@ -143,6 +143,12 @@ impl Debts {
         missing.map(|missing| missing.question.clone()).collect()
     }
 
+    /// Whether the reply to this question, asked before `since`, may still come.
+    pub(super) fn is_missing(&self, station: u8, question: &Question, since: Tick, now: Tick) -> bool {
+        let older = |old: &Overtaken| old.missing == *question && old.since <= since && now < old.since + LATEST_OF_ALL;
+        self.by_station.get(&station).is_some_and(|debt| debt.lately.iter().any(older))
+    }
+
     /// When the replies are due that a station owes, and until when the latest of them may come.
     pub(super) fn due(&self, station: u8) -> Option<(Tick, Tick)> {
         self.by_station.get(&station).map(|debt| (debt.due, debt.since + LATEST_OF_ALL))

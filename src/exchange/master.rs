@@ -163,7 +163,7 @@ impl Master {
             Phase::Gap(now)
         };
         self.job = Some(Job {
-            parting: self.parting(station, &question),
+            parting: self.parting(station, &question, limits.since, now),
             station,
             question,
             limits,
@@ -208,9 +208,10 @@ impl Master {
     }
 
     /// How the question is kept apart from replies that the station still owes.
-    fn parting(&self, station: u8, question: &Question) -> Parting {
+    fn parting(&self, station: u8, question: &Question, since: Option<Tick>, now: Tick) -> Parting {
         let missing = self.debts.missing(station);
-        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question));
+        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question))
+            || since.is_some_and(|since| self.debts.is_missing(station, question, since, now));
         // A stop must go out at once. Writes set values, so one whose answer may be an old one is sent again.
         if question.is_write() || !confused { Parting::None } else { self.part(station, question) }
     }
@@ -381,8 +382,12 @@ impl Master {
     }
 
     /// Whether this answer could be a late one to something else.
-    fn may_be_old(&self, said: &Said) -> bool {
+    fn may_be_old(&self, said: &Said, at: Tick) -> bool {
         let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
+        let since = job.limits.since.filter(|_| !job.question.is_write() && !self.dialect.is_numbered());
+        if since.is_some_and(|since| self.debts.is_missing(job.station, &job.question, since, at)) {
+            return true;
+        }
         // What was answered by a value before is not refused.
         let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
         let missing = self.debts.missing(job.station);
@@ -415,7 +420,7 @@ impl Master {
         if self.are_twins() {
             return;
         }
-        if self.may_be_old(&said) {
+        if self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end);
         }
         let Some(said) = self.witnessed(at, said) else { return };

@@ -150,3 +150,34 @@ fn what_only_takes_motion_away_gives_up_in_time_and_says_what_stops_the_shaft() 
     }
     assert!(sins.is_empty(), "{}", sins.join("\n"));
 }
+
+#[test]
+fn an_older_answer_proves_no_stop() {
+    let servo = "--drive lxm05 -a 1 --yes sollwert 300rpm --enable --hold";
+    let inverter = "--drive acu -a 1 --yes sollwert 10Hz --enable --hold";
+    let runs =
+        [(SERVO, servo, ""), (INVERTER, inverter, ""), (INVERTER, inverter, "ascii"), (INVERTER, inverter, "vabus")];
+    let doubled =
+        [1, 8, 15, 40, 90, 160, 240, 333, 420, 500].map(|by| format!("every = 1\nkind = \"doubled\"\nby = \"{by}ms\""));
+    let late = [(2, 700), (3, 900), (4, 1_500), (3, 2_500), (5, 4_000), (7, 6_000)]
+        .map(|(every, by)| format!("every = {every}\nkind = \"late\"\nby = \"{by}ms\""));
+    let mut sins = Vec::new();
+    for (drive, line, protocol) in runs {
+        let protocol = if protocol.is_empty() { "rtu" } else { protocol };
+        let drive = drive.replacen("[[drive]]", &format!("[[drive]]\nprotocol = \"{protocol}\""), 1);
+        for disturb in doubled.iter().chain(&late) {
+            for (duration, choice) in [(10, "quick-stop"), (120, "coast"), (330, "ramp"), (600, "quick-stop")] {
+                witness::call();
+                let line = format!("--protocol {protocol} {line} --duration {duration}ms --on-exit {choice}");
+                let run = antrieb(&line).on(&format!("{drive}[[disturb]]\n{disturb}\n")).run();
+                let (bench, _) = witness::left().unwrap();
+                let proven = run.out.lines().any(|line| line.starts_with("stop ") && line.contains(", acknowledged"));
+                let (energised, turning) = (bench.totals().energised, bench.totals().turning);
+                if proven && energised > 0 || (proven && turning > 0 && protocol == "rtu" && choice != "coast") {
+                    sins.push(format!("{line} {disturb:?}: acknowledged, {energised} energised, {turning} turning"));
+                }
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
+}

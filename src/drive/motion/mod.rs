@@ -213,6 +213,7 @@ impl<'a, 's> Motor<'a, 's> {
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.ignore_interrupts();
         self.session.insist(false);
+        self.session.believe_since(None);
         if hold || result.is_err() {
             self.give_back(self.may_give_back(stop.as_ref())).await;
         }
@@ -487,7 +488,12 @@ impl<'a, 's> Motor<'a, 's> {
             None => self.target.width(self.session, param, set).await.map_err(|error| self.failure(&error))?,
         };
         let order = Order { set, raw, kind, read_back: false };
-        match self.target.write(self.session, param, order, self.permit).await {
+        let fate = self.target.write(self.session, param, order, self.permit).await;
+        if self.stopping {
+            // What was asked before it proves nothing of it.
+            self.session.believe_since(Some(self.session.now()));
+        }
+        match fate {
             Ok(WriteFate::Unknown(error)) | Err(error) => Err(self.failure(&error)),
             Ok(_) => {
                 self.fed = self.session.now();

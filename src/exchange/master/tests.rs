@@ -733,3 +733,23 @@ fn behind_a_silence_that_took_every_fence_a_value_is_believed_within_seconds() {
     let believed = (0..60).find_map(|_| line.answered(1, if line.sent.len() % 2 == 0 { OTHER } else { READ }));
     assert!(believed.is_some() && line.now.since(begun) < Span::from_secs(5), "{believed:?} {}", line.now.since(begun));
 }
+
+#[test]
+fn a_late_answer_from_before_a_write_proves_nothing_of_it() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(1, READ, &[&[(10, value(1))]]).is_ok());
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    // Its reply comes when the same is asked again.
+    assert!(line.ask(1, READ, &[&[(620, value(1))]]).is_err());
+    let write = Request::WriteRegister { address: 0x4178, value: 15 };
+    assert!(line.ask(1, write.clone(), &[&[(10, rtu::encode(1, &write.encode()))]]).is_ok());
+    let since = Some(line.now);
+    line.master.set_limits(Limits { retries: 0, since, ..Limits::default() });
+    let answers: [&[(u64, Vec<u8>)]; 4] =
+        [&[(110, fence_reply())], &[(10, value(2))], &[(10, value(2))], &[(10, value(2))]];
+    assert_eq!(taken(line.ask(1, READ, &answers)), Reply::Registers(vec![2]));
+    // Without a word of it an older answer will do.
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(620, value(2))]]).is_err());
+    assert_eq!(taken(line.ask(1, READ, &[&[(200, value(3))]])), Reply::Registers(vec![2]));
+}
