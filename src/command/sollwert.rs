@@ -276,7 +276,10 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
     let enable = args.enable || args.jog.is_some();
     let mut motion = args.motion.clone();
     motion.hold |= args.jog.is_some();
-    let mut told = Rehearsal::new(context.settings, family, address);
+    let mut told = match zero::is_meant(args, wanted) {
+        true => Rehearsal::zeroing(context.settings, family, address, &wanted.param, wanted.mode.source.is_some()),
+        false => Rehearsal::new(context.settings, family, address),
+    };
     told.bounds(&motion, enable)?;
     wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
     if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {

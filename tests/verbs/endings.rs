@@ -181,3 +181,28 @@ fn an_older_answer_proves_no_stop() {
     }
     assert!(sins.is_empty(), "{}", sins.join("\n"));
 }
+
+#[test]
+fn a_stream_does_not_read_the_fault_memory_on() {
+    for what in ["", "@actual"] {
+        let run = antrieb(&format!("-v --drive lxm05 -a 1 monitor {what} --interval 50ms --duration 600ms"));
+        let run = run.on("[[drive]]\nmodel = \"lxm05\"\n").exits(0);
+        // FLT_err_num: 15362 = 3C02h.
+        assert!(!run.sent().is_empty() && !run.sent().iter().any(|hex| hex.starts_with("01 03 3C 02")), "{}", run.err);
+    }
+    let named = antrieb("-v --drive lxm05 -a 1 monitor FLT_err_num --interval 50ms --duration 300ms");
+    let named = named.on("[[drive]]\nmodel = \"lxm05\"\n").exits(0);
+    assert!(named.sent().iter().any(|hex| hex.starts_with("01 03 3C 02")), "{}", named.err);
+}
+
+#[test]
+fn a_new_address_is_proven_where_the_drive_is_then() {
+    let bench = "[[drive]]\nmodel = \"acu\"\n";
+    let run = antrieb("-v -a 1 --drive acu --yes write 1376=7").on(bench).json().exits(0);
+    assert_eq!(run.data("/values/0/result"), "verified", "{:#}", run.value);
+    assert!(run.err.contains(" > 07 "), "{}", run.err);
+    // Its reply does not come, but it is found where it went.
+    let lost = antrieb("-v -a 1 --drive acu --yes write 1376=7");
+    let lost = lost.on("[[drive]]\nmodel = \"acu\"\n[[disturb]]\nonce = 2\nkind = \"lost\"\n").json();
+    assert!(["verified", "unknown"].contains(&lost.data("/values/0/result").as_str().unwrap()), "{:#}", lost.value);
+}

@@ -12,6 +12,8 @@ use crate::tick::{Span, Tick};
 
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
 const RAMP_BAND: u64 = 10;
+/// A setpoint that acts late leaves the bit of the one before standing: so long it must stand that never fell.
+const LAG: Span = Span::from_secs(1);
 /// How often a run looks whether it still has control: somebody else may change that, and the status word does not always
 /// tell.
 const CONTROL_LOOKS: Span = Span::from_secs(1);
@@ -157,16 +159,20 @@ impl Motor<'_, '_> {
         let looks = if family.motion.movement == Movement::Position { 2 } else { 1 };
         let mut watch = Watch::new(family.motion.movement);
         let (mut seen, mut told) = (None, 0);
-        let mut wait = self.wait();
+        let (mut wait, mut fell) = (self.wait(), self.session.now());
+        let mut has_fallen = travels || looks == 1;
         loop {
             let status = self.look_on().await?;
             let movement = self.movement().await?;
+            if status >> bit & 1 == 0 {
+                (fell, has_fallen) = (self.session.now(), true);
+            }
             let changed = watch.see(self.session.now(), movement).changes;
             // The drive's own band may be wide: what its ramp asks for must be what it will run at.
             let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
             told = if reached && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
-            if told == looks {
+            if told >= looks && (has_fallen || self.session.now().since(fell) >= LAG) {
                 return Ok(());
             }
             // On its way to a target a shaft may turn evenly for long.

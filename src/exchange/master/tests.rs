@@ -753,3 +753,35 @@ fn a_late_answer_from_before_a_write_proves_nothing_of_it() {
     assert!(line.ask(1, READ, &[&[(620, value(2))]]).is_err());
     assert_eq!(taken(line.ask(1, READ, &[&[(200, value(3))]])), Reply::Registers(vec![2]));
 }
+
+#[test]
+fn no_flood_makes_a_buffer_grow() {
+    for protocol in [Framing::Rtu.into(), Framing::Ascii.into(), Framing::Tcp.into(), Protocol::Vabus] {
+        let mut master = Master::new(protocol, LineSetting::rtu(19_200, Parity::Even), Limits::default());
+        let largest = |master: &Master| {
+            let came = master.job.as_ref().map_or(0, |job| match &job.phase {
+                Phase::Reply(waiting) => waiting.came.len().max(waiting.garbage.len()),
+                _ => 0,
+            });
+            let orphan = master.orphan.as_ref().map_or(0, |orphan| orphan.came.len());
+            came.max(orphan).max(master.loose.bytes.len())
+        };
+        let mut now = Tick::ZERO;
+        let flood: Vec<u8> = (0..700u32).map(|index| (index * 7 % 251) as u8).collect();
+        for round in 0..200u32 {
+            if round % 20 == 3 {
+                // Given up twice as often as answered.
+                master.ask(1, READ, now);
+            }
+            for _ in 0..4 {
+                if let Step::Wait(until) = master.step(now) {
+                    now = until.min(now + Span::from_millis(30));
+                }
+            }
+            master.feed(now, &flood);
+            now = now + Span::from_millis(5);
+            assert!(largest(&master) <= 2 * MOST_BYTES, "{protocol}: {} bytes", largest(&master));
+            assert!(master.records.len() <= MOST_RECORDS);
+        }
+    }
+}
