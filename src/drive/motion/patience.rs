@@ -192,25 +192,3 @@ mod tests {
         assert_eq!([700, 701].map(|second| patient.is_over(at(second))), [false, true], "what was asked for is kept");
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_is_waited_for_longer_than_ten_minutes_unless_somebody_wants_that() {
-        let at = |seconds: u64| Tick::ZERO + Span::from_secs(seconds);
-        let over = |patience: u64| {
-            let mut wait = Wait::new(Tick::ZERO, Span::from_secs(patience));
-            (1..10_000).find(|&second| {
-                // The shaft still changes.
-                wait.renew(at(second));
-                wait.is_over(at(second))
-            })
-        };
-        assert_eq!(over(3), Some(601));
-        assert_eq!(over(2_000), Some(2_001));
-        let wait = Wait::new(Tick::ZERO, Span::from_secs(3));
-        assert!(!wait.is_over(at(3)) && wait.is_over(at(4)), "what does not change has its patience only");
-    }
-}
