@@ -601,17 +601,27 @@ fn items(selectors: &[Selector], family: &Family, lang: Lang) -> Result<Vec<Item
             known.clone().find(|param| param.has_scale()).or_else(|| known.next()).cloned()
         };
         let select = |param| Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true });
-        return Ok(DEFAULT.iter().filter_map(one_of).map(select).collect());
+        return Ok(DEFAULT.iter().filter_map(one_of).filter(|param| !moves_on(family, param)).map(select).collect());
     }
     let mut items = Vec::new();
     for selector in selectors {
         let selections = selector.resolve(family).map_err(|error| super::read::select_failure(&error))?;
         for selection in selections {
+            // Whoever names it alone wants it so.
+            if selection.of_group && moves_on(family, &selection.param) {
+                continue;
+            }
             check_number(family, &selection.param, lang)?;
             items.push(Item::new(selection));
         }
     }
     Ok(items)
+}
+
+/// Whether reading a parameter again and again may change what it shows: an entry of the fault memory, of which the next
+/// may be read the next time. The state tells of a fault as well, and `diag` shows the memory once.
+fn moves_on(family: &Family, param: &Param) -> bool {
+    family.fault_codes.memory && family.role("fault").is_some_and(|fault| fault.id == param.id)
 }
 
 /// A stream repeats its values for ever; what bits mean and what to do about them is told by `params`.

@@ -28,6 +28,65 @@ const ACTIVE_SET: u8 = 1;
 impl<'r> Rehearsal<'r> {
     /// Begins with what every run reads first.
     pub(super) fn new(settings: &Settings, family: &'r Family, address: u8) -> Self {
+        let mut told = Self::empty(settings, family, address);
+        told.looks();
+        told
+    }
+
+    /// Begins with a command that only takes motion away: it goes out before anything is read that it does not need.
+    pub(super) fn stopping(settings: &Settings, family: &'r Family, address: u8, slug: &str) -> Self {
+        let mut told = Self::empty(settings, family, address);
+        if let (Some(control), true) = (family.motion.control, slug == "disable") {
+            family.role("active-set").into_iter().for_each(|param| told.read(param, 0));
+            if let Some(param) = family.role("control-mode") {
+                let set = told.ram(param);
+                told.read(param, set);
+                let (label, obeys) = (param.label(), control.obeys);
+                told.note(
+                    &format!("where {label} does not read as {obeys} the quick stop goes out first in place of disable"),
+                    &format!("wo {label} nicht als {obeys} gelesen wird, geht zuerst der Schnellhalt statt des Sperrens hinaus"),
+                );
+            }
+        }
+        if let (Some(command), Some(param)) = (family.machine.command(slug), family.role("control-word")) {
+            told.write(param, 0, command.word.into());
+        }
+        told.goes_first();
+        told.looks();
+        told
+    }
+
+    /// Begins with a setpoint of zero, which goes out before anything is read that it does not need.
+    pub(super) fn zeroing(settings: &Settings, family: &'r Family, address: u8, zero: &Param, is_added: bool) -> Self {
+        let mut told = Self::empty(settings, family, address);
+        let roles = if is_added { ["setpoint-internal", "setpoint-bus"] } else { ["mode-active", ""] };
+        roles.into_iter().filter_map(|role| family.role(role)).for_each(|param| told.read(param, 0));
+        if is_added {
+            told.note(
+                "it goes out at once unless the internal setpoint has the other sign, which would then be left alone; with none, only the first is read",
+                "sie geht sofort hinaus, außer der interne Sollwert hat das andere Vorzeichen und bliebe dann allein übrig; ist er 0, wird nur er gelesen",
+            );
+        }
+        told.write(zero, 0, 0);
+        told.goes_first();
+        told.looks();
+        told
+    }
+
+    fn goes_first(&mut self) {
+        self.note(
+            "what takes motion away goes out first, up to five times until it is acknowledged; then the drive is looked at and the word goes out that fits its state",
+            "was Bewegung wegnimmt, geht zuerst hinaus, bis zu fünfmal, bis es bestätigt ist; dann wird der Antrieb angesehen, und das Wort geht hinaus, das zu seinem Zustand passt",
+        );
+        if self.family.role("word-order").is_some() {
+            self.note(
+                "where nobody names the word order, a word that is not 0 goes out in both",
+                "wo niemand die Wortfolge nennt, geht ein Wort, das nicht 0 ist, in beiden hinaus",
+            );
+        }
+    }
+
+    fn empty(settings: &Settings, family: &'r Family, address: u8) -> Self {
         let reader = telegram_reader(settings, family);
         let plan = Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() };
         let mut told = Rehearsal { reader, family, address, lang: settings.lang, plan, changed: Vec::new() };
@@ -43,6 +102,13 @@ impl<'r> Rehearsal<'r> {
                 ),
             );
         }
+        told
+    }
+
+    /// What every run reads first.
+    fn looks(&mut self) {
+        let family = self.family;
+        let told = self;
         let interlocks = family.motion.interlocks.iter().filter_map(|row| row.setting.as_ref());
         let settings: Vec<_> = interlocks.map(|setting| setting.role.as_str()).collect();
         for role in ["status-word", "watchdog", "active-set", "control-mode", "fault", "digital-inputs"]
@@ -58,7 +124,6 @@ impl<'r> Rehearsal<'r> {
             "a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may part old from new replies",
             "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler 11) alte von neuen Antworten",
         );
-        told
     }
 
     fn note(&mut self, en: &str, de: &str) {

@@ -3,13 +3,14 @@
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    Ended, Meant, Motor, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, watchdog_raw, watchdog_words,
+    Ended, Meant, Motor, PROOF, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, shout_zero,
+    watchdog_raw, watchdog_words,
 };
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Question, Relief};
 use crate::outcome::{Data, Decimal, Motion, Outcome};
-use crate::profile::{Family, Lang, Registry};
+use crate::profile::{Family, Lang, Mode, Registry};
 
 mod verdict;
 
@@ -32,6 +33,10 @@ pub(super) struct Plan<'p> {
     pub(super) relief: Option<Relief>,
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
+    /// A setpoint of zero: the modes of a family in which it is one.
+    pub(super) zero: Option<&'p dyn Fn(&Family) -> Vec<Mode>>,
+    /// What takes motion away has gone out already.
+    pub(super) said: bool,
 }
 
 impl Plan<'_> {
@@ -99,9 +104,13 @@ pub(super) async fn run<'p, C>(
     // What can only take motion away goes out before anything is asked.
     let act = plan.relief;
     if let Some(act) = act {
-        stop_first(&mut session, settings, registry, address, act).await?;
+        plan.said = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
+        session.insist(true);
+        session.end_at(Some(session.now() + PROOF));
     }
-    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, lang));
+    let begun = session.now();
+    let said = plan.said;
+    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said, lang));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
     // A command that relieves looks for itself, and goes out even where little can be seen.
@@ -120,6 +129,8 @@ pub(super) async fn run<'p, C>(
     let permit = match plan.relief {
         Some(act) => act.permit(),
         None => {
+            session.insist(false);
+            session.end_at(None);
             let question = question(&plan, &target, settings.node, before.as_ref().unwrap_or(&blind), lang);
             asking::on_line(&mut session, *ask, &question, lang).await?
         }
@@ -132,6 +143,7 @@ pub(super) async fn run<'p, C>(
     if let Some(before) = &before {
         motor.controls(before);
     }
+    motor.relieving = plan.relief.map(|_| begun);
     let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
             prepare(motor, &plan, &family, watchdog).await?;
@@ -176,22 +188,34 @@ async fn stop_first(
     registry: &Registry,
     address: u8,
     act: Relief,
-) -> Result<(), Failure> {
+    zero: Option<&dyn Fn(&Family) -> Vec<Mode>>,
+) -> Result<bool, Failure> {
     let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let meant = Meant { address, family, order: settings.word_order };
-    match shout(session, registry, &meant, act).await {
-        Ok(_acknowledged) => Ok(()),
-        Err(error) => Err(unstopped(error.failure(address, None, settings.lang), act, settings.lang)),
-    }
+    let sent = match zero {
+        Some(modes) => shout_zero(session, registry, &meant, modes).await,
+        None => shout(session, registry, &meant, act).await.map(|_acknowledged| true),
+    };
+    sent.map_err(|error| unstopped(error.failure(address, None, settings.lang), act, zero.is_none(), settings.lang))
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
-fn unstopped(failure: Failure, act: Relief, lang: Lang) -> Failure {
-    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted) {
+fn unstopped(failure: Failure, act: Relief, said: bool, lang: Lang) -> Failure {
+    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted | Class::Data) {
         return failure;
     }
     let mut failure = failure;
     let (said, hint) = match act {
+        Relief::Zero if said => (
+            lang.pick(
+                "the setpoint 0 was sent, whether it is obeyed is not known",
+                "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt",
+            ),
+            lang.pick(
+                "`statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
+                "`statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz",
+            ),
+        ),
         Relief::Zero => (
             lang.pick("no setpoint was sent", "es wurde kein Sollwert gesendet"),
             lang.pick(

@@ -13,7 +13,7 @@ use crate::drive::motion::Motor;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Lang, Registry};
+use crate::profile::{DataSets, Family, Lang, Mode, Registry};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
@@ -116,6 +116,8 @@ async fn give(
         (motion.hold, motion.duration) = (true, args.jog);
     }
     let enable = args.enable || args.jog.is_some();
+    let bare = spoken.is_bare_zero() && args.mode.is_none();
+    let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family, lang).ok(), family);
     let plan = Plan {
         action: "sollwert",
         announce: String::new(),
@@ -124,17 +126,21 @@ async fn give(
         needs_control: enable,
         relief,
         runs: enable,
+        zero: relief.map(|_| &zeros as &dyn Fn(&Family) -> Vec<Mode>),
+        said: false,
     };
     running::run(
         context,
         plan,
         async |session, target, before, plan| {
             let mut wanted = understand(args, spoken, &target.family, lang)?;
-            if spoken.is_bare_zero() && args.mode.is_none() {
+            if bare {
                 let present = zero::present_mode(session, target, lang).await?;
                 wanted = present.map_or_else(|| wanted.clone(), |mode| wanted.clone().in_mode(&mode, &target.family));
             }
             plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
+                // What went out needs no leave any more; what came of it is told.
+                Some(act) if plan.said => Some(act),
                 Some(_) => zero::relief(session, target, before, &wanted, lang).await?,
                 None => None,
             };
@@ -270,7 +276,10 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
     let enable = args.enable || args.jog.is_some();
     let mut motion = args.motion.clone();
     motion.hold |= args.jog.is_some();
-    let mut told = Rehearsal::new(context.settings, family, address);
+    let mut told = match zero::is_meant(args, wanted) {
+        true => Rehearsal::zeroing(context.settings, family, address, &wanted.param, wanted.mode.source.is_some()),
+        false => Rehearsal::new(context.settings, family, address),
+    };
     told.bounds(&motion, enable)?;
     wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
     if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {

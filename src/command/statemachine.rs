@@ -79,14 +79,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let family = offline_family(context.settings, context.registry)?;
     let command = family.machine.command(slug).cloned();
     let command = command.ok_or_else(|| Failure::new(Class::Data, "data.machine", format!("no command '{slug}'")))?;
+    let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, true, |told| match slug {
+        return dry_run(context, &family, motion, true, relief.map(|_| slug), |told| match slug {
             "enable" => told.walk("operation-enabled"),
             "switch-on" => told.walk("switched-on"),
             slug => told.command(slug),
         });
     }
-    let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
     let plan = Plan {
         action: slug,
         announce: command.name(lang).to_owned(),
@@ -95,6 +95,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         needs_control: true,
         relief,
         runs: slug == "enable",
+        zero: None,
+        said: false,
     };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
@@ -178,12 +180,21 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         return Err(Failure::new(Class::Usage, "usage.state", message));
     };
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, true, |told| told.walk(state));
+        return dry_run(context, &family, motion, true, None, |told| told.walk(state));
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
-    let plan =
-        Plan { action: "goto", announce, details: Vec::new(), args: motion, needs_control: true, relief: None, runs };
+    let plan = Plan {
+        action: "goto",
+        announce,
+        details: Vec::new(),
+        args: motion,
+        needs_control: true,
+        relief: None,
+        runs,
+        zero: None,
+        said: false,
+    };
     running::run(
         context,
         plan,
@@ -208,7 +219,7 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
     let family = offline_family(context.settings, context.registry)?;
     let word = contact_word(&family, contacts, lang)?;
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, false, |told| {
+        return dry_run(context, &family, motion, false, None, |told| {
             let control = family.motion.control.filter(|_| motion.take_control);
             if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
                 told.change(param, control.contacts);
@@ -229,6 +240,8 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
         needs_control: false,
         relief: None,
         runs: false,
+        zero: None,
+        said: false,
     };
     let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
     running::run(
@@ -327,10 +340,14 @@ fn dry_run(
     family: &Family,
     motion: &MotionArgs,
     needs_control: bool,
+    stops: Option<&str>,
     way: impl FnOnce(&mut Rehearsal<'_>),
 ) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
-    let mut told = Rehearsal::new(context.settings, family, address);
+    let mut told = match stops {
+        Some(slug) => Rehearsal::stopping(context.settings, family, address, slug),
+        None => Rehearsal::new(context.settings, family, address),
+    };
     told.bounds(motion, needs_control)?;
     way(&mut told);
     told.end(motion, None);

@@ -427,10 +427,9 @@ pub(super) async fn carry_out(
             Ok(kind) => {
                 tell(row, telegram(settings, &job.target.family, address, step, kind));
                 let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
-                job.target
-                    .write(session, &step.param, order, permit)
-                    .await
-                    .map_err(|error| (error, WriteResult::Unknown))
+                let fate = job.target.write(session, &step.param, order, permit).await;
+                let fate = proven_there(session, &job.target, step, fate).await;
+                fate.map_err(|error| (error, WriteResult::Unknown))
             }
             Err(error) => Err((error, WriteResult::Skipped)),
         };
@@ -460,6 +459,30 @@ pub(super) async fn carry_out(
         }
     }
     over
+}
+
+/// What became of a write behind which the drive has another address at once: there it is asked.
+async fn proven_there(
+    session: &mut Session<'_>,
+    target: &Target,
+    step: &Step,
+    fate: Result<WriteFate, AccessError>,
+) -> Result<WriteFate, AccessError> {
+    let role = if session.protocol().name() == "vabus" { "node-id" } else { "address" };
+    let family = &target.family;
+    let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param);
+    let moves = at_once && family.role(role).is_some_and(|param| param.id == step.param.id);
+    let (Ok(new), true) = (u8::try_from(step.raw), moves && target.address != 0) else { return fate };
+    if !matches!(fate, Ok(WriteFate::Written | WriteFate::Unknown(_))) {
+        return fate;
+    }
+    let mut there = Target::new(new, target.family.clone());
+    match there.read_set(session, &step.param, step.set).await {
+        Ok(reading) if reading.raw == step.raw => Ok(WriteFate::Verified),
+        Ok(reading) => Ok(WriteFate::Differs(reading.raw)),
+        Err(error) if error.is_fatal() => Err(error),
+        Err(error) => Ok(WriteFate::Unknown(error)),
+    }
 }
 
 /// How wide the value goes out, with a look at the line: at the question somebody may have unplugged the adapter or pressed

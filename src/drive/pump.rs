@@ -12,6 +12,9 @@ pub(super) enum PumpError {
     Link(#[from] LinkError),
     #[error("interrupted")]
     Interrupted,
+    /// The time that was set for it is over.
+    #[error("time is up")]
+    TimeUp,
 }
 
 /// Waits on the line without a question; what comes is nobody's answer.
@@ -60,11 +63,12 @@ pub(super) async fn hear(link: &mut Link, interrupt: &Interrupt, until: Tick) ->
     }
 }
 
-/// Runs a conversation until it has something to tell.
+/// Runs a conversation until it has something to tell, or the time is over at which it ends in any case.
 pub(super) async fn run<C: Conversation>(
     conversation: &mut C,
     link: &mut Link,
     interrupt: &Interrupt,
+    ends_at: Option<Tick>,
 ) -> Result<C::End, PumpError> {
     loop {
         // Gives the signal handlers a turn, also on the bench, where nothing ever waits.
@@ -74,8 +78,10 @@ pub(super) async fn run<C: Conversation>(
         }
         match conversation.step(link.now()) {
             Step::Done(outcome) => return Ok(outcome),
+            _ if ends_at.is_some_and(|at| link.now() >= at) => return Err(PumpError::TimeUp),
             Step::Send(bytes) => link.send(&bytes).await?,
             Step::Wait(until) => {
+                let until = ends_at.map_or(until, |at| until.min(at));
                 let wake = tokio::select! {
                     wake = link.wait(until) => wake?,
                     () = interrupt.raised() => return Err(PumpError::Interrupted),

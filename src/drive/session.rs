@@ -73,6 +73,12 @@ pub struct Session<'a> {
     interrupt: Interrupt,
     /// Whether telegrams go out by the clock, whatever is on the line.
     insists: bool,
+    /// Every question ends then, whatever has come of it.
+    ends_at: Option<Tick>,
+    /// No answer is believed that may be one to the same question from before.
+    since: Option<Tick>,
+    /// Why the last question brought no answer.
+    unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
     overheard: Option<Vec<Record>>,
     /// What is known of the drives by address, to name what goes over the line.
@@ -165,6 +171,9 @@ impl<'a> Session<'a> {
             observe,
             interrupt,
             insists: false,
+            ends_at: None,
+            since: None,
+            unanswered: None,
             overheard: None,
             known: BTreeMap::new(),
             twice: BTreeSet::new(),
@@ -191,6 +200,23 @@ impl<'a> Session<'a> {
         self.insists = on;
     }
 
+    /// From now on every question ends at this time, whatever has come of it, and none is asked any more; `None`: each has
+    /// the time that it needs. For what ends by the clock, and for what must not be pursued for ever.
+    pub fn end_at(&mut self, at: Option<Tick>) {
+        self.ends_at = at;
+    }
+
+    /// From now on no answer is believed that may be one to the same question from before this moment: for what proves that
+    /// a write has been obeyed. `None`: an older answer will do.
+    pub fn believe_since(&mut self, since: Option<Tick>) {
+        self.since = since;
+    }
+
+    /// Whether that time is over.
+    pub fn is_over(&self) -> bool {
+        self.ends_at.is_some_and(|at| self.link.now() >= at)
+    }
+
     /// The longest that one question takes, whatever comes over the line.
     pub fn longest(&self) -> Span {
         self.master.limits().longest(self.protocol(), self.line())
@@ -213,10 +239,13 @@ impl<'a> Session<'a> {
     }
 
     async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        if self.is_over() {
+            return Err(self.too_late());
+        }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), ..self.master.limits() };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..self.master.limits() };
         self.master.ask_within(station, question, limits, self.link.now());
-        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt).await;
+        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         let records = self.master.take_records();
         self.show(&records, Some(station));
         if let Some(overheard) = &mut self.overheard {
@@ -225,6 +254,11 @@ impl<'a> Session<'a> {
             overheard.extend(records.into_iter().filter(strange).take(room));
         }
         self.tell_twice(station);
+        match outcome {
+            Err(PumpError::TimeUp) => return Err(self.too_late()),
+            Ok(Err(ref error)) => self.unanswered = Some(error.clone()),
+            _ => {}
+        }
         Ok(outcome??)
     }
 
@@ -244,9 +278,14 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// What a question ends with that has no time left: with what the line was like before.
+    fn too_late(&self) -> AccessError {
+        self.unanswered.clone().unwrap_or(ExchangeError::Unproven { asked: 0 }).into()
+    }
+
     /// Carries a survey on until it has something to tell.
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
-        let outcome = pump::run(survey, &mut self.link, &self.interrupt).await;
+        let outcome = pump::run(survey, &mut self.link, &self.interrupt, None).await;
         self.show(&survey.take_records(), None);
         Ok(outcome?)
     }
@@ -558,6 +597,7 @@ impl From<PumpError> for AccessError {
         match error {
             PumpError::Link(error) => error.into(),
             PumpError::Interrupted => AccessError::Interrupted,
+            PumpError::TimeUp => ExchangeError::Unproven { asked: 0 }.into(),
         }
     }
 }

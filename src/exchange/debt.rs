@@ -33,10 +33,18 @@ impl Overtaken {
     }
 }
 
+/// A question whose reply may still come, and when it was asked last.
+#[derive(Clone, Debug)]
+struct Missing {
+    question: Question,
+    since: Tick,
+}
+
 /// What one station owes.
 #[derive(Clone, Debug, Default)]
 struct Debt {
-    missing: Vec<Question>,
+    /// In the order in which they were asked; of a fence counts the first time.
+    missing: Vec<Missing>,
     /// The same, every asking for itself.
     lately: Vec<Overtaken>,
     since: Tick,
@@ -72,9 +80,8 @@ impl Debts {
         debt.since = now;
         debt.due = debt.due.max(due);
         debt.owed = debt.owed.saturating_add(1);
-        if !debt.missing.contains(missing) {
-            debt.missing.push(missing.clone());
-        }
+        debt.missing.retain(|old| old.question != *missing && now < old.since + LATEST_OF_ALL);
+        debt.missing.push(Missing { question: missing.clone(), since: now });
         debt
     }
 
@@ -83,8 +90,10 @@ impl Debts {
         let Some(debt) = self.by_station.get_mut(&station) else { return };
         debt.owed = debt.owed.saturating_add(1);
         debt.remember(&fence, now, false);
-        if !debt.missing.contains(&fence) {
-            debt.missing.push(fence);
+        debt.missing.retain(|old| now < old.since + LATEST_OF_ALL);
+        match debt.missing.iter_mut().find(|old| old.question == fence) {
+            Some(old) => old.since = now,
+            None => debt.missing.push(Missing { question: fence, since: now }),
         }
     }
 
@@ -97,7 +106,7 @@ impl Debts {
     /// Tells whether it does.
     pub(super) fn pays(&mut self, station: u8, said: &Said) -> bool {
         let Some(debt) = self.by_station.get_mut(&station) else { return false };
-        let pays = debt.missing.iter().any(|missing| missing.is_answered_by(said));
+        let pays = debt.missing.iter().any(|missing| missing.question.is_answered_by(said));
         if pays {
             debt.owed = debt.owed.saturating_sub(1);
             take_first(&mut debt.lately, said);
@@ -143,8 +152,15 @@ impl Debts {
     }
 
     /// Questions whose replies may still come from a station.
-    pub(super) fn missing(&self, station: u8) -> &[Question] {
-        self.by_station.get(&station).map_or(&[], |debt| &debt.missing)
+    pub(super) fn missing(&self, station: u8) -> Vec<Question> {
+        let missing = self.by_station.get(&station).into_iter().flat_map(|debt| &debt.missing);
+        missing.map(|missing| missing.question.clone()).collect()
+    }
+
+    /// Whether the reply to this question, asked before `since`, may still come.
+    pub(super) fn is_missing(&self, station: u8, question: &Question, since: Tick, now: Tick) -> bool {
+        let older = |old: &Overtaken| old.missing == *question && old.since <= since && now < old.since + LATEST_OF_ALL;
+        self.by_station.get(&station).is_some_and(|debt| debt.lately.iter().any(older))
     }
 
     /// When the replies are due that a station owes, and until when the latest of them may come.

@@ -328,7 +328,9 @@ impl Dialect {
             Protocol::Modbus(_) => {
                 let subs = BUSY_COUNTERS.into_iter().chain(COUNTERS.rev());
                 let had = subs.filter(|sub| counters.contains(sub));
-                had.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 })).find(fresh)
+                let mut had = had.map(|sub| Question::Modbus(Request::Diagnostics { sub, data: 0 }));
+                // One that was asked in vain parts as well as before, as long as nothing was asked since.
+                had.find(fresh).or_else(|| missing.last().filter(|last| is_counter(last) && *last != question).cloned())
             }
             Protocol::Vabus => known.find(|known| fresh(known)).cloned(),
         }
@@ -364,6 +366,10 @@ fn has_form_of_reply(framing: Framing, bytes: &[u8]) -> bool {
         Framing::Ascii => bytes.first() == Some(&ascii::START) && bytes.ends_with(ascii::END),
         Framing::Tcp => false,
     }
+}
+
+fn is_counter(question: &Question) -> bool {
+    matches!(question, Question::Modbus(Request::Diagnostics { .. }))
 }
 
 fn confuses_modbus(missing: &Request, question: &Request) -> bool {

@@ -185,6 +185,12 @@ impl Waiting {
         }
     }
 
+    /// Whether our telegram came back before this place.
+    pub(super) fn has_echoed(&self, place: usize) -> bool {
+        let before = self.came.get(..place).unwrap_or_default();
+        self.echoed || before.windows(self.sent.len()).any(|window| window == self.sent)
+    }
+
     /// When what has come is looked at, if a telegram straggles for so long: when the line falls silent, but soon after the
     /// deadline in any case.
     pub(super) fn over(&self, straggle: Span) -> Tick {

@@ -4,7 +4,7 @@ use super::dialect::Dialect;
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::rtu;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 
 use super::twins::SECOND_WITHIN;
 
@@ -25,6 +25,8 @@ pub struct Limits {
     /// An answer is asked for once more where it may be another's. Not what is cleared by reading, such as the register
     /// that tells why a drive said no.
     pub witness: bool,
+    /// No answer is believed that may be one to the same question from before this time. What proves a stop is asked so.
+    pub since: Option<Tick>,
 }
 
 impl Default for Limits {
@@ -36,6 +38,7 @@ impl Default for Limits {
             turnaround: Span::from_millis(100), // MODBUS over Serial Line V1.02, 2.4.1: typically 100-200 ms
             insist: None,
             witness: true,
+            since: None,
         }
     }
 }

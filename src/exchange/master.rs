@@ -231,9 +231,10 @@ impl Master {
     }
 
     /// How the question is kept apart from replies that the station still owes.
-    fn parting(&self, station: u8, question: &Question) -> Parting {
+    fn parting(&self, station: u8, question: &Question, since: Option<Tick>, now: Tick) -> Parting {
         let missing = self.debts.missing(station);
-        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question));
+        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question))
+            || since.is_some_and(|since| self.debts.is_missing(station, question, since, now));
         // A stop must go out at once. Writes set values, so one whose answer may be an old one is sent again.
         if question.is_write() || !confused { Parting::None } else { self.part(station, question) }
     }
@@ -248,7 +249,7 @@ impl Master {
     fn fence(&self, station: u8, question: &Question) -> Option<Question> {
         let known = self.known.get(&station).into_iter().flatten();
         let counters = self.counters.get(&station).map_or(&COMMON_COUNTERS[..], Vec::as_slice);
-        self.dialect.fence(self.debts.missing(station), question, known, counters)
+        self.dialect.fence(&self.debts.missing(station), question, known, counters)
     }
 
     /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family
@@ -392,26 +393,30 @@ impl Master {
 
     /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
     fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
-        let before = waiting.came.get(..from).unwrap_or_default();
-        let seen = waiting.echoed || before.windows(waiting.sent.len()).any(|window| window == waiting.sent);
+        let seen = waiting.has_echoed(from);
         let same = waiting.came.get(from..).is_some_and(|rest| rest.starts_with(&waiting.sent));
         same && !seen && self.echo != Echo::Absent
     }
 
-    /// Whether this answer can be no older one; that matters for a fence only.
-    fn proves(&self, job: &Job, said: &Said) -> bool {
+    /// Whether this answer can be no older one; that matters for a fence only. `behind_echo`: our own telegram stands before
+    /// it, so it is not that.
+    fn proves(&self, job: &Job, said: &Said, behind_echo: bool) -> bool {
         match &job.parting {
             Parting::Fence(fence, _) => {
-                let may_echo = self.echoed || self.echo != Echo::Absent;
-                self.dialect.settles(fence, said, self.debts.missing(job.station), may_echo)
+                let may_echo = (self.echoed || self.echo != Echo::Absent) && !behind_echo;
+                self.dialect.settles(fence, said, &self.debts.missing(job.station), may_echo)
             }
             _ => true,
         }
     }
 
     /// Whether this answer could be a late one to something else.
-    fn may_be_old(&self, said: &Said) -> bool {
+    fn may_be_old(&self, said: &Said, at: Tick) -> bool {
         let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
+        let since = job.limits.since.filter(|_| !job.question.is_write() && !self.dialect.is_numbered());
+        if since.is_some_and(|since| self.debts.is_missing(job.station, &job.question, since, at)) {
+            return true;
+        }
         // What was answered by a value before is not refused.
         let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
         let missing = self.debts.missing(job.station);
@@ -451,7 +456,7 @@ impl Master {
         if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
             self.twins.suspects(job.station); // two telegrams came
         }
-        if self.is_doubted(&said) || self.may_be_old(&said) {
+        if self.is_doubted(&said) || self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end);
         }
         if self.is_suspected(at) {
@@ -474,9 +479,9 @@ impl Master {
             }
             (job.asked, job.patient) = (0, false);
             job.phase = Phase::Gap(at);
-            let (station, question) = (job.station, job.question.clone());
+            let (station, question, since) = (job.station, job.question.clone(), job.limits.since);
             // Somebody else may have asked it since.
-            let parting = self.parting(station, &question);
+            let parting = self.parting(station, &question, since, at);
             if let Some(job) = &mut self.job {
                 job.parting = parting;
             }

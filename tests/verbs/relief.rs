@@ -145,3 +145,57 @@ fn a_shaft_that_coasts_is_said_to_turn() {
     let notes = run.data("/notes").to_string();
     assert!(notes.contains("coasts"), "{notes} {}", run.value);
 }
+
+/// The setpoint 0: P.484 by code 65h, PVn_target by code 16; over VABus the number stands in digits.
+const ZEROS: [&str; 2] = ["01 65 01 E4 00 00 00 00", "01 10 1B 1A 00 02 04 00 00 00 00"];
+
+#[test]
+fn a_zero_goes_out_at_once_on_every_line() {
+    let busy = [
+        ("drip", "kind = \"babble\"\npattern = \"55\"\nby = \"20ms\""),
+        ("master", "kind = \"babble\"\npattern = \"master\"\nby = \"12ms\""),
+        ("flood", "kind = \"babble\"\npattern = \"random\"\nby = \"1ms\""),
+    ];
+    let mut sins = Vec::new();
+    for (model, protocol) in [("act", "rtu"), ("acu", "rtu"), ("acu", "ascii"), ("acu", "vabus"), ("lxm05", "rtu")] {
+        for (name, how) in LINES.into_iter().chain(busy) {
+            for drive in [format!("--drive {model}"), String::new()] {
+                let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
+                let set = if model == "lxm05" {
+                    ""
+                } else {
+                    "\"410\" = 15, \"412\" = 1, \"434\" = 3, \"228\" = 0, \"484\" = 20"
+                };
+                let bench =
+                    format!("[[drive]]\nmodel = \"{model}\"\nprotocol = \"{protocol}\"\nset = {{ {set} }}\n{how}\n");
+                witness::call();
+                let run = antrieb(&format!("-v --protocol {protocol} -a 1 {drive} sollwert 0")).on(&bench).run();
+                let sent = run.err.lines().find_map(|line| {
+                    let (at, told) = line.split_once(" ms > ")?;
+                    let vabus = told.contains("write") && told.contains("484");
+                    let ascii = told.contains("484") && told.contains("= 0");
+                    (ZEROS.iter().any(|zero| told.starts_with(zero)) || vabus || ascii)
+                        .then(|| at.trim().parse::<f64>().unwrap())
+                });
+                // Whoever is not named is asked who he is.
+                if sent.is_none_or(|at| at > if drive.is_empty() { 2_000.0 } else { 1_500.0 }) {
+                    sins.push(format!("{model} {protocol} {drive} {name}: {sent:?}, exit {}", run.exit));
+                }
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
+}
+
+#[test]
+fn a_zero_behind_which_the_shaft_would_turn_the_other_way_never_goes_out_unseen() {
+    for (name, how) in LINES {
+        let how = if how.is_empty() { String::new() } else { format!("[[disturb]]\n{how}") };
+        let bench = active("acu", 1, &how).replace("\"434\" = 2", "\"434\" = 3, \"228\" = -40");
+        let baud = if how.is_empty() { 115_200 } else { 19_200 };
+        let run = antrieb(&format!("-v -b {baud} -a 1 --drive acu sollwert 0")).on(&bench).run();
+        // Where nothing comes back in time nobody can tell, and the order is carried out.
+        let unseen = ["silent", "garbled", "late 600", "late 900"].contains(&name);
+        assert!(unseen || !run.sent().iter().any(|hex| hex.starts_with(ZEROS[0])), "{name}: {}", run.err);
+    }
+}

@@ -401,3 +401,25 @@ fn who_was_asked_once_was_not_asked_times() {
     let silent = antrieb("-p sim -a 77 --retries 0 read 372").exits(4);
     assert!(silent.err.contains("asked once") && !silent.err.contains("1 times"), "{}", silent.err);
 }
+
+#[test]
+fn a_dry_run_of_what_stops_begins_with_the_telegram_that_stops() {
+    for (line, first) in [
+        ("--drive acu statemachine quick-stop", "01 06 01 9A 00 02"),
+        ("--drive acu statemachine disable-voltage", "01 06 01 9A 00 00"),
+        ("--drive lxm05 statemachine quick-stop", "01 10 1B 02 00 02 04 00 00 00 02"),
+    ] {
+        let planned = antrieb(&format!("-a 1 {line} --dry-run")).json().exits(0);
+        assert!(planned.data("/telegrams/0/hex").as_str().unwrap().starts_with(first), "{line}: {:#}", planned.value);
+    }
+    for (line, third) in [
+        // P.249 and P.412 tell whether it would close contacts; P.228 and P.282 what is left behind a zero.
+        ("--drive acu statemachine disable", "01 06 01 9A 00 07"),
+        ("--drive acu sollwert 0", "01 65 01 E4 00 00 00 00"),
+    ] {
+        let planned = antrieb(&format!("-a 1 {line} --dry-run")).json().exits(0);
+        assert!(planned.data("/telegrams/2/hex").as_str().unwrap().starts_with(third), "{line}: {:#}", planned.value);
+        let german = antrieb(&format!("-a 1 --lang de {line} --dry-run")).exits(0).out;
+        assert!(german.contains("geht zuerst hinaus"), "{german}");
+    }
+}

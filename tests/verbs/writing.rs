@@ -228,7 +228,7 @@ fn an_unknown_parameter_is_written_raw() {
 fn the_way_back_is_printed_when_the_line_is_cut() {
     let document = antrieb("-p sim -a 1 --yes write 1376=5").json().exits(0);
     assert_eq!(document.warnings(), ["line.changed"]);
-    assert_eq!(results(&document), ["1376@0 eeprom written"]);
+    assert_eq!(results(&document), ["1376@0 eeprom verified"]);
     let run = antrieb("-p sim -a 1 --yes write 10=5").exits(0);
     assert!(run.err.contains("LINE: this can cut the line"), "{}", run.err);
     assert!(run.err.contains("after the next reset") && run.err.contains("write 4"), "{}", run.err);

@@ -21,7 +21,9 @@ pub(super) fn of(
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
         (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done, lang)),
         // A stop on a line that proves nothing, and nobody saw what became of it.
-        (Some(failure), None) if plan.relief.is_some() && running.is_none() => Some(dangerous(failure, family, lang)),
+        (Some(failure), None) if plan.relief.is_some() && running != Some(false) && on_line(&failure) => {
+            Some(dangerous(failure, family, lang))
+        }
         (Some(failure), None) => Some(failure),
         (None, Some(stop)) if is_unproven(stop, done) => Some(match fault(plan, seen) {
             Some(code) => stopped(tripped(family, code, lang), stop, running, family, done, lang),
@@ -38,6 +40,11 @@ pub(super) fn of(
 fn is_unproven(stop: &Stop, done: &Done) -> bool {
     let ends_still = !["coast", "keep"].contains(&stop.choice) && !done.idle;
     stop.choice != "keep" && (!stop.acknowledged || (ends_still && stop.standing != Some(true)))
+}
+
+/// Whether the line is the reason.
+fn on_line(failure: &Failure) -> bool {
+    matches!(failure.class, Class::Silence | Class::Garbled | Class::Port | Class::Interrupted)
 }
 
 /// A run that went wrong, and what its stop did.

@@ -34,6 +34,15 @@ pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
         && wanted.schedule.values().all(|raw| raw == 0)
 }
 
+/// The modes of a family that a zero may mean, before the drive is asked.
+pub(super) fn modes(args: &Args, bare: bool, wanted: Option<Wanted>, family: &Family) -> Vec<Mode> {
+    let Some(wanted) = wanted.filter(|wanted| is_meant(args, wanted)) else { return Vec::new() };
+    match bare && wanted.mode.value.is_some() {
+        true => family.modes.iter().filter(|mode| mode.zero_stops() && mode.starts.is_empty()).cloned().collect(),
+        false => vec![wanted.mode],
+    }
+}
+
 /// What a zero is on this drive, as it works now: a relief, unless it would change the mode, or something else would then
 /// turn the shaft another way.
 pub(super) async fn relief(

@@ -21,8 +21,8 @@ pub use look::{
     Situation, Standing, look, may_change_mode, missing, no_control, role_raw, runs_at, standing, tripped,
     upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
 };
-pub use relief::may_turn;
-pub use shout::shout;
+pub use relief::{PROOF, may_turn};
+pub use shout::{shout, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::{StopChoice, watchdog_words};
 pub use walk::no_fault;
@@ -89,6 +89,10 @@ pub struct Motor<'a, 's> {
     seen: Option<String>,
     /// When the drive answered last.
     heard: Tick,
+    /// When it was last looked at who has control.
+    minded: Tick,
+    /// Nothing but motion is taken away, which was said at this time: it is given up if nothing proves anything in time.
+    pub relieving: Option<Tick>,
     /// The stop was given up because it answered no more.
     pub unheard: bool,
     /// When it was written to last, and what can be written to it again without changing anything.
@@ -110,6 +114,8 @@ pub struct Motor<'a, 's> {
     pub expects: Option<(i64, i64)>,
     /// Setpoint of the mode that the drive shows; the stop sets it to 0.
     zeroes: Option<u32>,
+    /// Setpoint that the stop has set to 0 before it asked for that mode.
+    zeroed: Option<u32>,
     /// What is worth knowing besides.
     pub notes: Vec<String>,
 }
@@ -157,6 +163,8 @@ impl<'a, 's> Motor<'a, 's> {
             word: 0,
             seen: None,
             heard: now,
+            minded: now,
+            relieving: None,
             unheard: false,
             fed: now,
             again: None,
@@ -168,6 +176,7 @@ impl<'a, 's> Motor<'a, 's> {
             setpoint: None,
             expects: None,
             zeroes: None,
+            zeroed: None,
             notes: Vec::new(),
         }
     }
@@ -210,6 +219,7 @@ impl<'a, 's> Motor<'a, 's> {
             Err(failure) if answers => Err(self.explained(failure).await),
             result => result,
         };
+        self.session.believe_since(None);
         if hold || result.is_err() {
             self.give_back(self.may_give_back(stop.as_ref())).await;
         }
@@ -291,6 +301,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
         let raw = look::raw(self.session, self.target, param, 0, self.lang).await?;
         self.heard = self.session.now();
+        self.goes_on();
         Ok(raw)
     }
 
@@ -319,7 +330,12 @@ impl<'a, 's> Motor<'a, 's> {
             None => self.target.width(self.session, param, set).await.map_err(|error| self.failure(&error))?,
         };
         let order = Order { set, raw, kind, read_back: false };
-        match self.target.write(self.session, param, order, self.permit).await {
+        let fate = self.target.write(self.session, param, order, self.permit).await;
+        if self.stopping {
+            // What was asked before it proves nothing of it.
+            self.session.believe_since(Some(self.session.now()));
+        }
+        match fate {
             Ok(WriteFate::Unknown(error)) | Err(error) => Err(self.failure(&error)),
             Ok(_) => {
                 self.fed = self.session.now();

@@ -16,6 +16,8 @@ const LONGEST: Span = Span::from_secs(600);
 const FALLING: Span = Span::from_secs(1);
 /// Nor where it will be 0 so soon: on a slow line the look at the state would fall into the time that the 0 lasts.
 const SHORTLY: Span = Span::from_secs(2);
+/// After so many looks a shaft that becomes slower does so.
+pub(super) const FEW: u8 = 3;
 /// How often the state is looked at while waiting.
 const POLL: Span = Span::from_millis(50);
 /// A round of holding a run, in looks.
@@ -82,7 +84,7 @@ impl Motor<'_, '_> {
                 Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) => failure,
                 done => return done,
             };
-            if self.session.now().since(begun) >= self.margin() {
+            if self.session.now().since(begun) >= self.margin() || self.session.is_over() {
                 return Err(failure);
             }
             self.rest(self.beat()).await?;
@@ -98,11 +100,12 @@ impl Motor<'_, '_> {
         fault_is_fine: bool,
     ) -> Result<State, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let (mut wait, mut braking, mut seen) = (self.wait(), takes, None);
+        let (mut wait, mut braking, mut seen, mut looks) = (self.wait(), takes, None, 0u8);
         if takes == Some(Takes::Transition5) {
             self.sight.goes_by_setting();
         }
         loop {
+            looks = looks.saturating_add(1);
             let state = self.state().await?;
             if goals.contains(&state.slug.as_str()) {
                 return Ok(state);
@@ -115,11 +118,17 @@ impl Motor<'_, '_> {
                 seen = Some(state.slug.clone());
                 wait.renew(self.session.now());
             }
+            if slows && looks > FEW {
+                self.takes_time(Span::ZERO);
+            }
             if wait.is_over(self.session.now()) {
                 // Asked only now: on a slow line the looks before are what shows the shaft standing.
                 match self.braking(braking.take()).await? {
                     Span::ZERO => return Err(self.stuck(&state, goals.first().copied().unwrap_or_default()).await),
-                    more => wait.extend(more),
+                    more => {
+                        self.takes_time(more);
+                        wait.extend(more);
+                    }
                 }
             }
             if !self.sight.must_look() {
@@ -159,28 +168,6 @@ impl Motor<'_, '_> {
             sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
         }
         Ok(sum)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_wait_begins_anew_with_every_change_but_not_for_ever() {
-        let at = |second| Tick::ZERO + Span::from_secs(second);
-        let mut wait = Wait::new(at(10), Span::from_secs(3));
-        assert_eq!([10, 13, 14].map(|second| wait.is_over(at(second))), [false, false, true]);
-        for second in (12..=610).step_by(2) {
-            wait.renew(at(second));
-            assert!(!wait.is_over(at(second)) && wait.is_over(at(second + 4)), "{second}");
-        }
-        wait.renew(at(611));
-        assert!(wait.is_over(at(611)), "ten minutes are enough, however evenly it changes");
-        let mut patient = Wait::new(at(0), Span::from_secs(700));
-        assert_eq!([650, 700, 701].map(|second| patient.is_over(at(second))), [false, false, true]);
-        patient.renew(at(690));
-        assert_eq!([700, 701].map(|second| patient.is_over(at(second))), [false, true], "what was asked for is kept");
     }
 }
 

@@ -7,6 +7,7 @@ use super::{Lever, Motor, Situation, StopChoice};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Lang, Mode, Param, Takes, Transition};
+use crate::tick::Span;
 
 /// The command of the state machine that an act is; `None` for a setpoint.
 pub(super) fn command_of(act: Relief) -> Option<&'static str> {
@@ -34,7 +35,28 @@ impl StopChoice {
     }
 }
 
+/// What only takes motion away goes out first. So long an answer to what proves it may be missing: then the end is told as
+/// it is, because whoever stands beside the shaft must know.
+pub const PROOF: Span = Span::from_secs(6);
+/// And so long answers may come that prove nothing, unless the shaft becomes slower.
+const PROVING: Span = Span::from_secs(12);
+
 impl Motor<'_, '_> {
+    /// The drive has answered: what takes motion away is waited for on.
+    pub(super) fn goes_on(&mut self) {
+        if let Some(since) = self.relieving {
+            self.session.end_at(Some((self.session.now() + PROOF).min(since + PROVING)));
+        }
+    }
+
+    /// The shaft becomes slower, or will not before this time is over: that is no reason to give up.
+    pub(super) fn takes_time(&mut self, span: Span) {
+        if self.relieving.is_some() {
+            self.relieving = Some(self.session.now() + span);
+            self.goes_on();
+        }
+    }
+
     /// Takes motion away by a command, whatever the state, and waits for the state and the standstill that prove it. The
     /// first word went out already ([`super::shout`]); now the one follows that fits what the drive says of itself.
     pub async fn relieve(&mut self, act: Relief) -> Result<(), Failure> {
@@ -42,7 +64,7 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         self.enabled = false;
-        self.shouted = true;
+        (self.shouted, self.stopping) = (true, true);
         self.sight.forget();
         self.session.insist(true);
         let mut situation = self.glance().await?;
@@ -118,6 +140,7 @@ impl Motor<'_, '_> {
     /// Gives the setpoint 0 and waits for the standstill. That it does not come is said, and ends nothing: a least
     /// frequency may hold the shaft turning.
     pub async fn relieve_setpoint(&mut self, mode: &Mode, param: &Param) -> Result<(), Failure> {
+        self.stopping = true;
         self.session.insist(true);
         self.prepare(mode);
         self.give(param, 0, param.unit.as_deref().unwrap_or("")).await?;

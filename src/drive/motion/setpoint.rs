@@ -1,17 +1,22 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
-use super::look::{Standing, raw, shown, standing};
+use super::look::{Standing, raw, shown, standing, working_raw};
 use super::patience::ROUND;
 use super::shaft::Watch;
 use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Decimal, Setpoint};
-use crate::profile::{Lang, Mode, Movement, Param, Start};
-use crate::tick::Span;
+use crate::profile::{Control, Lang, Mode, Movement, Param, Start};
+use crate::tick::{Span, Tick};
 
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
 const RAMP_BAND: u64 = 10;
+/// A setpoint that acts late leaves the bit of the one before standing: so long it must stand that never fell.
+const LAG: Span = Span::from_secs(1);
+/// How often a run looks whether it still has control: somebody else may change that, and the status word does not always
+/// tell.
+const CONTROL_LOOKS: Span = Span::from_secs(1);
 
 /// The drive left the run by itself.
 const LEFT_RUN: &str = "forbidden.left_run";
@@ -157,16 +162,20 @@ impl Motor<'_, '_> {
         let looks = if family.motion.movement == Movement::Position { 2 } else { 1 };
         let mut watch = Watch::new(family.motion.movement);
         let (mut seen, mut told) = (None, 0);
-        let mut wait = self.wait();
+        let (mut wait, mut fell) = (self.wait(), self.session.now());
+        let mut has_fallen = travels || looks == 1;
         loop {
             let status = self.look_on().await?;
             let movement = self.movement().await?;
+            if status >> bit & 1 == 0 {
+                (fell, has_fallen) = (self.session.now(), true);
+            }
             let changed = watch.see(self.session.now(), movement).changes;
             // The drive's own band may be wide: what its ramp asks for must be what it will run at.
             let reached = status >> bit & 1 == 1 && self.ramp_is_through().await?;
             self.note_actual(reached, movement);
             told = if reached && (!travels || looks == 1 || told == 0 || watch.stands()) { told + 1 } else { 0 };
-            if told == looks {
+            if told >= looks && (has_fallen || self.session.now().since(fell) >= LAG) {
                 return Ok(());
             }
             // On its way to a target a shaft may turn evenly for long.
@@ -229,14 +238,45 @@ impl Motor<'_, '_> {
         self.session.insist(true);
         self.tell_held();
         let begun = self.session.now();
+        // A question that is under way then puts off nothing.
+        self.session.end_at(duration.map(|duration| begun + duration));
+        let held = self.hold_on(begun, duration, &mut each).await;
+        let over = self.session.is_over();
+        self.session.end_at(None);
+        match held {
+            Err(failure) if over && matches!(failure.class, Class::Silence | Class::Garbled) => Ok(()),
+            held => held,
+        }
+    }
+
+    async fn hold_on(
+        &mut self,
+        begun: Tick,
+        duration: Option<Span>,
+        each: &mut impl AsyncFnMut(&mut Self, Span) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let end = duration.map(|duration| begun + duration);
+        let mut looked = begun;
         loop {
             let gone = self.session.now().since(begun);
             if duration.is_some_and(|duration| gone >= duration) {
                 return Ok(());
             }
             self.bear(async |motor: &mut Self| each(motor, gone).await).await?;
-            self.look_on().await?;
-            let gone = self.session.now().since(begun);
+            // Neither does a look put off what is given again before the drive's watchdog misses it.
+            let due = self.guard.map(|guard| self.session.now() + Span::from_micros(guard.as_micros() / 2));
+            self.session.end_at(end.into_iter().chain(due).min());
+            let seen = self.look_on().await;
+            let now = self.session.now();
+            let patience = self.guard.map_or(Span::ZERO, |guard| Span::from_micros(guard.as_micros() / 4 * 3));
+            let cut = self.session.is_over() && now.since(looked) < patience;
+            self.session.end_at(end);
+            match seen {
+                Err(failure) if cut && matches!(failure.class, Class::Silence | Class::Garbled) => continue,
+                seen => seen?,
+            };
+            looked = now;
+            let gone = now.since(begun);
             self.rest(self.round(duration, gone)).await?;
         }
     }
@@ -252,6 +292,7 @@ impl Motor<'_, '_> {
                 if self.lever == Lever::ControlWord && self.is_remote(status).is_some_and(|remote| self.lost(remote)) {
                     return Err(self.taken().await);
                 }
+                self.mind_control().await?;
             }
             slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
             _ if !self.enabled => {}
@@ -271,6 +312,29 @@ impl Motor<'_, '_> {
     pub(super) async fn explained(&mut self, failure: Failure) -> Failure {
         let missing = if failure.code == LEFT_RUN { self.missing_now().await } else { Vec::new() };
         if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
+    }
+
+    /// Asks now and then who has control. That no answer comes is for the look at the state to judge.
+    async fn mind_control(&mut self) -> Result<(), Failure> {
+        let now = self.session.now();
+        let Some(control) = self.target.family.motion.control else { return Ok(()) };
+        let ours = match self.lever {
+            Lever::ControlWord => control.obeys,
+            Lever::Contacts => control.contacts,
+            Lever::Setpoint | Lever::Taken => return Ok(()),
+        };
+        if now.since(self.minded) < CONTROL_LOOKS {
+            return Ok(());
+        }
+        self.minded = now;
+        let retries = self.session.set_retries(0);
+        let mode = working_raw(self.session, self.target, "control-mode", self.lang).await;
+        self.session.set_retries(retries);
+        match mode {
+            Ok(Some(mode)) if mode != ours => Err(self.taken().await),
+            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+            _ => Ok(()),
+        }
     }
 
     /// Whether the drive no longer obeys the control word; notes that it does.
@@ -295,17 +359,31 @@ impl Motor<'_, '_> {
     async fn taken(&mut self) -> Failure {
         let mode = self.look().await.ok().and_then(|situation| situation.mode);
         let family = self.target.family.clone();
-        let by_contacts = family.motion.control.is_some_and(|control| mode == Some(control.contacts));
-        self.lever = if by_contacts { Lever::Contacts } else { Lever::Taken };
+        let is = |with: fn(&Control) -> i64| family.motion.control.is_some_and(|control| mode == Some(with(&control)));
+        self.lever = match () {
+            () if is(|control| control.contacts) => Lever::Contacts,
+            () if is(|control| control.obeys) => Lever::ControlWord,
+            () => Lever::Taken,
+        };
         let label = family.role("control-mode").map_or_else(String::new, Param::label);
         let mode = mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
-        let text = match self.lang {
-            Lang::En => {
+        let text = match (self.lever, self.lang) {
+            (Lever::ControlWord, Lang::En) => {
+                format!(
+                    "control was changed in the run: {label} in force is {mode}, so contacts by the line are not obeyed"
+                )
+            }
+            (Lever::ControlWord, Lang::De) => {
+                format!(
+                    "die Steuerung wurde im Lauf umgestellt: {label} wirkt mit {mode}, Kontakte über die Leitung also nicht"
+                )
+            }
+            (_, Lang::En) => {
                 format!(
                     "control was taken away in the run: {label} in force is {mode}, so the control word is not obeyed"
                 )
             }
-            Lang::De => {
+            (_, Lang::De) => {
                 format!("die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, das Steuerwort also nicht")
             }
         };

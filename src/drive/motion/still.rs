@@ -2,10 +2,12 @@
 
 use super::Motor;
 use super::look::working;
+use super::patience::FEW;
 use super::shaft::Watch;
 use crate::failure::{Class, Failure};
 use crate::outcome::State;
 use crate::profile::{Blind, Lang, Param};
+use crate::tick::Span;
 
 /// States without power: a stop has done its work.
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
@@ -97,11 +99,15 @@ impl Motor<'_, '_> {
     /// Whether the shaft stands: waits for it as long as it still slows down. `None` if the drive does not tell.
     pub(super) async fn standstill(&mut self) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let mut wait = self.wait();
+        let (mut wait, mut looks) = (self.wait(), 0u8);
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
+            looks = looks.saturating_add(1);
             if watch.see(self.session.now(), Some(raw)).slows {
                 wait.renew(self.session.now());
+                if looks > FEW {
+                    self.takes_time(Span::ZERO);
+                }
             }
             let stands = self.stands(&watch);
             if stands != Some(false) || wait.is_over(self.session.now()) {

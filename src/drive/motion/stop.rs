@@ -15,6 +15,8 @@ const STOP_TRIES: u8 = 5;
 const SILENT: Span = Span::from_secs(10);
 /// And after so long where it answers now and then, but never as far as a proof.
 const PURSUED: Span = Span::from_secs(60);
+/// The same where somebody waits for what only takes motion away.
+const PURSUED_ALONE: Span = Span::from_secs(6);
 
 /// The state of a quick stop.
 const QUICK_STOP: &str = "quick-stop-active";
@@ -59,9 +61,6 @@ impl StopChoice {
     }
 }
 
-#[cfg(test)]
-mod tests;
-
 /// What proves a stop.
 struct Proof {
     state: State,
@@ -93,6 +92,7 @@ impl Motor<'_, '_> {
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
+        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
         loop {
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => return self.proven(stop, proof).await,
@@ -114,8 +114,8 @@ impl Motor<'_, '_> {
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
                     self.session.note_interrupts();
                     let now = self.session.now();
-                    let is_over = now.since(self.heard) >= SILENT || now.since(begun) >= PURSUED;
-                    if is_over && (now.since(begun) >= PURSUED || !self.runs_on().await) {
+                    let pursued = now.since(begun) >= limit || self.session.is_over();
+                    if pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await) {
                         self.unheard = true;
                         break;
                     }
@@ -232,9 +232,25 @@ impl Motor<'_, '_> {
         if !row.zero {
             return Some(row.clone());
         }
+        self.zero_at_once().await;
         self.zeroes = self.mode_shown().await.filter(Mode::zero_stops).map(|mode| mode.setpoint);
         let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
         other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
+    }
+
+    /// Sets the setpoint that was given to 0 before the drive is asked for its mode: in any other it moves nothing, and a line
+    /// that leaves questions unanswered must not keep the stop back.
+    async fn zero_at_once(&mut self) {
+        self.zeroed = None;
+        let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
+        let stops =
+            self.mode.as_ref().filter(|mode| mode.zero_stops() && mode.value.is_some()).map(|mode| mode.setpoint);
+        let Some(param) = given.filter(|_| given == stops).map(|id| self.target.family.param_or_unknown(id)) else {
+            return;
+        };
+        let retries = self.session.set_retries(0);
+        self.zeroed = self.write_once(&param, 0, 0).await.is_ok().then_some(param.id);
+        self.session.set_retries(retries);
     }
 
     /// The mode that the drive shows; of a family without modes what was set. Asked once: what needs no mode can stop it
@@ -337,9 +353,10 @@ impl Motor<'_, '_> {
     async fn zero(&mut self) -> Result<(), Failure> {
         let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
         let Some(param) = self.zeroes.or(given) else { return Ok(()) };
+        let is_done = self.zeroed.take() == Some(param);
         let param = self.target.family.param_or_unknown(param);
         self.again = Some((param.clone(), 0));
-        self.write(&param, 0, 0).await
+        if is_done { Ok(()) } else { self.write(&param, 0, 0).await }
     }
 
     /// A quick stop that the drive began by itself, because of its watchdog: no command is obeyed there but the one that
@@ -401,33 +418,4 @@ pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> 
 const OFF: &[&str] = &["switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::profile::Registry;
-
-    #[test]
-    fn every_stop_has_its_word_and_a_stronger_one() {
-        use StopChoice::{Coast, Keep, QuickStop, Ramp};
-        for (choice, word, stronger) in [
-            (Ramp, "ramp", Some(QuickStop)),
-            (QuickStop, "quick-stop", Some(Coast)),
-            (Coast, "coast", None),
-            (Keep, "keep", None),
-        ] {
-            assert_eq!((choice.slug(), choice.stronger(), StopChoice::of(word)), (word, stronger, choice));
-        }
-        assert_eq!(StopChoice::of("anything"), Coast, "what nobody knows takes the power away");
-    }
-
-    #[test]
-    fn what_the_watchdog_does_is_said_with_its_time() {
-        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
-        let words =
-            |raw: Option<i64>, lang| watchdog_words(&family, raw.map(|raw| watchdog_seconds(&family, raw)), lang);
-        assert!(words(Some(0), Lang::En).ends_with("is off"), "{}", words(Some(0), Lang::En));
-        assert!(words(Some(0), Lang::De).ends_with("ist aus"), "{}", words(Some(0), Lang::De));
-        assert!(words(Some(1_500), Lang::En).contains("is 1.500 s: it makes a quick stop"));
-        assert!(words(Some(1_500), Lang::De).contains("steht auf 1.500 s: er löst"));
-        assert!(words(None, Lang::En).contains("not known") && words(None, Lang::De).contains("unbekannt"));
-    }
-}
+mod tests;

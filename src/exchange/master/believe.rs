@@ -16,7 +16,7 @@ impl Master {
             let Phase::Reply(waiting) = &job.phase else { return None };
             let found = self.dialect.find(waiting.came.get(from..)?, job.station, job.asks())?;
             let (start, end) = (from + found.start, from + found.end);
-            if self.is_echo(waiting, start) || !self.proves(job, &found.said) {
+            if self.is_echo(waiting, start) || !self.proves(job, &found.said, waiting.has_echoed(start)) {
                 from = start + 1;
                 continue;
             }

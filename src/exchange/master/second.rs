@@ -20,7 +20,7 @@ impl Master {
 
     /// How a new question is kept apart from what the station may still say.
     pub(super) fn first_parting(&self, station: u8, question: &Question, limits: Limits, now: Tick) -> Parting {
-        let parting = self.parting(station, question);
+        let parting = self.parting(station, question, limits.since, now);
         let counts = self.is_told_apart(question, limits) && self.twins.is_suspect(station) && !self.is_named();
         match parting {
             Parting::None if counts => {

@@ -57,6 +57,30 @@ impl Line {
         }
     }
 
+    /// Asks a station that answers everything after 10 ms; the words that were believed.
+    fn answered(&mut self, station: u8, request: Request) -> Option<Vec<u16>> {
+        self.master.ask(station, request, self.now);
+        loop {
+            match self.master.step(self.now) {
+                Step::Done(Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. })) => {
+                    return Some(words);
+                }
+                Step::Done(_) => return None,
+                Step::Wait(until) => self.now = until,
+                Step::Send(bytes) => {
+                    let end = self.now + self.master.line.chars(bytes.len() as u64);
+                    let reply = match Request::decode(&rtu::decode(&bytes).unwrap().pdu).unwrap() {
+                        Request::Diagnostics { sub, .. } => Reply::Diagnostics { sub, data: self.sent.len() as u16 },
+                        _ => Reply::Registers(vec![7]),
+                    };
+                    self.sent.push(bytes);
+                    self.now = end + Span::from_millis(20);
+                    self.master.feed(self.now, &frame(station, &reply));
+                }
+            }
+        }
+    }
+
     fn verdicts(&mut self) -> Vec<Verdict> {
         self.master.take_records().into_iter().map(|record| record.verdict).collect()
     }
@@ -682,4 +706,90 @@ fn a_counter_that_stands_at_0_is_a_fence_on_a_line_without_echo() {
     let outcome = line.ask(1, OTHER, &[&[(10, stands)], &[(10, value(7))], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
     assert!(line.now.since(begun) < Span::from_millis(700), "an answered fence is not waited for again");
+}
+
+#[test]
+fn a_counter_that_stands_at_0_is_a_fence_behind_its_echo_too() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.has_counters(1, [0x12]);
+    let echo = |request: &Request| rtu::encode(1, &request.encode());
+    assert!(line.ask(1, READ, &[&[(0, echo(&READ)), (10, value(1390))]]).is_ok());
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(0, echo(&READ))]]).is_err());
+    let stands = frame(1, &Reply::Diagnostics { sub: 0x12, data: 0 });
+    let answer = [(0, echo(&OTHER)), (10, value(7))];
+    let begun = line.now;
+    let outcome = line.ask(1, OTHER, &[&[(0, stands.clone()), (10, stands)], &answer, &answer]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    assert!(line.now.since(begun) < Span::from_millis(700), "an answered fence is not waited for again");
+}
+
+#[test]
+fn behind_a_silence_that_took_every_fence_a_value_is_believed_within_seconds() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.has_counters(1, [0x0B, 0x0C, 0x12]);
+    let insist = Some(crate::exchange::INSIST);
+    line.master.set_limits(Limits { insist, reply_timeout: Span::from_millis(250), ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(10, value(1390))]]).is_ok());
+    for _ in 0..6 {
+        assert!(line.ask(1, OTHER, &[]).is_err());
+        assert!(line.ask(1, READ, &[]).is_err());
+        assert!(line.ask(1, Request::WriteRegister { address: 410, value: 2 }, &[]).is_err());
+    }
+    let begun = line.now;
+    // From now on the station answers everything.
+    let believed = (0..60).find_map(|_| line.answered(1, if line.sent.len() % 2 == 0 { OTHER } else { READ }));
+    assert!(believed.is_some() && line.now.since(begun) < Span::from_secs(5), "{believed:?} {}", line.now.since(begun));
+}
+
+#[test]
+fn a_late_answer_from_before_a_write_proves_nothing_of_it() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(1, READ, &[&[(10, value(1))]]).is_ok());
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    // Its reply comes when the same is asked again.
+    assert!(line.ask(1, READ, &[&[(620, value(1))]]).is_err());
+    let write = Request::WriteRegister { address: 0x4178, value: 15 };
+    assert!(line.ask(1, write.clone(), &[&[(10, rtu::encode(1, &write.encode()))]]).is_ok());
+    let since = Some(line.now);
+    line.master.set_limits(Limits { retries: 0, since, ..Limits::default() });
+    let answers: [&[(u64, Vec<u8>)]; 4] =
+        [&[(110, fence_reply())], &[(10, value(2))], &[(10, value(2))], &[(10, value(2))]];
+    assert_eq!(taken(line.ask(1, READ, &answers)), Reply::Registers(vec![2]));
+    // Without a word of it an older answer will do.
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[&[(620, value(2))]]).is_err());
+    assert_eq!(taken(line.ask(1, READ, &[&[(200, value(3))]])), Reply::Registers(vec![2]));
+}
+
+#[test]
+fn no_flood_makes_a_buffer_grow() {
+    for protocol in [Framing::Rtu.into(), Framing::Ascii.into(), Framing::Tcp.into(), Protocol::Vabus] {
+        let mut master = Master::new(protocol, LineSetting::rtu(19_200, Parity::Even), Limits::default());
+        let largest = |master: &Master| {
+            let came = master.job.as_ref().map_or(0, |job| match &job.phase {
+                Phase::Reply(waiting) => waiting.came.len().max(waiting.garbage.len()),
+                _ => 0,
+            });
+            let orphan = master.orphan.as_ref().map_or(0, |orphan| orphan.came.len());
+            came.max(orphan).max(master.loose.bytes.len())
+        };
+        let mut now = Tick::ZERO;
+        let flood: Vec<u8> = (0..700u32).map(|index| (index * 7 % 251) as u8).collect();
+        for round in 0..200u32 {
+            if round % 20 == 3 {
+                // Given up twice as often as answered.
+                master.ask(1, READ, now);
+            }
+            for _ in 0..4 {
+                if let Step::Wait(until) = master.step(now) {
+                    now = until.min(now + Span::from_millis(30));
+                }
+            }
+            master.feed(now, &flood);
+            now = now + Span::from_millis(5);
+            assert!(largest(&master) <= 2 * MOST_BYTES, "{protocol}: {} bytes", largest(&master));
+            assert!(master.records.len() <= MOST_RECORDS);
+        }
+    }
 }

@@ -17,10 +17,11 @@ impl Master {
     /// How many missing replies this could be, although a later one has come.
     fn doubles(&self, job: &Job, said: &Said, at: Tick) -> usize {
         let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
-        let overtaken = self.debts.overtaken(job.station, at).map(|old| &old.missing);
-        let alike = overtaken.filter(|missing| match said.is_refusal() {
-            true => refusable(missing) && self.dialect.refuses_alike(missing, &job.question),
-            false => self.dialect.confuses(missing, &job.question),
+        let older = |old: &Overtaken| job.limits.since.is_some_and(|since| old.since <= since);
+        let alike = self.debts.overtaken(job.station, at).filter(|&old| match (&old.missing, said.is_refusal()) {
+            (missing, _) if *missing == job.question => older(old),
+            (missing, true) => refusable(missing) && self.dialect.refuses_alike(missing, &job.question),
+            (missing, false) => self.dialect.confuses(missing, &job.question),
         });
         alike.count()
     }
