@@ -575,10 +575,11 @@ impl Master {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
-        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase) {
-            if *last == station && waiting.sent_at.since(*then) < RIGHT_BEHIND {
-                self.twins.loses(station);
-            }
+        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase)
+            && *last == station
+            && waiting.sent_at.since(*then) < RIGHT_BEHIND
+        {
+            self.twins.loses(station);
         }
         let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
         let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
