@@ -17,6 +17,9 @@ mod verdict;
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
 
+/// The modes of a family in which something is meant.
+pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
+
 /// What is to be done, and what the user is told about it.
 pub(super) struct Plan<'p> {
     /// Word for JSON: `enable`, `sollwert` …
@@ -34,7 +37,7 @@ pub(super) struct Plan<'p> {
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
     /// A setpoint of zero: the modes of a family in which it is one.
-    pub(super) zero: Option<&'p dyn Fn(&Family) -> Vec<Mode>>,
+    pub(super) zero: Option<&'p Modes<'p>>,
     /// What takes motion away has gone out already.
     pub(super) said: bool,
 }
@@ -187,7 +190,7 @@ async fn stop_first(
     registry: &Registry,
     address: u8,
     act: Relief,
-    zero: Option<&dyn Fn(&Family) -> Vec<Mode>>,
+    zero: Option<&Modes<'_>>,
 ) -> Result<bool, Failure> {
     let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let meant = Meant { address, family, order: settings.word_order };

@@ -13,7 +13,7 @@ use crate::drive::motion::Motor;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Lang, Mode, Registry};
+use crate::profile::{DataSets, Family, Lang, Registry};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
@@ -126,7 +126,7 @@ async fn give(
         needs_control: enable,
         relief,
         runs: enable,
-        zero: relief.map(|_| &zeros as &dyn Fn(&Family) -> Vec<Mode>),
+        zero: relief.map(|_| &zeros as &running::Modes<'_>),
         said: false,
     };
     running::run(

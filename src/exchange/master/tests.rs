@@ -730,7 +730,7 @@ fn behind_a_silence_that_took_every_fence_a_value_is_believed_within_seconds() {
     }
     let begun = line.now;
     // From now on the station answers everything.
-    let believed = (0..60).find_map(|_| line.answered(1, if line.sent.len() % 2 == 0 { OTHER } else { READ }));
+    let believed = (0..60).find_map(|_| line.answered(1, if line.sent.len().is_multiple_of(2) { OTHER } else { READ }));
     assert!(believed.is_some() && line.now.since(begun) < Span::from_secs(5), "{believed:?} {}", line.now.since(begun));
 }
 
@@ -779,7 +779,7 @@ fn no_flood_makes_a_buffer_grow() {
                 }
             }
             master.feed(now, &flood);
-            now = now + Span::from_millis(5);
+            now += Span::from_millis(5);
             assert!(largest(&master) <= 2 * MOST_BYTES, "{protocol}: {} bytes", largest(&master));
             assert!(master.records.len() <= MOST_RECORDS);
         }
