@@ -17,8 +17,8 @@ mod verdict;
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
 
-/// The modes in which a zero stands for what was asked for, by the family.
-pub(super) type Zeroes<'z> = dyn Fn(&Family) -> Vec<Mode> + 'z;
+/// The modes of a family in which something is meant.
+pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
 
 /// What is to be done, and what the user is told about it.
 pub(super) struct Plan<'p> {
@@ -37,7 +37,7 @@ pub(super) struct Plan<'p> {
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
     /// A setpoint of zero: the modes of a family in which it is one.
-    pub(super) zero: Option<&'p Zeroes<'p>>,
+    pub(super) zero: Option<&'p Modes<'p>>,
     /// What takes motion away has gone out already.
     pub(super) said: bool,
 }
@@ -164,8 +164,7 @@ pub(super) async fn run<'p, C>(
         after = motor.look().await.ok();
     }
     let standing = match &ended.stop {
-        Some(stop) if after.is_none() => stop.standing,
-        Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
+        Some(stop) if after.is_none() || stop.standing == Some(true) => stop.standing,
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
@@ -191,7 +190,7 @@ async fn stop_first(
     registry: &Registry,
     address: u8,
     act: Relief,
-    zero: Option<&Zeroes<'_>>,
+    zero: Option<&Modes<'_>>,
 ) -> Result<bool, Failure> {
     let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let meant = Meant { address, family, order: settings.word_order };
@@ -293,8 +292,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     notes.extend(coasts.map(str::to_owned));
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
-    let held = is_held(seen.after.as_ref(), done.standing);
-    if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
+    if is_off && plan.args.watchdog.is_none() && running != Some(false) {
         notes.push(nothing_stops_it(family, watchdog_s, lang));
     }
     if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
@@ -323,24 +321,19 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
 
 /// What the drive does that keeps its power.
 fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
-    match (plan.relief, after.map(|seen| seen.state.as_str())) {
-        (Some(Relief::Zero), _) => {
+    match (plan.relief, after.map(|seen| seen.state.as_str()), standing) {
+        (Some(Relief::Zero), ..) => {
             lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
         }
-        _ if is_held(after, standing) => lang.pick(
+        (_, Some("quick-stop-active"), Some(true)) => lang.pick(
             "the quick stop holds the shaft at standstill, with power",
             "der Schnellhalt hält die Welle im Stillstand, mit Strom",
         ),
-        (_, Some("quick-stop-active")) => {
+        (_, Some("quick-stop-active"), _) => {
             lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
         }
         _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
     }
-}
-
-/// A quick stop that has brought the shaft to rest and holds it there.
-fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
-    after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
 }
 
 fn has_power(situation: &Situation) -> bool {

@@ -5,7 +5,7 @@ mod wanted;
 mod zero;
 
 use super::rehearse::Rehearsal;
-use super::running::{self, Plan, Zeroes};
+use super::running::{self, Plan};
 use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
 use crate::args::{MotionArgs, Settings, parse_span};
 use crate::drive::Session;
@@ -126,7 +126,7 @@ async fn give(
         needs_control: enable,
         relief,
         runs: enable,
-        zero: relief.map(|_| &zeros as &Zeroes<'_>),
+        zero: relief.map(|_| &zeros as &running::Modes<'_>),
         said: false,
     };
     running::run(
