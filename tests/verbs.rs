@@ -14,6 +14,8 @@ mod babble;
 mod catalogues;
 #[path = "verbs/decoding.rs"]
 mod decoding;
+#[path = "verbs/ends.rs"]
+mod ends;
 #[path = "verbs/exits.rs"]
 mod exits;
 #[path = "verbs/files.rs"]
