@@ -16,6 +16,8 @@ mod catalogues;
 mod decoding;
 #[path = "verbs/endings.rs"]
 mod endings;
+#[path = "verbs/ends.rs"]
+mod ends;
 #[path = "verbs/exits.rs"]
 mod exits;
 #[path = "verbs/files.rs"]

@@ -164,7 +164,8 @@ pub(super) async fn run<'p, C>(
         after = motor.look().await.ok();
     }
     let standing = match &ended.stop {
-        Some(stop) if after.is_none() || stop.standing == Some(true) => stop.standing,
+        Some(stop) if after.is_none() => stop.standing,
+        Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
@@ -292,7 +293,8 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     notes.extend(coasts.map(str::to_owned));
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
-    if is_off && plan.args.watchdog.is_none() && running != Some(false) {
+    let held = is_held(seen.after.as_ref(), done.standing);
+    if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
         notes.push(nothing_stops_it(family, watchdog_s, lang));
     }
     if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
@@ -321,19 +323,24 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
 
 /// What the drive does that keeps its power.
 fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
-    match (plan.relief, after.map(|seen| seen.state.as_str()), standing) {
-        (Some(Relief::Zero), ..) => {
+    match (plan.relief, after.map(|seen| seen.state.as_str())) {
+        (Some(Relief::Zero), _) => {
             lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
         }
-        (_, Some("quick-stop-active"), Some(true)) => lang.pick(
+        _ if is_held(after, standing) => lang.pick(
             "the quick stop holds the shaft at standstill, with power",
             "der Schnellhalt hält die Welle im Stillstand, mit Strom",
         ),
-        (_, Some("quick-stop-active"), _) => {
+        (_, Some("quick-stop-active")) => {
             lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
         }
         _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
     }
+}
+
+/// A quick stop that has brought the shaft to rest and holds it there.
+fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
+    after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
 }
 
 fn has_power(situation: &Situation) -> bool {
