@@ -12,10 +12,10 @@ mod adapters;
 mod babble;
 #[path = "verbs/catalogues.rs"]
 mod catalogues;
+#[path = "verbs/clock.rs"]
+mod clock;
 #[path = "verbs/decoding.rs"]
 mod decoding;
-#[path = "verbs/endings.rs"]
-mod endings;
 #[path = "verbs/ends.rs"]
 mod ends;
 #[path = "verbs/exits.rs"]
