@@ -220,6 +220,7 @@ async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Resu
 const DISABLE: &str = "01 06 01 9A 00 07";
 const QUICK_STOP: &str = "01 06 01 9A 00 02";
 const COAST: &str = "01 06 01 9A 00 00";
+const ENCODER: &str = "01 64 00 D9";
 const REFRESH: &str = "01 65 01 E4";
 
 #[test]
@@ -588,6 +589,28 @@ fn what_shows_a_coasting_shaft_is_waited_for() {
             assert_eq!((run.data("/stop/standing"), run.data("/standing")), (&json!(true), &json!(true)), "{way}");
             assert_eq!(witness::left().unwrap().0.totals().turning, 0, "{way}");
         }
+    }
+}
+
+#[test]
+fn a_coast_that_lasts_is_watched_for_a_while_and_no_longer_than_somebody_wants() {
+    // 400 Hz; this bench loses 10 Hz a second, and an encoder shows it.
+    let ramps = "ramps = { up_right = 999, down_right = 999, up_left = 999, down_left = 999 }";
+    let bench = drive(&format!("{READY}, \"419\" = 400, \"549\" = 5, \"30\" = 210"), ramps);
+    for (presses, most) in [(&[][..], 45), (&[REFRESH, ENCODER], 10)] {
+        let work = async |motor: &mut Motor<'_, '_>| {
+            let family = Registry::open(&[]).unwrap().family("acu").unwrap();
+            let setpoint = family.role("setpoint-frequency").unwrap();
+            motor.walk("operation-enabled").await?;
+            motor.give(setpoint, 40_000, "Hz").await?;
+            motor.until_reached().await?;
+            let last = if presses.is_empty() { Some(Span::from_millis(100)) } else { None };
+            motor.hold(last, async |motor: &mut Motor<'_, '_>, _| motor.refresh(setpoint, 40_000).await).await
+        };
+        let came = held(&bench, presses, StopChoice::Coast, Span::ZERO, work);
+        let told = format!("{:?} {:?}", came.took, came.ended);
+        assert_eq!((came.stop().acknowledged, came.stop().standing), (true, Some(false)), "{told}");
+        assert!(came.took < Tick::ZERO + Span::from_secs(most) && came.turning == 1, "{told}");
     }
 }
 

@@ -27,13 +27,19 @@ pub(super) const ROUND: u64 = 5;
 #[derive(Debug)]
 pub(super) struct Wait {
     patience: Span,
+    most: Span,
     begun: Tick,
     since: Tick,
 }
 
 impl Wait {
     pub(super) fn new(now: Tick, patience: Span) -> Self {
-        Wait { patience, begun: now, since: now }
+        Wait { patience, most: LONGEST.longer(patience), begun: now, since: now }
+    }
+
+    /// As a whole no longer than this.
+    pub(super) fn at_most(self, most: Span) -> Self {
+        Wait { most, ..self }
     }
 
     /// Something has changed.
@@ -44,10 +50,11 @@ impl Wait {
     /// It may take so much longer.
     pub(super) fn extend(&mut self, more: Span) {
         self.patience = self.patience + more;
+        self.most = self.most.longer(self.patience);
     }
 
     pub(super) fn is_over(&self, now: Tick) -> bool {
-        now.since(self.since) > self.patience || now.since(self.begun) > LONGEST.longer(self.patience)
+        now.since(self.since) > self.patience || now.since(self.begun) > self.most
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::Motor;
 use super::look::working;
-use super::patience::FEW;
+use super::patience::{FEW, Wait};
 use super::shaft::Watch;
 use crate::failure::{Class, Failure};
-use crate::outcome::State;
+use crate::outcome::{Event, State};
 use crate::profile::{Blind, Lang, Param};
 use crate::tick::Span;
 
@@ -13,6 +13,9 @@ use crate::tick::Span;
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
 /// States with it. Of a reaction to a fault nobody knows.
 const POWERED: &[&str] = &["operation-enabled", "quick-stop-active"];
+
+/// How long a shaft is watched that coasts as asked for.
+const COASTING: Span = Span::from_secs(30);
 
 /// Whether the drive has power in this state; `None` where that is not known.
 pub fn has_power(slug: &str) -> Option<bool> {
@@ -98,8 +101,34 @@ impl Motor<'_, '_> {
 
     /// Whether the shaft stands: waits for it as long as it still slows down. `None` if the drive does not tell.
     pub(super) async fn standstill(&mut self) -> Result<Option<bool>, Failure> {
+        let wait = self.wait();
+        self.standstill_within(wait).await
+    }
+
+    /// A shaft that coasts is waited for as well, but not for ever, and that is said: what was changed goes back afterwards.
+    pub(super) async fn coasts_out(&mut self) -> Result<Option<bool>, Failure> {
+        let now = self.stands_now().await?;
+        if now != Some(false) {
+            return Ok(now);
+        }
+        let text = match self.lang {
+            Lang::En => {
+                format!("without power; the shaft is watched until it stands, at most {COASTING}; Ctrl-C ends that")
+            }
+            Lang::De => {
+                format!(
+                    "ohne Strom; die Welle wird bis zum Stillstand beobachtet, höchstens {COASTING}; Ctrl-C beendet das"
+                )
+            }
+        };
+        self.session.tell(Event::Note(text));
+        let wait = self.wait().at_most(COASTING);
+        self.standstill_within(wait).await
+    }
+
+    async fn standstill_within(&mut self, mut wait: Wait) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
-        let (mut wait, mut looks) = (self.wait(), 0u8);
+        let mut looks = 0u8;
         loop {
             let Some(raw) = self.look_at_shaft().await? else { return Ok(None) };
             looks = looks.saturating_add(1);

@@ -284,8 +284,11 @@ impl Motor<'_, '_> {
                 self.until_still().await?
             }
         };
-        // Also after a coast: what was changed is given back to a shaft that stands, where the drive tells.
-        let standing = if hurry { self.stands_now().await } else { self.standstill().await };
+        let standing = match way {
+            _ if hurry => self.stands_now().await,
+            StopChoice::Coast => self.coasts_out().await,
+            _ => self.standstill().await,
+        };
         let owed = !hurry && way != StopChoice::Coast;
         match standing {
             Ok(standing) => Ok(Proof { state, standing, owed }),
