@@ -269,7 +269,10 @@ fn a_held_run_outlives_what_is_lost_late_or_garbled() {
                 run_at_20_hz(motor, Some(Span::from_secs(20))).await
             });
             assert!(came.ended.result.is_ok(), "{kind}, watchdog {watchdog}: {:?}", came.ended);
-            assert!(came.stop().acknowledged, "{kind}, watchdog {watchdog}: {:?}", came.ended);
+            // Looks that come late may miss the short time in which the standstill shows under power: then that is said.
+            let says = came.stop().note.as_ref().is_some_and(|note| note.starts_with("without power"));
+            let proven = came.stop().acknowledged || (kind == "late" && says);
+            assert!(proven, "{kind}, watchdog {watchdog}: {:?}", came.ended);
             assert_eq!((came.turning, came.energised), (0, 0));
         }
     }

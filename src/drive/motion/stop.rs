@@ -14,7 +14,7 @@ const STOP_TRIES: u8 = 5;
 /// The stop is given up when the drive has not answered for so long.
 const SILENT: Span = Span::from_secs(10);
 /// And after so long where it answers now and then, but never as far as a proof.
-const PURSUED: Span = Span::from_secs(60);
+const PURSUED: Span = Span::from_secs(40);
 /// The same where somebody waits for what only takes motion away.
 const PURSUED_ALONE: Span = Span::from_secs(6);
 
