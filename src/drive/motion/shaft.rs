@@ -213,4 +213,86 @@ mod tests {
             seen = if slows { ms } else { seen };
         }
     }
+
+    fn at(ms: u64) -> Tick {
+        Tick::ZERO + Span::from_millis(ms)
+    }
+
+    #[test]
+    fn a_first_look_and_no_look_tell_nothing_of_a_trend() {
+        for movement in [Movement::Speed, Movement::Position] {
+            let mut watch = Watch::new(movement);
+            assert_eq!(watch.see(at(0), None), Trend { changes: false, slows: false });
+            assert!(!watch.stands() && !watch.tells());
+        }
+        let mut watch = Watch::new(Movement::Position);
+        // One place, and a second one at the same moment, show no pace: it may do anything.
+        assert_eq!(watch.see(at(5), Some(100)), Trend { changes: true, slows: true });
+        assert_eq!(watch.see(at(5), Some(300)), Trend { changes: true, slows: true });
+    }
+
+    #[test]
+    fn a_speed_changes_by_any_difference_and_not_at_rest() {
+        let mut watch = Watch::new(Movement::Speed);
+        let changes = [500, 500, 501, 501, 500, 0, 0, -3].map(|raw| watch.see(at(0), Some(raw)).changes);
+        assert_eq!(changes, [true, false, true, false, true, false, false, true]);
+    }
+
+    #[test]
+    fn a_position_has_its_error_of_reading() {
+        // A mean of 12800 a second, then one that is up to a 128th off, or more.
+        for (place, changes, slows) in [
+            (25_600, false, false),
+            (25_800, false, false),
+            (25_802, true, false),
+            (25_400, false, false),
+            (25_398, true, true),
+        ] {
+            for sign in [1, -1] {
+                let mut watch = Watch::new(Movement::Position);
+                watch.see(at(0), Some(0));
+                assert_eq!(watch.see(at(1_000), Some(sign * 12_800)), Trend { changes: true, slows: true });
+                assert_eq!(watch.see(at(2_000), Some(sign * place)), Trend { changes, slows }, "{}", sign * place);
+            }
+        }
+    }
+
+    #[test]
+    fn looks_of_the_last_second_tell_and_a_dozen_at_least() {
+        let pace = |beat: u64, count: u64| {
+            let mut watch = Watch::new(Movement::Position);
+            for index in 0..count {
+                let ms = index * beat;
+                watch.see(at(ms), Some((ms * ms) as i64));
+            }
+            watch.pace().unwrap()
+        };
+        // Of a place that is the square of the time in ms, the mean pace is the sum of both ends of the window.
+        assert_eq!(pace(50, 41), (2_000 + 1_000) * 1_000, "the last second, both ends of it");
+        assert_eq!(pace(50, 10), 450 * 1_000, "no more than there is");
+        assert_eq!(pace(200, 41), (8_000 + 5_800) * 1_000, "twelve looks, however long they took");
+    }
+
+    #[test]
+    fn a_position_that_toggles_by_one_stands() {
+        for (places, stands) in [([100, 101], true), ([101, 100], true), ([100, 102], false), ([102, 100], false)] {
+            assert_eq!(looks(Movement::Position, &places).1, stands, "{places:?}");
+        }
+    }
+
+    #[test]
+    fn an_even_turning_is_told_after_a_dozen_places_and_after_one_speed() {
+        let mut watch = Watch::new(Movement::Position);
+        let told: Vec<_> = (0..13)
+            .map(|index| {
+                watch.see(at(50 * index), Some(1_000 * index as i64));
+                watch.tells()
+            })
+            .collect();
+        assert_eq!(told.iter().position(|told| *told), Some(11), "{told:?}");
+        assert!(!watch.stands());
+        let mut speed = Watch::new(Movement::Speed);
+        speed.see(at(0), Some(700));
+        assert!(speed.tells() && !speed.stands());
+    }
 }
