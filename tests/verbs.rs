@@ -20,6 +20,8 @@ mod endings;
 mod exits;
 #[path = "verbs/files.rs"]
 mod files;
+#[path = "verbs/held.rs"]
+mod held;
 #[path = "verbs/judge.rs"]
 mod judge;
 #[path = "verbs/leftovers.rs"]

@@ -16,9 +16,9 @@ use serde_json::json;
 use std::cell::RefCell;
 
 /// A drive that runs from the first moment on, and obeys the control word.
-const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
+pub(super) const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
 
-fn drive(set: &str, rest: &str) -> String {
+pub(super) fn drive(set: &str, rest: &str) -> String {
     format!("[[drive]]\nmodel = \"acu\"\nbaud = 115200\nreply_delay = \"1ms\"\nset = {{ {set} }}\n{rest}\n")
 }
 
@@ -122,25 +122,25 @@ fn the_watchdog_that_is_reported_is_the_one_in_force() {
 }
 
 /// What came of a run of a motor, on a bench of its own in virtual time.
-struct Came {
-    ended: Ended<()>,
-    notes: Vec<String>,
+pub(super) struct Came {
+    pub(super) ended: Ended<()>,
+    pub(super) notes: Vec<String>,
     /// When the run had ended.
-    took: Tick,
-    turning: u64,
-    energised: u64,
+    pub(super) took: Tick,
+    pub(super) turning: u64,
+    pub(super) energised: u64,
     /// Telegrams that went out, in hex.
-    sent: Vec<String>,
+    pub(super) sent: Vec<String>,
 }
 
 impl Came {
-    fn stop(&self) -> &antrieb::outcome::Stop {
+    pub(super) fn stop(&self) -> &antrieb::outcome::Stop {
         self.ended.stop.as_ref().unwrap()
     }
 }
 
 /// Holds a run, presses Ctrl-C whenever one of `presses` has gone out, and then lets `rest` pass.
-fn held(
+pub(super) fn held(
     bench: &str,
     presses: &[&str],
     choice: StopChoice,
@@ -150,7 +150,7 @@ fn held(
     held_of("acu", bench, presses, choice, rest, work)
 }
 
-fn held_of(
+pub(super) fn held_of(
     model: &str,
     bench: &str,
     presses: &[&str],
@@ -206,10 +206,10 @@ fn held_of(
     Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent }
 }
 
-const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
+pub(super) const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
 
 /// Enables, runs at 20 Hz, holds.
-async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Result<(), Failure> {
+pub(super) async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Result<(), Failure> {
     let setpoint = Registry::open(&[]).unwrap().family("acu").unwrap().role("setpoint-frequency").unwrap().clone();
     motor.walk("operation-enabled").await?;
     motor.give(&setpoint, 2_000, "Hz").await?;
@@ -217,8 +217,8 @@ async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Resu
     motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&setpoint, 2_000).await).await
 }
 
-const DISABLE: &str = "01 06 01 9A 00 07";
-const QUICK_STOP: &str = "01 06 01 9A 00 02";
+pub(super) const DISABLE: &str = "01 06 01 9A 00 07";
+pub(super) const QUICK_STOP: &str = "01 06 01 9A 00 02";
 const COAST: &str = "01 06 01 9A 00 00";
 const REFRESH: &str = "01 65 01 E4";
 
@@ -331,7 +331,7 @@ async fn servo_at(motor: &mut Motor<'_, '_>, rpm: i64, duration: Option<Span>) -
     motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&param, rpm).await).await
 }
 
-fn servo(set: &str, rest: &str) -> String {
+pub(super) fn servo(set: &str, rest: &str) -> String {
     format!("[[drive]]\nmodel = \"lxm05\"\nset = {{ {set} }}\n{rest}\n")
 }
 
