@@ -132,3 +132,88 @@ impl Heard {
         pace.slowest = pace.slowest.max(sample.after);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::modbus::pdu::Request;
+
+    const BYTES: [u8; 3] = [1, 2, 3];
+
+    fn at(ms: u64) -> Tick {
+        Tick::ZERO + Span::from_millis(ms)
+    }
+
+    fn question(start: u16) -> Question {
+        Request::ReadRegisters { start, count: 1 }.into()
+    }
+
+    fn sample<'a>(question: &'a Question, bytes: &'a [u8], ms: u64, after: i64) -> Sample<'a> {
+        Sample { station: 1, function: 3, question, bytes, at: at(ms), after }
+    }
+
+    /// A station that has answered after 10 ms and after 30 ms.
+    fn known() -> Heard {
+        let (mut heard, asked) = (Heard::default(), question(1));
+        for after in [10_000, 30_000, 20_000] {
+            heard.learn(&sample(&asked, &BYTES, 0, after));
+        }
+        heard
+    }
+
+    #[test]
+    fn an_answer_that_comes_sooner_than_ever_waits_for_the_slowest_true_one() {
+        let (heard, asked) = (known(), question(1));
+        let weigh = |after| heard.weigh(&sample(&asked, &BYTES, 0, after), false);
+        let wait = Weight::Wait(Span::from_millis(35));
+        assert_eq!(
+            [9_800, 9_899, 9_900, 10_000, 30_000].map(weigh),
+            [wait, wait, Weight::Answer, Weight::Answer, Weight::Answer]
+        );
+        // Another station, or another kind of question, has its own pace.
+        let other = Sample { station: 2, ..sample(&asked, &BYTES, 0, 1) };
+        assert_eq!(heard.weigh(&other, false), Weight::Answer);
+        let mut slow = Heard::default();
+        slow.learn(&sample(&asked, &BYTES, 0, 2_000_000));
+        let held = Weight::Wait(Span::from_millis(155));
+        assert_eq!(slow.weigh(&sample(&asked, &BYTES, 0, 1_000), false), held, "no true one is waited for without end");
+    }
+
+    #[test]
+    fn bytes_that_were_heard_a_moment_ago_prove_nothing_where_the_line_says_things_twice() {
+        let (mut heard, asked, other) = (known(), question(1), question(2));
+        heard.note(at(1_000), &BYTES, Some(&asked));
+        let weigh =
+            |heard: &Heard, asked, ms, after, doubtful| heard.weigh(&sample(asked, &BYTES, ms, after), doubtful);
+        // A quiet line: the same value once more is the usual thing.
+        assert_eq!(weigh(&heard, &asked, 1_100, 15_000, false), Weight::Answer);
+        assert_eq!(weigh(&heard, &asked, 1_100, 50_000, false), Weight::Answer, "20 ms late is nothing yet");
+        let stale = Weight::Stale(Span::from_millis(35));
+        assert_eq!(weigh(&heard, &asked, 1_100, 50_001, false), stale, "so late it may be a copy");
+        assert_eq!(weigh(&heard, &asked, 1_100, 15_000, true), stale, "behind garbage too");
+        assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Copy, "it was the answer to something else");
+        heard.sees_surplus();
+        assert!(heard.has_surplus());
+        assert_eq!(weigh(&heard, &asked, 1_600, 15_000, false), stale);
+        assert_eq!(weigh(&heard, &asked, 1_601, 15_000, false), Weight::Answer, "nothing is copied so late");
+        assert_eq!(heard.weigh(&sample(&other, &[9], 1_100, 15_000), true), Weight::Answer, "new bytes are no copy");
+    }
+
+    #[test]
+    fn copies_are_looked_for_as_long_as_they_may_come() {
+        let mut heard = Heard::default();
+        assert_eq!(heard.quiet_at(at(70)), at(70));
+        heard.note(at(100), &BYTES, None);
+        assert_eq!([heard.quiet_at(at(100)), heard.quiet_at(at(900))], [at(700), at(900)]);
+        assert!(heard.is_copy(at(700), &BYTES) && !heard.is_copy(at(701), &BYTES));
+        assert!(!heard.is_copy(at(200), &[1, 2]));
+        heard.note(at(700), &[4], None);
+        assert_eq!(heard.telegrams.len(), 2, "what may still be copied is kept");
+        heard.note(at(701), &[5], None);
+        assert_eq!(heard.telegrams.len(), 2, "and what may not is forgotten");
+        for _ in 0..2 * MOST {
+            heard.note(at(702), &[6], None);
+        }
+        assert_eq!(heard.telegrams.len(), MOST);
+    }
+}

@@ -295,4 +295,22 @@ mod tests {
         speed.see(at(0), Some(700));
         assert!(speed.tells() && !speed.stands());
     }
+
+    #[test]
+    fn a_falling_speed_is_extended_to_its_end() {
+        let within = |movement, looks: &[(u64, i64)], ms: u64| {
+            let mut watch = Watch::new(movement);
+            for &(then, raw) in looks {
+                watch.see(at(then), Some(raw));
+            }
+            watch.rests_within(Span::from_millis(ms))
+        };
+        let falls = [(0, 300), (100, 200)];
+        assert_eq!([199, 200, 201].map(|ms| within(Movement::Speed, &falls, ms)), [false, true, true]);
+        let backwards = [(0, -300), (100, -200)];
+        assert_eq!([199, 200].map(|ms| within(Movement::Speed, &backwards, ms)), [false, true]);
+        assert!(!within(Movement::Speed, &[(0, 200), (100, 300)], 10_000), "it rises");
+        assert!(!within(Movement::Speed, &[(0, 200)], 10_000), "one look");
+        assert!(!within(Movement::Position, &falls, 10_000), "a place is no speed");
+    }
 }

@@ -282,3 +282,97 @@ pub fn coasting(standing: Option<bool>, lang: Lang) -> Option<&'static str> {
         )),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A look: at the state, or at the frequency.
+    enum Look {
+        State(Option<bool>),
+        Shows(i64),
+    }
+    use Look::{Shows, State};
+    const ON: Look = State(Some(true));
+    const OFF: Look = State(Some(false));
+    const UNKNOWN: Look = State(None);
+
+    fn seen(looks: &[Look]) -> Sight {
+        let mut sight = Sight::default();
+        for look in looks {
+            match look {
+                State(on) => sight.state(*on),
+                Shows(raw) => sight.frequency(*raw),
+            }
+        }
+        sight
+    }
+
+    #[test]
+    fn the_state_tells_of_the_power() {
+        for (slug, on) in [
+            ("operation-enabled", Some(true)),
+            ("quick-stop-active", Some(true)),
+            ("fault-reaction-active", None),
+            ("unknown", None),
+            ("fault", Some(false)),
+            ("switched-on", Some(false)),
+            ("ready-to-switch-on", Some(false)),
+            ("switch-on-disabled", Some(false)),
+            ("not-ready", Some(false)),
+        ] {
+            assert_eq!(has_power(slug), on, "{slug}");
+        }
+    }
+
+    #[test]
+    fn a_frequency_of_0_proves_a_standstill_under_power_only_or_where_it_turned_without() {
+        for (looks, stands) in [
+            (&[][..], None),
+            (&[ON, Shows(5)], Some(false)),
+            (&[OFF, Shows(0)], None),
+            (&[UNKNOWN, Shows(0)], None),
+            // Only the look behind the 0 tells whether it was under power.
+            (&[ON, Shows(0)], None),
+            (&[ON, Shows(0), ON], Some(true)),
+            (&[ON, Shows(0), OFF], None),
+            (&[ON, Shows(0), UNKNOWN], None),
+            (&[ON, Shows(0), OFF, ON], None),
+            (&[ON, Shows(0), ON, Shows(5)], Some(false)),
+            (&[ON, Shows(5), OFF, Shows(0)], None),
+            (&[OFF, Shows(5)], Some(false)),
+            (&[OFF, Shows(5), Shows(0)], Some(true)),
+            (&[UNKNOWN, Shows(5), OFF, Shows(0)], None),
+            (&[OFF, Shows(5), Shows(0), Shows(-5)], Some(false)),
+        ] {
+            assert_eq!(seen(looks).standing(), stands);
+        }
+    }
+
+    #[test]
+    fn it_is_known_when_another_look_is_needed() {
+        assert!(seen(&[ON, Shows(0)]).must_look());
+        assert!(!seen(&[ON, Shows(0), ON]).must_look() && !seen(&[ON, Shows(0), ON, Shows(0)]).must_look());
+        assert!(!seen(&[ON, Shows(5)]).must_look() && !seen(&[OFF, Shows(0)]).must_look());
+        assert!(seen(&[ON, Shows(5)]).falls());
+        assert!(!seen(&[ON, Shows(0)]).falls() && !seen(&[OFF, Shows(5)]).falls());
+    }
+
+    #[test]
+    fn a_new_movement_forgets_what_the_old_one_showed() {
+        let mut held = seen(&[ON, Shows(0), ON]);
+        held.forget();
+        assert_eq!(held.standing(), None);
+        let mut free = seen(&[OFF, Shows(5)]);
+        free.forget();
+        free.frequency(0);
+        assert_eq!(free.standing(), Some(true), "that it shows movement without power is not forgotten");
+    }
+
+    #[test]
+    fn what_is_said_of_a_shaft_without_power() {
+        assert_eq!(coasting(Some(true), Lang::En), None);
+        assert!(coasting(Some(false), Lang::En).is_some_and(|text| text.contains("still turns")));
+        assert!(coasting(None, Lang::De).is_some_and(|text| text.contains("nichts zeigt")));
+    }
+}
