@@ -22,6 +22,8 @@ mod ends;
 mod exits;
 #[path = "verbs/files.rs"]
 mod files;
+#[path = "verbs/held.rs"]
+mod held;
 #[path = "verbs/judge.rs"]
 mod judge;
 #[path = "verbs/leftovers.rs"]

@@ -252,7 +252,9 @@ mod tests {
                 let mut watch = Watch::new(Movement::Position);
                 watch.see(at(0), Some(0));
                 assert_eq!(watch.see(at(1_000), Some(sign * 12_800)), Trend { changes: true, slows: true });
-                assert_eq!(watch.see(at(2_000), Some(sign * place)), Trend { changes, slows }, "{}", sign * place);
+                let second = watch.see(at(2_000), Some(sign * place));
+                assert_eq!(second, Trend { changes, slows: false }, "{}: one look may have come late", sign * place);
+                assert_eq!(watch.see(at(3_000), Some(sign * place * 3 / 2)).slows, slows, "{}", sign * place);
             }
         }
     }
