@@ -250,7 +250,7 @@ fn the_dice_bring_no_wrong_value() {
                 manner.name
             );
             let all = right + wrong + unread + twin + chance;
-            if wrong * 1_000 > manner.most * all {
+            if wrong * 10_000 > manner.most * all {
                 found.extend(score.found);
             }
         }

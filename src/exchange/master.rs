@@ -184,8 +184,10 @@ impl Master {
         } else {
             Phase::Gap(now)
         };
+        let parting = self.first_parting(station, &question, limits, now);
         self.job = Some(Job {
-            parting: self.first_parting(station, &question, limits, now),
+            kept: !matches!(parting, Parting::None) && self.debts.due(station).is_none(),
+            parting,
             station,
             question,
             limits,
@@ -262,7 +264,7 @@ impl Master {
     pub fn step(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
         let is_paid = self.debts.due(job.station).is_none() && job.asked == 0;
-        if is_paid && !matches!(job.parting, Parting::Quiet(_)) {
+        if is_paid && !job.kept && !matches!(job.parting, Parting::Quiet(_)) {
             job.parting = Parting::None; // what was owed has come meanwhile
         }
         if now >= job.until && !matches!(job.phase, Phase::Done(_) | Phase::Farewell(..)) {
@@ -442,7 +444,9 @@ impl Master {
         let parting = self.part(station, &question);
         let Some(job) = &mut self.job else { return };
         job.phase = match job.rounds {
-            ROUNDS.. => Phase::Done(Err(unproven(&self.twins, station, job.asked))),
+            rounds if rounds >= ROUNDS || !job.limits.witness => {
+                Phase::Done(Err(unproven(&self.twins, station, job.asked)))
+            }
             _ => Phase::Gap(at),
         };
         (job.parting, job.rounds, job.wanted) = (parting, job.rounds.saturating_add(1), at);
@@ -472,6 +476,7 @@ impl Master {
         self.debts.hears(job.station);
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
             let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
+            job.kept = false;
             // Everything older has come; of a fence that was asked more than once further replies may.
             self.debts.settle(job.station, sent_at, at);
             for _ in 1..job.same_fence {

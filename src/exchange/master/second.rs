@@ -53,7 +53,7 @@ impl Master {
             let rounds = std::mem::take(&mut job.rounds);
             self.ask_behind_fence(at, sent_end);
             if let Some(job) = &mut self.job {
-                job.rounds = rounds;
+                (job.rounds, job.kept) = (rounds, true);
             }
             return;
         }
