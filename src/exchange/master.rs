@@ -11,7 +11,7 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
-use super::heard::{Heard, Sample, Weight};
+use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
 use super::job::{Came, Count, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
 use super::twins::Twins;
@@ -55,6 +55,8 @@ pub struct Master {
     heard: Heard,
     /// Addresses at which two drives may answer.
     twins: Twins,
+    /// When somebody else asked something.
+    others: Option<Tick>,
     /// The last question that was answered, and when.
     answered: Option<(u8, Question, Tick)>,
     /// Characters take their time on this line, and nothing comes sooner than that allows.
@@ -89,6 +91,7 @@ impl Master {
             counters: BTreeMap::new(),
             heard: Heard::default(),
             twins: Twins::default(),
+            others: None,
             answered: None,
             wired: false,
             loose: Loose::default(),
@@ -458,7 +461,10 @@ impl Master {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
         if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
-            self.twins.suspects(job.station); // two telegrams came
+            // Two telegrams came: the second may be another's who answered just now.
+            let last = self.answered.as_ref().filter(|(_, _, then)| at.since(*then) < COPY_WITHIN);
+            let stations = [Some(job.station), last.map(|last| last.0)];
+            stations.into_iter().flatten().for_each(|station| self.suspect(station, at));
         }
         if self.is_doubted(&said) || self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end);
@@ -580,12 +586,8 @@ impl Master {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
-        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase)
-            && *last == station
-            && waiting.sent_at.since(*then) < RIGHT_BEHIND
-        {
-            self.twins.loses(station);
-        }
+        self.note_lost(station, now);
+        let Some(job) = &self.job else { return Step::Wait(now) };
         let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
         let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
         let Some(job) = &mut self.job else { return Step::Wait(now) };

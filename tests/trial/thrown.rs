@@ -48,7 +48,22 @@ pub(crate) struct Manner {
     pub(crate) most: u64,
 }
 
-pub(crate) const MANNERS: [Manner; 9] = [
+pub(crate) const MANNERS: [Manner; 12] = [
+    Manner { name: "clean", set: |hazards, _| *hazards = Hazards::default(), drained: true, wired: true, most: 0 },
+    Manner {
+        name: "slow",
+        set: |hazards, dice| *hazards = Hazards { late: 2 + dice.below(20), ..Hazards::default() },
+        drained: true,
+        wired: true,
+        most: 0,
+    },
+    Manner {
+        name: "lossy",
+        set: |hazards, dice| *hazards = Hazards { lost: 2 + dice.below(20), ..Hazards::default() },
+        drained: true,
+        wired: true,
+        most: 0,
+    },
     Manner { name: "faults", set: |_, _| {}, drained: true, wired: true, most: 0 },
     Manner {
         name: "undrained",
@@ -69,14 +84,14 @@ pub(crate) const MANNERS: [Manner; 9] = [
         set: |hazards, _| *hazards = Hazards { twins: true, ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 0,
+        most: 2,
     },
     Manner {
         name: "twins, late",
         set: |hazards, dice| *hazards = Hazards { twins: true, late: 2 + dice.below(20), ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 0,
+        most: 20,
     },
     Manner {
         name: "another master alone",
@@ -88,7 +103,7 @@ pub(crate) const MANNERS: [Manner; 9] = [
         wired: true,
         most: 0,
     },
-    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 0 },
+    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 20 },
     Manner {
         name: "another master",
         set: |hazards, dice| hazards.master = Some(dice.pick(&[12, 25, 60, 200])),

@@ -215,7 +215,7 @@ impl Master {
         match is_copy {
             true if owed => return, // a copy, or what is owed: nobody knows
             true => {
-                self.twins.suspects(station);
+                self.suspect(station, at);
                 return self.heard.sees_surplus();
             }
             false => {}
@@ -233,7 +233,7 @@ impl Master {
             self.heard.sees_surplus();
             self.twins.marks(station, at);
         } else {
-            self.twins.suspects(station);
+            self.suspect(station, at);
         }
     }
 }
