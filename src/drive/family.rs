@@ -262,7 +262,7 @@ impl<'q, 's> Inquest<'q, 's> {
         }
         let Some(family) = self.registry.family("acu") else { return Ok(()) };
         if keep_register && let Some(question) = register(&family).and_then(|inquiry| self.route.question(inquiry)) {
-            self.finding.kept_register = self.session.number(self.route, question).await?;
+            self.finding.kept_register = self.session.number_once(self.route, question).await?;
         }
         self.reads_setpoint(&family).await
     }

@@ -345,7 +345,7 @@ impl<'a> Session<'a> {
     }
 
     /// Asks for a number that is gone once it has been read.
-    async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
+    pub(super) async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
         let limits = self.limits();
         self.set_limits(Limits { witness: false, ..limits });
         let number = self.number(route, question).await;

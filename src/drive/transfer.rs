@@ -141,6 +141,9 @@ impl Target {
             return Ok(Reading { set, raw: kept.into(), text: None, kind: Type::Uint, corrected: false });
         }
         let cell = Cell { number: param.id, set };
+        if is_register {
+            return self.read_once(session, param, cell).await;
+        }
         let stated = self.widths.get(&param.id).copied().or(param.kind);
         let first = stated.unwrap_or(Type::Word);
         let error = match self.read_as(session, param, cell, first).await {
@@ -165,6 +168,20 @@ impl Target {
             Err(AccessError::Refused(_)) => Err(error),
             Err(other) => Err(other),
         }
+    }
+
+    /// Reads what is cleared by reading: asked again after a lost reply it would say that nothing happened.
+    async fn read_once(
+        &mut self,
+        session: &mut Session<'_>,
+        param: &Param,
+        cell: Cell,
+    ) -> Result<Reading, AccessError> {
+        let limits = session.limits();
+        session.set_limits(Limits { witness: false, retries: 0, ..limits });
+        let reading = self.read_as(session, param, cell, param.kind.unwrap_or(Type::Uint)).await;
+        session.set_limits(limits);
+        reading
     }
 
     /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not

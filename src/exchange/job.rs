@@ -28,6 +28,8 @@ pub(super) struct Job {
     pub(super) station: u8,
     pub(super) question: Question,
     pub(super) parting: Parting,
+    /// It is parted although the station owes nothing.
+    pub(super) kept: bool,
     pub(super) limits: Limits,
     /// When somebody wanted to know.
     pub(super) wanted: Tick,

@@ -11,7 +11,7 @@
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
-use super::heard::{Heard, Sample, Weight};
+use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
 use super::job::{Came, Count, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
 use super::twins::Twins;
@@ -55,6 +55,8 @@ pub struct Master {
     heard: Heard,
     /// Addresses at which two drives may answer.
     twins: Twins,
+    /// When somebody else asked something.
+    others: Option<Tick>,
     /// The last question that was answered, and when.
     answered: Option<(u8, Question, Tick)>,
     /// Characters take their time on this line, and nothing comes sooner than that allows.
@@ -89,6 +91,7 @@ impl Master {
             counters: BTreeMap::new(),
             heard: Heard::default(),
             twins: Twins::default(),
+            others: None,
             answered: None,
             wired: false,
             loose: Loose::default(),
@@ -184,8 +187,10 @@ impl Master {
         } else {
             Phase::Gap(now)
         };
+        let parting = self.first_parting(station, &question, limits, now);
         self.job = Some(Job {
-            parting: self.first_parting(station, &question, limits, now),
+            kept: !matches!(parting, Parting::None) && self.debts.due(station).is_none(),
+            parting,
             station,
             question,
             limits,
@@ -262,7 +267,7 @@ impl Master {
     pub fn step(&mut self, now: Tick) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Done(Err(ExchangeError::BroadcastRead)) };
         let is_paid = self.debts.due(job.station).is_none() && job.asked == 0;
-        if is_paid && !matches!(job.parting, Parting::Quiet(_)) {
+        if is_paid && !job.kept && !matches!(job.parting, Parting::Quiet(_)) {
             job.parting = Parting::None; // what was owed has come meanwhile
         }
         if now >= job.until && !matches!(job.phase, Phase::Done(_) | Phase::Farewell(..)) {
@@ -442,7 +447,9 @@ impl Master {
         let parting = self.part(station, &question);
         let Some(job) = &mut self.job else { return };
         job.phase = match job.rounds {
-            ROUNDS.. => Phase::Done(Err(unproven(&self.twins, station, job.asked))),
+            rounds if rounds >= ROUNDS || !job.limits.witness => {
+                Phase::Done(Err(unproven(&self.twins, station, job.asked)))
+            }
             _ => Phase::Gap(at),
         };
         (job.parting, job.rounds, job.wanted) = (parting, job.rounds.saturating_add(1), at);
@@ -454,7 +461,10 @@ impl Master {
         self.tally.replies += 1;
         self.tally.exceptions += u64::from(said.is_refusal());
         if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
-            self.twins.suspects(job.station); // two telegrams came
+            // Two telegrams came: the second may be another's who answered just now.
+            let last = self.answered.as_ref().filter(|(_, _, then)| at.since(*then) < COPY_WITHIN);
+            let stations = [Some(job.station), last.map(|last| last.0)];
+            stations.into_iter().flatten().for_each(|station| self.suspect(station, at));
         }
         if self.is_doubted(&said) || self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end);
@@ -472,6 +482,7 @@ impl Master {
         self.debts.hears(job.station);
         if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
             let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
+            job.kept = false;
             // Everything older has come; of a fence that was asked more than once further replies may.
             self.debts.settle(job.station, sent_at, at);
             for _ in 1..job.same_fence {
@@ -575,12 +586,8 @@ impl Master {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
         }
-        if let (Some((last, _, then)), Phase::Reply(waiting)) = (&self.answered, &job.phase)
-            && *last == station
-            && waiting.sent_at.since(*then) < RIGHT_BEHIND
-        {
-            self.twins.loses(station);
-        }
+        self.note_lost(station, now);
+        let Some(job) = &self.job else { return Step::Wait(now) };
         let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
         let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
         let Some(job) = &mut self.job else { return Step::Wait(now) };

@@ -50,13 +50,11 @@ impl Twins {
         self.by_station.entry(station).or_default();
     }
 
-    /// A question was lost that went out right behind an answer: it may have met the second one.
-    pub(super) fn loses(&mut self, station: u8) {
+    /// A question was lost that went out right behind an answer: it may have met the second one. Whether that is often.
+    pub(super) fn loses(&mut self, station: u8) -> bool {
         let lost = self.lost.entry(station).or_default();
         *lost = lost.saturating_add(1);
-        if *lost >= LOST {
-            self.suspects(station);
-        }
+        *lost >= LOST
     }
 
     /// A second answer came in other words, but the first or the second may be to something older.

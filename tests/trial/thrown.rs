@@ -43,11 +43,27 @@ pub(crate) struct Manner {
     pub(crate) drained: bool,
     /// Wires, or a gateway that hands bytes on as it likes.
     pub(crate) wired: bool,
-    /// So many of a thousand values may be wrong: where two speak with one voice, nobody can always tell.
+    /// So many of ten thousand values may be wrong: where two speak with one voice and the sign of it is lost, late or spoilt
+    /// before the first value is, nobody can tell.
     pub(crate) most: u64,
 }
 
-pub(crate) const MANNERS: [Manner; 9] = [
+pub(crate) const MANNERS: [Manner; 12] = [
+    Manner { name: "clean", set: |hazards, _| *hazards = Hazards::default(), drained: true, wired: true, most: 0 },
+    Manner {
+        name: "slow",
+        set: |hazards, dice| *hazards = Hazards { late: 2 + dice.below(20), ..Hazards::default() },
+        drained: true,
+        wired: true,
+        most: 0,
+    },
+    Manner {
+        name: "lossy",
+        set: |hazards, dice| *hazards = Hazards { lost: 2 + dice.below(20), ..Hazards::default() },
+        drained: true,
+        wired: true,
+        most: 0,
+    },
     Manner { name: "faults", set: |_, _| {}, drained: true, wired: true, most: 0 },
     Manner {
         name: "undrained",
@@ -68,14 +84,14 @@ pub(crate) const MANNERS: [Manner; 9] = [
         set: |hazards, _| *hazards = Hazards { twins: true, ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 40,
+        most: 2,
     },
     Manner {
         name: "twins, late",
         set: |hazards, dice| *hazards = Hazards { twins: true, late: 2 + dice.below(20), ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 40,
+        most: 20,
     },
     Manner {
         name: "another master alone",
@@ -85,9 +101,9 @@ pub(crate) const MANNERS: [Manner; 9] = [
         },
         drained: true,
         wired: true,
-        most: 80,
+        most: 0,
     },
-    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 40 },
+    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 20 },
     Manner {
         name: "another master",
         set: |hazards, dice| hazards.master = Some(dice.pick(&[12, 25, 60, 200])),
@@ -100,7 +116,7 @@ pub(crate) const MANNERS: [Manner; 9] = [
         set: |hazards, dice| (hazards.master, hazards.shared) = (Some(dice.pick(&[12, 25, 60, 200])), true),
         drained: true,
         wired: true,
-        most: 80,
+        most: 0,
     },
 ];
 

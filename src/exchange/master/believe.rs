@@ -178,7 +178,8 @@ impl Master {
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
         let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
-        if !is_doubted && (is_sure || matches!(held.weight, Weight::Stale(_))) {
+        let is_stale = matches!(held.weight, Weight::Stale(_));
+        if !is_doubted && (is_sure || is_stale) {
             job.doubted = held.doubted;
             self.reply(held.at, sent_end, &held.bytes, is_sure);
             self.take(held.at, sent_end, held.said);
@@ -196,7 +197,7 @@ impl Master {
 
     fn ask_anew(&mut self, now: Tick, parting: Parting) -> Step<Outcome> {
         let Some(job) = &mut self.job else { return Step::Wait(now) };
-        if job.rounds >= ROUNDS {
+        if job.rounds >= ROUNDS || !job.limits.witness {
             let error = unproven(&self.twins, job.station, job.asked);
             return self.finish(Err(error));
         }
@@ -214,7 +215,7 @@ impl Master {
         match is_copy {
             true if owed => return, // a copy, or what is owed: nobody knows
             true => {
-                self.twins.suspects(station);
+                self.suspect(station, at);
                 return self.heard.sees_surplus();
             }
             false => {}
@@ -232,7 +233,7 @@ impl Master {
             self.heard.sees_surplus();
             self.twins.marks(station, at);
         } else {
-            self.twins.suspects(station);
+            self.suspect(station, at);
         }
     }
 }

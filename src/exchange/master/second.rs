@@ -6,6 +6,9 @@ use crate::exchange::twins::SECOND_WITHIN;
 use crate::protocol::modbus::pdu::Reply;
 use crate::tick::Span;
 
+/// Who has asked nothing for so long is gone.
+const ALONE_AFTER: Span = Span::from_secs(5);
+
 impl Master {
     /// Whether two drives at the address matter to this question. A stop or a refresh goes on, and a write is proven
     /// otherwise.
@@ -27,6 +30,22 @@ impl Master {
                 self.fence(station, question).map_or(Parting::None, |fence| Parting::Fence(fence, now))
             }
             parting => parting,
+        }
+    }
+
+    /// More came from a station than was asked for, or less: a second drive may be the cause, unless another master is.
+    pub(super) fn suspect(&mut self, station: u8, at: Tick) {
+        if self.others.is_none_or(|heard| at.since(heard) > ALONE_AFTER) {
+            self.twins.suspects(station);
+        }
+    }
+
+    /// A question was lost: one that went out right behind an answer may have met the second one.
+    pub(super) fn note_lost(&mut self, station: u8, now: Tick) {
+        let (Some(job), Some((last, _, then))) = (&self.job, &self.answered) else { return };
+        let Phase::Reply(waiting) = &job.phase else { return };
+        if *last == station && waiting.sent_at.since(*then) < RIGHT_BEHIND && self.twins.loses(station) {
+            self.suspect(station, now);
         }
     }
 
@@ -53,7 +72,7 @@ impl Master {
             let rounds = std::mem::take(&mut job.rounds);
             self.ask_behind_fence(at, sent_end);
             if let Some(job) = &mut self.job {
-                job.rounds = rounds;
+                (job.rounds, job.kept) = (rounds, true);
             }
             return;
         }

@@ -794,3 +794,75 @@ fn no_flood_makes_a_buffer_grow() {
         }
     }
 }
+
+#[test]
+fn what_is_cleared_by_reading_is_asked_once_whatever_is_doubtful() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(1, READ, &[&[(10, value(7))]]).is_ok());
+    line.master.set_limits(Limits { witness: false, ..Limits::default() });
+    let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40];
+    assert!(matches!(
+        line.ask(1, OTHER, &[&[(15, met), (36, value(1391))], &[(10, value(0))]]),
+        Err(ExchangeError::Unproven { asked: 1 })
+    ));
+}
+
+#[test]
+fn two_drives_that_answer_differently_are_named_and_none_of_them_is_believed() {
+    let mut line = Line::new(Framing::Rtu);
+    let described = frame(1, &Reply::Exception { function: 0x2B, code: Exception::IllegalFunction });
+    let who = Request::ReadIdentification { category: 1, object: 0 };
+    assert!(line.ask(1, who, &[&[(10, described.clone()), (22, described)]]).is_ok());
+    // The answer of the second drive to the first question comes while the next is asked.
+    let counted = |count| frame(1, &Reply::Diagnostics { sub: 0x0B, data: count });
+    let replies: [&[(u64, Vec<u8>)]; 3] =
+        [&[(11, value(7)), (30, value(8))], &[(10, counted(5)), (30, counted(5))], &[(10, value(7)), (30, value(8))]];
+    assert_eq!(line.ask(1, READ, &replies), Err(ExchangeError::TwoAnswers { station: 1 }));
+    let sent = line.sent.len();
+    assert_eq!(line.ask(1, OTHER, &[]), Err(ExchangeError::TwoAnswers { station: 1 }));
+    assert_eq!(line.sent.len(), sent, "for a while nothing more is asked");
+}
+
+#[test]
+fn a_question_of_somebody_else_is_heard_across_our_own() {
+    let mut line = Line::new(Framing::Rtu);
+    let his = rtu::encode(1, &OTHER.encode());
+    let (head, tail) = his.split_at(6);
+    line.master.feed(line.now, head);
+    // The rest of his question, his answer, then the fence's and ours.
+    let replies: [&[(u64, Vec<u8>)]; 4] =
+        [&[(1, [tail, &value(7)[..]].concat())], &[(10, fence_reply())], &[(10, value(1390))], &[(10, value(1390))]];
+    assert_eq!(taken(line.ask(1, READ, &replies)), Reply::Registers(vec![1390]));
+}
+
+#[test]
+fn what_somebody_else_asks_behind_our_fence_is_not_settled_by_it() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[]).is_err());
+    let his = rtu::encode(1, &Request::ReadRegisters { start: 0x1111, count: 1 }.encode());
+    let replies: [&[(u64, Vec<u8>)]; 4] = [
+        &[(4, his), (20, fence_reply()), (400, value(9))],
+        &[(10, frame(1, &Reply::Diagnostics { sub: 0x0B, data: 6 }))],
+        &[(10, value(7))],
+        &[(10, value(7))],
+    ];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn a_copy_of_a_reply_that_came_as_garbage_is_no_value() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    let mut spoilt = value(1390);
+    spoilt[4] ^= 1;
+    assert!(line.ask(1, READ, &[&[(10, spoilt), (120, value(1390))]]).is_err());
+    let replies: [&[(u64, Vec<u8>)]; 5] =
+        [&[(10, fence_reply())], &[], &[(10, value(7))], &[(10, fence_reply())], &[(10, value(7))]];
+    line.master.set_limits(Limits::default());
+    let said = line.ask(1, OTHER, &replies);
+    assert!(
+        !matches!(&said, Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. }) if *words == [1390]),
+        "{said:?}"
+    );
+}
