@@ -62,7 +62,12 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     }
     let is_over = stop.acknowledged || is_off(stop) || running == Some(false);
     let failure = hinted(failure, [stop.note.clone()]);
-    if is_over { failure } else { dangerous(failure, family, lang) }
+    match is_over {
+        false => dangerous(failure, family, lang),
+        // Nothing stops a shaft without power, but whoever stands beside it must know.
+        true if is_unproven(stop, done) => warned(failure, lang),
+        true => failure,
+    }
 }
 
 /// What came of a stop, so that nobody takes a shaft without power for one that stands.
@@ -86,12 +91,19 @@ fn is_off(stop: &Stop) -> bool {
 
 /// The danger first, and what ends it; why it came to that is for later.
 fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
-    let mut failure = failure;
     if failure.message.starts_with(may_turn(lang)) {
         return failure;
     }
-    failure.message = format!("{}: {}", may_turn(lang), failure.message);
-    hinted(failure, [Some(what_stops_it(family, lang))])
+    hinted(warned(failure, lang), [Some(what_stops_it(family, lang))])
+}
+
+/// The danger first.
+fn warned(failure: Failure, lang: Lang) -> Failure {
+    let mut failure = failure;
+    if !failure.message.starts_with(may_turn(lang)) {
+        failure.message = format!("{}: {}", may_turn(lang), failure.message);
+    }
+    failure
 }
 
 /// A failure with hints before the one that it has.
@@ -117,7 +129,7 @@ fn unproven(stop: &Stop, family: &Family, lang: Lang) -> Failure {
     };
     let failure = hinted(Failure::new(class, code, text), [stop.note.clone()]);
     // Who coasts is stopped by nothing of that.
-    if is_off(stop) { failure } else { dangerous(failure, family, lang) }
+    if is_off(stop) { warned(failure, lang) } else { dangerous(failure, family, lang) }
 }
 
 /// A stop that took the power away, and nothing showed the shaft at standstill.
