@@ -261,6 +261,8 @@ mod tests {
         assert_eq!([0, 5_000_000, 10_000_000, 20_000_000].map(|us| ramp.at(us)), [0, 500, 1_000, 1_000]);
         let long = Schedule::ramp(6_825_505_067_119_499_983, -7_662_278_336_939_238_498, u64::MAX);
         assert!(long.at(u64::MAX / 2) < 0, "numbers at the end of their type do not wrap");
+        let longest = Schedule::ramp(i64::MIN, i64::MAX, u64::MAX);
+        assert_eq!(longest.at(u64::MAX - 1), i64::MAX - 1, "where no product holds it either");
         let steps = Schedule::steps(vec![(0, 500), (2_000_000, 1_000)]).unwrap();
         assert_eq!([0, 1_999_999, 2_000_000].map(|us| steps.at(us)), [500, 500, 1_000]);
         assert_eq!(Schedule::steps(vec![(5, 1), (5, 2)]), Err(2));

@@ -139,6 +139,14 @@ fn a_fault_is_reset_once_behind_its_lock() {
 }
 
 #[test]
+fn a_reset_is_one_rising_edge_that_does_not_stand() {
+    let tripped = bench("act", "set = { \"412\" = 1 }\n[[drive.event]]\nat = \"1ms\"\nfault = \"F0500\"");
+    let reset = antrieb("-v -a 1 --yes statemachine reset").on(&tripped).json().exits(0);
+    let words: Vec<_> = reset.err.lines().filter_map(|line| line.split_once("> 01 06 01 9A ")?.1.get(..5)).collect();
+    assert_eq!(words, ["00 00", "00 80", "00 00"], "{}", reset.err);
+}
+
+#[test]
 fn setpoints_are_checked_before_they_are_given() {
     let internal = bench("acu", "set = { \"412\" = 1, \"434\" = 1 }");
     let ignored = antrieb("-a 1 --yes sollwert 25Hz").on(&internal).json().exits(8);
