@@ -207,9 +207,9 @@ impl<'a> Session<'a> {
     }
 
     /// From now on no answer is believed that may be one to the same question from before this moment: for what proves that
-    /// a write has been obeyed. `None`: an older answer will do.
+    /// a write has been obeyed; the first of several counts. `None`: an older answer will do.
     pub fn believe_since(&mut self, since: Option<Tick>) {
-        self.since = since;
+        self.since = since.map(|since| self.since.unwrap_or(since));
     }
 
     /// Whether that time is over.

@@ -17,7 +17,9 @@ impl Master {
     /// How many missing replies this could be, although a later one has come.
     fn doubles(&self, job: &Job, said: &Said, at: Tick) -> usize {
         let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
-        let older = |old: &Overtaken| job.limits.since.is_some_and(|since| old.since <= since);
+        // On a line that keeps the order it came before the answer to the fence, or never.
+        let mixes = self.debts.mixes();
+        let older = |old: &Overtaken| mixes && job.limits.since.is_some_and(|since| old.since <= since);
         let alike = self.debts.overtaken(job.station, at).filter(|&old| match (&old.missing, said.is_refusal()) {
             (missing, _) if *missing == job.question => older(old),
             (missing, true) => refusable(missing) && self.dialect.refuses_alike(missing, &job.question),
