@@ -128,8 +128,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         None => {
             let outcome = carry_out(None);
             match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
-                // Nobody reads any more, but how a run ended must be heard of: a shaft may still turn.
-                Err(error) if outcome.is_run() => {
+                // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
+                Err(error) if outcome.is_run() || outcome.failure.is_some() => {
                     render::print_end(&outcome, lang, &console);
                     if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
                 }

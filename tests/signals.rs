@@ -147,3 +147,37 @@ fn the_fate_of_the_stop_is_told_on_stderr_where_the_reader_of_stdout_died_of_the
     run.shows("; ramp: ");
     assert!(run.seen.contains("the stop was acknowledged") || run.seen.contains("without power"), "{}", run.seen);
 }
+
+#[test]
+fn a_stop_goes_out_where_nobody_reads_what_comes_of_it() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
+    for format in ["--json", "--format ndjson", ""] {
+        for (verb, word) in [
+            ("statemachine quick-stop", "> 01 06 01 9A 00 02"),
+            ("statemachine disable", "> 01 06 01 9A 00 0"),
+            ("statemachine disable-voltage", "> 01 06 01 9A 00 00"),
+            ("sollwert 0", "> 01 65 01 E4 00 00 00 00"),
+        ] {
+            let line = format!("-v -p sim:{} -a 1 {format} {verb}", file.display());
+            let mut run = AtTerminal::start_into(&line, Stdio::piped());
+            drop(run.child.stdout.take());
+            let exit = run.ends();
+            run.shows(word);
+            assert!(!run.seen.contains("interrupted"), "{line}: {exit:?} {}", run.seen);
+        }
+    }
+}
+
+#[test]
+fn a_run_that_did_not_begin_because_nobody_reads_is_no_success() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
+    let line = format!("-p sim:{} -a 1 --yes --json sollwert 5Hz --enable --hold", file.display());
+    let mut run = AtTerminal::start_into(&line, Stdio::piped());
+    drop(run.child.stdout.take());
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows("error: ");
+}

@@ -16,8 +16,6 @@ mod catalogues;
 mod clock;
 #[path = "verbs/decoding.rs"]
 mod decoding;
-#[path = "verbs/ends.rs"]
-mod ends;
 #[path = "verbs/exits.rs"]
 mod exits;
 #[path = "verbs/files.rs"]

@@ -103,9 +103,13 @@ pub(super) async fn run<'p, C>(
     let address = single_address(context)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
+    let act = plan.relief;
+    if act.is_some() {
+        // A stop goes out and is proven whether or not somebody reads what comes of it.
+        interrupt.hear_only_keys();
+    }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     // What can only take motion away goes out before anything is asked.
-    let act = plan.relief;
     if let Some(act) = act {
         plan.said = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
         session.insist(true);

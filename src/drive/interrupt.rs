@@ -43,6 +43,11 @@ impl Interrupt {
         }
     }
 
+    /// Hears only who presses: what must be done goes on where nobody reads what is told of it.
+    pub fn hear_only_keys(&mut self) {
+        self.noted = self.noted.max(OF_ITSELF);
+    }
+
     /// Takes note of every wish so far, and of one that comes of itself, such as a pipe that closes while the end is on
     /// its way: only who presses from now on counts.
     pub fn note(&mut self) {
@@ -71,6 +76,17 @@ mod tests {
         signals.press();
         assert!(here.is_raised());
         assert!(signals.is_raised(), "what one has noted the others still hear");
+    }
+
+    #[test]
+    fn where_only_keys_are_heard_a_closed_pipe_ends_nothing() {
+        let signals = Interrupt::default();
+        let mut here = signals.clone();
+        here.hear_only_keys();
+        signals.raise();
+        assert!(!here.is_raised());
+        signals.press();
+        assert!(here.is_raised());
     }
 
     #[test]

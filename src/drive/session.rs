@@ -262,6 +262,11 @@ impl<'a> Session<'a> {
         Ok(outcome??)
     }
 
+    /// Fails where two answers to one question differed: whatever is started there could be started twice.
+    pub fn demand_one_drive(&self, station: u8) -> Result<(), AccessError> {
+        if self.master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }
+    }
+
     /// Tells once that everything is answered twice: what is read may come from either of two drives.
     fn tell_twice(&mut self, station: u8) {
         if self.master.answers_twice(station) && self.twice.insert(station) {

@@ -164,6 +164,11 @@ impl Master {
         self.twins.answers_twice(station)
     }
 
+    /// Whether a station has given two answers to one question that differ: most likely two drives with one address.
+    pub fn differs(&self, station: u8) -> bool {
+        self.twins.is_marked(station)
+    }
+
     /// The telegrams since the last call.
     pub fn take_records(&mut self) -> Vec<Record> {
         std::mem::take(&mut self.records)

@@ -22,6 +22,7 @@ impl Motor<'_, '_> {
         let family = self.target.family.clone();
         let mut from = situation.state.clone();
         if goal == "operation-enabled" && from != goal {
+            self.demand_one_drive()?;
             self.clear().await?;
             from = self.begin(&from).await?;
         }
@@ -32,10 +33,18 @@ impl Motor<'_, '_> {
             return Err(self.detour(goal));
         }
         for transition in way {
+            if transition.to == "operation-enabled" {
+                self.demand_one_drive()?;
+            }
             self.pass(transition).await?;
         }
         self.enabled = goal == "operation-enabled";
         Ok(())
+    }
+
+    /// Two drives at one address would both start.
+    fn demand_one_drive(&self) -> Result<(), Failure> {
+        self.session.demand_one_drive(self.target.address).map_err(|error| self.failure(&error))
     }
 
     /// Sends the command that the family wants before it is walked up; returns the state that it leads to.
