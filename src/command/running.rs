@@ -136,6 +136,7 @@ pub(super) async fn run<'p, C>(
     let permit = match plan.relief {
         Some(act) => act.permit(),
         None => {
+            session.demand_one_drive(address).map_err(|error| error.failure(address, Some(&target.family), lang))?;
             session.insist(false);
             session.end_at(None);
             let question = question(&plan, &target, settings.node, before.as_ref().unwrap_or(&blind), lang);

@@ -262,6 +262,11 @@ impl<'a> Session<'a> {
         Ok(outcome??)
     }
 
+    /// The language in which things are told.
+    pub fn lang(&self) -> Lang {
+        self.lang
+    }
+
     /// Fails where two answers to one question differed: whatever is started there could be started twice.
     pub fn demand_one_drive(&self, station: u8) -> Result<(), AccessError> {
         if self.master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }

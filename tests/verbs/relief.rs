@@ -199,3 +199,14 @@ fn a_zero_behind_which_the_shaft_would_turn_the_other_way_never_goes_out_unseen(
         assert!(unseen || !run.sent().iter().any(|hex| hex.starts_with(ZEROS[0])), "{name}: {}", run.err);
     }
 }
+
+#[test]
+fn a_quick_stop_in_place_of_a_ramp_is_told() {
+    let bench = active("act", 1, "reply_delay = \"300ms\"");
+    for (lang, told) in [("en", "a quick stop in place of the ramp"), ("de", "Schnellhalt statt Rampe")] {
+        let run = antrieb(&format!("--lang {lang} -a 1 --drive act statemachine disable")).on(&bench).run();
+        assert!(run.err.contains(told), "{}", run.err);
+    }
+    let prompt = antrieb("-b 115200 -a 1 --drive act statemachine disable").on(&active("act", 1, "")).run();
+    assert!(!prompt.err.contains("in place of"), "{}", prompt.err);
+}

@@ -56,3 +56,14 @@ fn a_twin_on_the_bench_is_named_however_late_it_answers() {
         }
     }
 }
+
+#[test]
+fn two_drives_at_one_address_are_never_started() {
+    for (first, second) in [(30, 45), (4, 14), (10, 40), (30, 75)] {
+        let bench = twins("rtu", first, second).replace("set = {", "set = { \"412\" = 1, \"434\" = 2, \"418\" = 0,");
+        let bench = bench.replacen("\"412\" = 1,", "\"412\" = 1, \"413\" = 17,", 1);
+        let run = antrieb("-v -a 1 --yes sollwert 20Hz --enable --hold --duration 500ms").on(&bench).run();
+        assert!(!run.sent().iter().any(|sent| sent.starts_with("01 06 01 9A 00 0F")), "{first}/{second}: {}", run.err);
+        assert_eq!(run.exit, 5, "{first}/{second}: {}", run.err);
+    }
+}

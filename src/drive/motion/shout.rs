@@ -31,6 +31,7 @@ use crate::drive::transfer::Target;
 use crate::exchange::{Answer, Limits, Question};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
+use crate::outcome::Event;
 use crate::profile::{Family, Lang, Mode, Registry, Type};
 use crate::tick::Span;
 use std::rc::Rc;
@@ -220,6 +221,15 @@ async fn first_word(
     act: Relief,
 ) -> Result<Option<u16>, AccessError> {
     let sure = act == Relief::Disable && obeys(session, meant, family).await?;
+    if let Some(mode) = family.role("control-mode").filter(|_| act == Relief::Disable && !sure) {
+        let (label, lang) = (mode.label(), session.lang());
+        session.tell(Event::Note(match lang {
+            Lang::En => {
+                format!("{label} did not tell in time that commands are obeyed: a quick stop in place of the ramp")
+            }
+            Lang::De => format!("{label} sagte nicht rechtzeitig, dass Befehle gelten: Schnellhalt statt Rampe"),
+        }));
+    }
     Ok(blind(family, act, sure).and_then(|slug| family.machine.command(slug)).map(|command| command.word))
 }
 
