@@ -129,7 +129,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             let outcome = carry_out(None);
             match render::print(&outcome, verb, format, lang, width, out.as_mut(), &console) {
                 // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
-                Err(error) if outcome.is_run() || outcome.failure.is_some() => {
+                Err(error) if outcome.is_run() || turns(&cli.verb) && outcome.failure.is_some() => {
                     render::print_end(&outcome, lang, &console);
                     if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
                 }
@@ -301,8 +301,7 @@ fn work(
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {
         // A verb that turns a shaft must notice that nobody reads any more; others finish what they began.
-        let turns = matches!(verb, Verb::Statemachine(_) | Verb::Sollwert(_));
-        let pipe = turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
+        let pipe = turns(verb).then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
         let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
         // From the first moment on a signal is heard, and does not just kill us.
         tokio::task::yield_now().await;
@@ -316,6 +315,11 @@ fn work(
         }
         outcome
     })
+}
+
+/// Whether a verb can turn a shaft.
+fn turns(verb: &Verb) -> bool {
+    matches!(verb, Verb::Statemachine(_) | Verb::Sollwert(_))
 }
 
 /// Hands the keys that are pressed to the view, for ever.
