@@ -1,4 +1,4 @@
-//! From the command line, the environment and files ([`low`]: what was typed) to [`Settings`] (what holds), resolved once.
+//! From the command line, the environment and files (`low`: what was typed) to [`Settings`] (what holds), resolved once.
 
 mod address;
 mod globals;

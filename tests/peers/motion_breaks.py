@@ -89,7 +89,7 @@ class Setup:
     own_watchdog: bool = False
 
     def toml(self, watchdog):
-        values = {"412": 1, "434": 2, "413": watchdog, "418": 0, "424": 10, "425": 10, "549": 4, "638": "0.1"}
+        values = {"412": 1, "434": 2, "413": watchdog, "418": 0, "424": 10, "425": 10, "549": 4, "638": "1.0"}
         values |= dict(self.values)
         if self.own_watchdog:
             values["413"] = 0
@@ -575,7 +575,7 @@ def judge(case, run, bench, breaks, verdict):
     check_given_back(case, run, truth)
     if truth is not None:
         # What the bench knows by itself; a shaft that coasts has no frequency to be read.
-        if case.setup.on_exit == "coast" or truth.fault:
+        if case.setup.on_exit == "coast" or truth.fault or (stop_of(run) or {}).get("standing") is not True:
             time.sleep(COASTING_S)
             # The closing counts are of the last event of the bench: make one.
             ask(bench.port, case.setup)
@@ -587,6 +587,9 @@ def judge(case, run, bench, breaks, verdict):
         if not case.second and case.first.prompt:
             talks_over = [remark for remark in counts["remarks"] if "while a drive answers" in remark]
             demand(not talks_over, f"the interrupted exchange was talked over: {talks_over}")
+
+
+WITHOUT_POWER = ("switched-on", "switch-on-disabled", "ready-to-switch-on", "fault")
 
 
 def check_report(case, run, truth, turned, keep):
@@ -627,6 +630,12 @@ def check_report(case, run, truth, turned, keep):
             demand(run.code != 0, "the drive tripped, and the run is called a success")
         return
     demand(run.code != 0, "the stop was not acknowledged, and the run is called a success")
+    if (stop["state"] or {}).get("slug") in WITHOUT_POWER:
+        # The power is gone and nobody saw the shaft stand: that is told, and what the drive says now agrees.
+        demand("without power" in error["message"] or "tripped" in error["message"], f"not told: {error['message']!r}")
+        demand(data.get("standing") is not True, f"not acknowledged, but it stands: {data}")
+        demand(truth is None or not truth.driven, f"said to be without power, but: {truth}")
+        return
     demand("NOT acknowledged" in error["message"], f"a missing stop must be in the message: {error['message']!r}")
     demand("P.413" in (stop["note"] or ""), f"the note does not name the watchdog: {stop}")
     named = f" {case.watchdog()} s:" in stop["note"] or "not known" in stop["note"]
@@ -653,7 +662,9 @@ def check_prompt(case, run, breaks, truth, keep):
     else:
         late = stop is None or first.step >= stop - 1
         demand(keep or late, f"step {first.step} was before the stop at {stop}, but it is told as {at}")
-        demand(run.code == 0, f"came when the run was over, but exit {run.code}")
+        # A signal during the stop shortens it to a coast: then nobody saw the shaft stand.
+        coasts = at["escalated"] == "coast" and run.code == 8
+        demand(run.code == 0 or coasts, f"came when the run was over, but exit {run.code}")
     if not keep and stop and first.step < stop:
         took = run.sent[stop - 1][0] - first.fired
         demand(took < PROMPT_S, f"{took:.2f} s until the stop was on the line")

@@ -1427,7 +1427,8 @@ class DriveServer:
             return
         if self.twin:
             copy = PROTOCOLS[opt.protocol](self.twin, opt, lambda *_: None)
-            copy.buffer, answers = b"", copy.feed(request, now) or None
+            copy.buffer = b""
+            answers = copy.feed(request, now) or None
             answers = answers or copy.quiet(now)
             for other, _ in answers:
                 if other:
