@@ -49,8 +49,11 @@ impl Motor<'_, '_> {
 
     /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.
     pub(super) async fn give_back(&mut self, may: bool) {
+        if !may {
+            return;
+        }
         let zeroed = self.mode.as_ref().is_none_or(|mode| mode.zero);
-        if may && zeroed && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
+        if zeroed && self.setpoint.as_ref().is_some_and(|setpoint| setpoint.value.raw != 0) {
             let param = self.setpoint.as_ref().and_then(|setpoint| self.target.family.param(setpoint.param).cloned());
             if let Some(param) = param {
                 // So that nobody is surprised by it at the next enable.
@@ -63,9 +66,6 @@ impl Motor<'_, '_> {
                     });
                 }
             }
-        }
-        if !may {
-            return;
         }
         for index in (0..self.changes.len()).rev() {
             let Some(change) = self.changes.get(index).cloned() else { continue };

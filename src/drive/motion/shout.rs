@@ -59,14 +59,7 @@ pub async fn shout(
     if command_of(act).is_none() {
         return Ok(false);
     }
-    session.insist(true);
-    let limits = session.limits();
-    session.set_limits(Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits });
-    let said = say(session, registry, meant, act).await;
-    session.set_limits(limits);
-    session.end_at(None);
-    session.insist(false);
-    said
+    at_once(session, async |session: &mut Session<'_>| say(session, registry, meant, act).await).await
 }
 
 async fn say(session: &mut Session<'_>, registry: &Registry, meant: &Meant, act: Relief) -> Result<bool, AccessError> {
@@ -107,10 +100,18 @@ pub async fn shout_zero(
     meant: &Meant,
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<bool, AccessError> {
+    at_once(session, async |session: &mut Session<'_>| say_zero(session, registry, meant, modes).await).await
+}
+
+/// Does it in short questions, also into a busy line; afterwards the session is as before.
+async fn at_once(
+    session: &mut Session<'_>,
+    work: impl AsyncFnOnce(&mut Session<'_>) -> Result<bool, AccessError>,
+) -> Result<bool, AccessError> {
     session.insist(true);
     let limits = session.limits();
     session.set_limits(Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits });
-    let said = say_zero(session, registry, meant, modes).await;
+    let said = work(session).await;
     session.set_limits(limits);
     session.end_at(None);
     session.insist(false);
