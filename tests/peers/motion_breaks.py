@@ -223,6 +223,9 @@ class Relay:
         self.cut()
         for end in self.wake:
             os.close(end)
+        # What the drive said to the dead line is gone: else a late reply would pass for the first answer to the next master.
+        while select.select([self.line], [], [], 0)[0] and self.line.recv(4096):
+            pass
         return Relay(self.line)
 
     def close(self):
