@@ -1,6 +1,6 @@
 //! The LXM05 through the program: the worked sequences of its manual, reading, writing, diagnosis, safety.
 
-use super::run::{Output, antrieb};
+use crate::run::{Output, antrieb};
 use serde_json::json;
 
 /// An LXM05 whose settings differ from everything that the manual's examples write.

@@ -1,6 +1,6 @@
 //! What stops goes out before anything is asked, also where nothing, or little, or the wrong thing comes back.
 
-use super::run::antrieb;
+use crate::run::antrieb;
 use antrieb::tick::Span;
 use antrieb::transport::witness;
 use serde_json::json;

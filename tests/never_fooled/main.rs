@@ -3,11 +3,10 @@
 
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
 
-#[path = "trial/dice.rs"]
+mod adversary;
 mod dice;
-#[path = "trial/line.rs"]
+mod endless;
 mod line;
-#[path = "trial/thrown.rs"]
 mod thrown;
 
 use antrieb::exchange::{Answer, Limits, Master, Question, Record, Said, Step, Tally};

@@ -1,14 +1,8 @@
 //! Every conversation ends in time, whatever the line says: an adversary owns it and puts any bytes on it at any time. In
 //! virtual time, by dice with a seed.
 
-#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
-
-#[path = "trial/adversary.rs"]
-mod adversary;
-#[path = "trial/dice.rs"]
-mod dice;
-
-use adversary::{Adversary, MANNERS, Manner};
+use super::adversary::{Adversary, MANNERS, Manner};
+use super::dice::Dice;
 use antrieb::exchange::survey::Patience;
 use antrieb::exchange::{Conversation, INSIST, Limits, Master, News, Question, Step, Survey};
 use antrieb::protocol::Protocol;
@@ -16,7 +10,6 @@ use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::pdu::Request;
 use antrieb::protocol::vabus::{self, Address, Data, Header, ParamNumber};
 use antrieb::tick::{Span, Tick};
-use dice::Dice;
 
 /// Steps at one and the same time after which a conversation runs in circles.
 const MOST_AT_ONCE: u32 = 200;

@@ -1,17 +1,16 @@
 //! Motion in process: transitions, interlocks with their reasons, setpoints, bounded runs, what is given back.
 
-use super::run::antrieb;
+use crate::agreeable::permit;
+use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
+use antrieb::gate::{Hazard, Permit};
 use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
 use serde_json::json;
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
 
 /// A drive that obeys the control word, with everything that it needs to run.
 const READY: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2 }\n";
@@ -210,27 +209,6 @@ fn the_question_names_drive_state_and_what_will_happen() {
     }
 }
 
-struct Agreeable;
-
-impl Ask for Agreeable {
-    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
-        Box::pin(async { Answer::Yes })
-    }
-    fn is_there(&self) -> bool {
-        true
-    }
-}
-
-fn permit() -> Permit {
-    let question = Question { hazards: vec![Hazard::Motion], title: String::new(), details: Vec::new() };
-    let mut agreeable = Agreeable;
-    let mut asked = pin!(gate::ask(&mut agreeable, &question));
-    let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
-        unreachable!("the answer is there at once")
-    };
-    permit.unwrap()
-}
-
 /// Runs `work` on the drive at address 1 of a bench, in virtual time, and hands out the bench afterwards.
 pub(crate) fn with_motor(
     drive: &str,
@@ -259,7 +237,7 @@ pub(crate) fn with_motor(
     let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe);
     let mut session = runtime.block_on(opened).unwrap();
     let mut target = Target::new(1, registry.family(drive).unwrap());
-    runtime.block_on(work(&mut session, &mut target, &permit()));
+    runtime.block_on(work(&mut session, &mut target, &permit(Hazard::Motion)));
     after(session.bench().unwrap());
 }
 

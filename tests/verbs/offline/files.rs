@@ -78,3 +78,10 @@ fn a_recording_never_goes_through_a_link() {
         assert_eq!(std::fs::read_to_string(refused.directory().join("target")).unwrap(), "precious");
     }
 }
+
+#[test]
+fn a_bench_file_that_makes_no_sense_is_refused_with_its_place() {
+    let document = antrieb("scan").on("[[drive]]\nmodel = \"act\"\naddress = 248\n").json().exits(7);
+    assert!(document.error()["message"].as_str().unwrap().contains("bench.toml:3:11: address = 248"));
+    antrieb("-p sim:{dir}/none.toml scan").json().exits(7);
+}

@@ -4,13 +4,11 @@
 //! In virtual time. Ctrl-C, SIGTERM, SIGHUP and a closed pipe are one wish to end here ([`Interrupt`]); that they reach it is
 //! tried on real terminals by `tests/peers`.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
-
+use crate::agreeable::Agreeable;
 use antrieb::args::{Environment, Globals, Settings};
 use antrieb::command::{Context, sollwert, statemachine};
 use antrieb::drive::Interrupt;
 use antrieb::failure::{Class, Failure};
-use antrieb::gate::{Answer, Ask, Question, Reply};
 use antrieb::outcome::{Data, Event, Motion, Outcome};
 use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
@@ -18,17 +16,6 @@ use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 use clap::Parser;
 use std::cell::{Cell, RefCell};
-
-struct Agreeable;
-
-impl Ask for Agreeable {
-    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
-        Box::pin(async { Answer::Yes })
-    }
-    fn is_there(&self) -> bool {
-        true
-    }
-}
 
 #[derive(Parser)]
 struct Cli {

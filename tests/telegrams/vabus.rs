@@ -1,7 +1,5 @@
 //! Every VABus telegram of the store, both ways, and what the codec promises for any bytes.
 
-#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
-
 use antrieb::protocol::vabus::{
     Address, Arrival, Data, DataSet, Header, Heard, MAX_TELEGRAM, ParamNumber, Receiver, Reply, Request, SystemNode,
     Telegram, arrival, bcc,

@@ -1,6 +1,6 @@
 //! Two drives at one address: what they say is refused, and the cause is named.
 
-use super::run::antrieb;
+use crate::run::antrieb;
 
 /// Two drives at address 1 whose parameters differ; the second answers later.
 fn twins(protocol: &str, first: u32, second: u32) -> String {

@@ -1,13 +1,7 @@
 //! `monitor` in process: every form of its stream, gaps, ends, and that it never writes; on the bench in virtual time,
 //! and in real time where real time is the point.
-#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
-
-#[path = "verbs/run.rs"]
-#[expect(dead_code, reason = "shared with the tests of the other verbs")]
-mod run;
-
+use crate::run::{Output, antrieb};
 use jsonschema::Validator;
-use run::{Output, antrieb};
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 

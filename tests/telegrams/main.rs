@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
 
+mod vabus;
+
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::pdu::{Exception, Reply, Request};
 use antrieb::protocol::modbus::{Adu, Framing, Hex, MAX_PDU, ascii, rtu};

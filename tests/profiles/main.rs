@@ -4,6 +4,8 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
+mod lexium05;
+
 use antrieb::profile::value::parse_decimal;
 use antrieb::profile::{Access, Family, HazardKind, Lang, Registry};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,40 +1,16 @@
 //! Moving a drive to other line settings: on a good line, on a bad one, and with the cable cut at every moment.
 
-#![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
-
+use crate::agreeable::permit;
 use antrieb::drive::relocate::{Wish, course};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::{Class, Failure};
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
+use antrieb::gate::Hazard;
 use antrieb::outcome::{Event, Relocation, RelocationResult, StepResult};
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::{Port, Rs485};
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
-
-struct Agreeable;
-
-impl Ask for Agreeable {
-    fn ask<'a>(&'a mut self, _: &'a Question) -> Reply<'a> {
-        Box::pin(async { Answer::Yes })
-    }
-    fn is_there(&self) -> bool {
-        true
-    }
-}
-
-fn permit() -> Permit {
-    let question = Question { hazards: vec![Hazard::Line], title: String::new(), details: Vec::new() };
-    let mut agreeable = Agreeable;
-    let mut asked = pin!(gate::ask(&mut agreeable, &question));
-    let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
-        unreachable!("the answer is there at once")
-    };
-    permit.unwrap()
-}
 
 const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
 
@@ -114,7 +90,7 @@ async fn one_move(
     let mut target = Target::new(address, registry.family("acu").unwrap());
     let course = course(session, &mut target, wish, lang).await?;
     course.check_free(session, &mut target, lang).await?;
-    Ok(course.go(session, &mut target, &permit(), lang).await)
+    Ok(course.go(session, &mut target, &permit(Hazard::Line), lang).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {

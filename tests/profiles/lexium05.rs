@@ -2,8 +2,6 @@
 //!
 //! Addresses and names are copied from the project's fact base (facts/lexium05_params.csv), which is not part of the clone.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
-
 use antrieb::profile::{Access, Cause, Effective, Facts, Family, HazardKind, Lang, Registry, Route, Selector};
 use std::rc::Rc;
 

@@ -1,6 +1,6 @@
 //! What takes motion away: it asks nobody, it goes out whatever happens, and what is said of it is so.
 
-use super::run::{Document, antrieb};
+use crate::run::{Document, antrieb};
 use antrieb::drive::motion::{Ended, Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::Failure;

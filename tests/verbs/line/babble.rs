@@ -1,6 +1,6 @@
 //! Whole verbs on a line that is never silent: every one ends by itself, within a time that no byte can move.
 
-use super::run::antrieb;
+use crate::run::antrieb;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 

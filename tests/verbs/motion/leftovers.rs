@@ -1,7 +1,7 @@
 //! What a drive does by its own settings and by what stands in it from before: told first, and never a surprise.
 
-use super::motion::with_motor;
-use super::run::antrieb;
+use super::runs::with_motor;
+use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look, may_change_mode};
 use antrieb::drive::{Session, Target};
 use antrieb::gate::Permit;

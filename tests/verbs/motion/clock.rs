@@ -1,7 +1,7 @@
 //! Runs and stops end by the clock, with the truth: behind a silence of the line, on one that is never silent, and at the
 //! end of their duration.
 
-use super::run::{Output, antrieb};
+use crate::run::{Output, antrieb};
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 

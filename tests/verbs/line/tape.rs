@@ -1,6 +1,7 @@
 //! `--trace FILE` and `-p tape:FILE`: what was recorded plays back to the same result.
 
 use crate::run::antrieb;
+use serde_json::json;
 
 #[test]
 fn a_recorded_run_plays_back_to_the_same_document_and_telegrams() {
@@ -42,4 +43,21 @@ fn what_is_no_recording_is_told_and_an_empty_one_is_a_silent_line() {
     assert!(refused.error()["message"].as_str().unwrap().contains("line 2: expected"), "{}", refused.error());
     antrieb("-p tape:{dir}/run.trace read 411").file("run.trace", "").json().exits(4);
     antrieb("-p tape:{dir}/nothing read 411").json().exits(7);
+}
+
+#[test]
+fn a_recording_can_be_replayed_offline() {
+    let run = antrieb("-p sim -a 1 --trace {dir}/line.txt read 372@2 1600").exits(9);
+    let trace = std::fs::read_to_string(run.directory().join("line.txt")).unwrap();
+    assert!(trace.starts_with("# antrieb trace 1, 19200 8E1, rtu\n"), "{trace}");
+    let decoded = antrieb("decode trace {dir}/line.txt").file("line.txt", &trace).json().exits(0);
+    let telegrams = decoded.data("/telegrams").as_array().unwrap();
+    assert_eq!(telegrams.len(), 14, "four questions tell the family: {trace}");
+    assert!(telegrams.iter().all(|telegram| telegram["check_ok"] == true));
+    assert!(telegrams.iter().any(|telegram| telegram["meaning"] == "address 1: read P.372@2 Rated Speed, 16 bit"));
+    let last = telegrams.last().unwrap();
+    assert_eq!((&last["direction"], &last["hex"]), (&json!("reply"), &json!("01 03 02 00 0B F9 83")));
+    let bad = antrieb("decode trace {dir}/bad.txt").file("bad.txt", "# antrieb trace 1\nhello\n").json().exits(7);
+    assert!(bad.error()["message"].as_str().unwrap().contains('2'), "names the line: {}", bad.error());
+    antrieb("decode trace {dir}/none.txt").json().exits(7);
 }

@@ -1,0 +1,63 @@
+//! Every verb in process: fine, silent, refused, partial; tables in two languages, JSON, NDJSON, CSV; on the built-in
+//! bench, in virtual time.
+//!
+//! A test says what a user types, and what must come of it: `antrieb("-p sim -a 1 read 372@2").json()`. JSON documents
+//! are held against `antrieb schema` wherever they occur. `INSTA_UPDATE=always` writes the snapshots anew.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
+
+mod agreeable;
+mod judge;
+mod lexium;
+mod matrix;
+mod monitor;
+mod run;
+
+/// What a drive holds: parameters and data sets.
+mod parameters {
+    mod reading;
+    mod worked;
+    mod writing;
+}
+
+/// Who is on a line, how it is, and what it does to telegrams.
+mod line {
+    mod adapters;
+    mod babble;
+    mod diagnosing;
+    mod finding;
+    mod relocation;
+    mod scanning;
+    mod sniffing;
+    mod tape;
+    mod twins;
+    mod vabus;
+}
+
+/// What turns a shaft, and above all what stops it.
+mod motion {
+    mod clock;
+    mod held;
+    mod leftovers;
+    mod question;
+    mod relief;
+    mod runs;
+    mod stopping;
+    mod stops;
+}
+
+/// What needs no drive: catalogues, files, settings.
+mod offline {
+    mod catalogues;
+    mod decoding;
+    mod files;
+    mod settings;
+}
+
+/// What is said, in which form, and with which exit code.
+mod output {
+    mod exits;
+    mod forms;
+    mod regressions;
+    mod words;
+}
