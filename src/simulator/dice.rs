@@ -2,10 +2,10 @@
 
 /// Xorshift64*: quick, small, and good enough for jitter and flipped bits.
 #[derive(Clone, Debug)]
-pub(super) struct Dice(u64);
+pub(crate) struct Dice(u64);
 
 impl Dice {
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         // The state must not be zero; the constant spreads small seeds over all bits.
         Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
@@ -18,7 +18,7 @@ impl Dice {
     }
 
     /// A number from 0 to `limit` - 1; 0 if there is no such number.
-    pub(super) fn below(&mut self, limit: u64) -> u64 {
+    pub(crate) fn below(&mut self, limit: u64) -> u64 {
         self.throw().checked_rem(limit).unwrap_or(0)
     }
 }

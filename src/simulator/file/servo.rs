@@ -1,12 +1,15 @@
 //! An LXM05 in a bench file.
 
+use super::reader::{BenchError, Model, PARITIES, Reader, decimal};
 use super::tables::{DriveTable, EventTable, ServoTable};
-use super::{BenchError, Reader, decimal, own_seed};
 use crate::protocol::line::{LineSetting, Parity};
-use crate::simulator::drive::Drive;
-use crate::simulator::lexium::{BAUD_RATES, Fault, Fittings, named};
-use crate::simulator::script::Action;
-use crate::simulator::setup::{Model, PARITIES, Setup};
+use crate::simulator::device::contract::{Action, Fault, Place};
+use crate::simulator::device::lexium::Lexium;
+use crate::simulator::device::lexium::params::{BAUD_RATES, named};
+use crate::simulator::device::lexium::setup::Setup;
+use crate::simulator::line::speech::Spoken;
+use crate::simulator::station::script::Event;
+use crate::simulator::station::{Drive, setup};
 use crate::tick::Span;
 use toml::{Spanned, Value};
 
@@ -20,7 +23,7 @@ const MOST_WAVER: i64 = 1_000_000;
 const MOST_TEXT: usize = 60;
 
 impl Reader<'_> {
-    pub(super) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, BenchError> {
+    pub(crate) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, BenchError> {
         let row = table.get_ref();
         if let Some(key) = foreign_key(row) {
             return Err(self.error(table.span(), format!("{key} is not for model lxm05")));
@@ -28,26 +31,28 @@ impl Reader<'_> {
         if let Some(protocol) = row.protocol.as_ref().filter(|protocol| protocol.get_ref() != "rtu") {
             return Err(self.error(protocol.span(), "an LXM05 speaks rtu only".to_owned()));
         }
-        let mut setup = Setup::plain(Model::Lxm05, address);
-        setup.line = self.servo_line(row)?;
-        setup.delay = match (&row.slow, &row.load, &row.reply_delay) {
+        let place = Place { address, spoken: Spoken::RTU, line: self.servo_line(row)? };
+        let mut station = setup::Setup::plain(place);
+        station.delay = match (&row.slow, &row.load, &row.reply_delay) {
             (None, None, None) => REPLY_DELAY,
             _ => self.delay(row)?,
         };
-        setup.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
-        setup.strict_silence = row.strict_silence;
-        setup.readings = self.readings(row, Model::Lxm05)?;
-        setup.seed = own_seed(seed, address);
+        station.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
+        station.strict_silence = row.strict_silence;
+        station.seed = seed;
+        let mut setup = Setup { readings: self.readings(row, Model::Lxm05)?, ..Setup::default() };
         if let Some(servo) = &row.servo {
-            setup.fittings = self.fittings(servo.get_ref())?;
+            self.surroundings(servo.get_ref(), &mut setup)?;
         }
         for (key, value) in &row.set {
             setup.values.push(self.servo_value(key, value)?);
         }
         for event in &row.event {
-            self.event(event, Model::Lxm05, &mut setup.script)?;
+            let trigger = self.trigger(event)?;
+            let actions = self.servo_actions(event)?.into_iter();
+            station.script.extend(actions.map(|action| Event { trigger, action, lasts: None }));
         }
-        Ok(Drive::new(setup, None))
+        Ok(Drive::new(station, Box::new(Lexium::new(&setup, place))))
     }
 
     /// Baud rate, parity and stop bits as MBbaud and MBformat can have them (LXM05 manual 4.1).
@@ -65,7 +70,7 @@ impl Reader<'_> {
             line.baud = known.ok_or_else(|| self.error(got.span(), message()))?.unsigned_abs();
         }
         if let Some(got) = &row.parity {
-            let parity = self.word("parity", got, &PARITIES.map(|(_, parity)| (parity.name(), parity)))?;
+            let parity = self.word("parity", got, &PARITIES.map(|parity| (parity.name(), parity)))?;
             line = LineSetting::rtu(line.baud, parity);
         }
         match row.stop_bits.as_ref().map(|got| (*got.get_ref(), got)) {
@@ -79,8 +84,9 @@ impl Reader<'_> {
         Ok(line)
     }
 
-    fn fittings(&self, servo: &ServoTable) -> Result<Fittings, BenchError> {
-        let Fittings { mut world, mut identity } = Fittings::default();
+    /// What stands around it, and what it tells of itself.
+    fn surroundings(&self, servo: &ServoTable, setup: &mut Setup) -> Result<(), BenchError> {
+        let Setup { world, identity, .. } = setup;
         world.limn = servo.limn.unwrap_or(world.limn);
         world.limp = servo.limp.unwrap_or(world.limp);
         world.limits = servo.limits.unwrap_or(world.limits);
@@ -107,11 +113,11 @@ impl Reader<'_> {
             identity.revision_object = *object.get_ref();
         }
         identity.in_pieces = servo.in_pieces.unwrap_or(identity.in_pieces);
-        Ok(Fittings { world, identity })
+        Ok(())
     }
 
     /// Address and raw value of a row of `set`.
-    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, u8, i64), BenchError> {
+    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, i64), BenchError> {
         let refuse = |message: &str| self.error(value.span(), format!("set \"{key}\": {message}"));
         let row = named(key)
             .ok_or_else(|| refuse("an LXM05 of this bench has no such parameter; expected its name or address"))?;
@@ -125,15 +131,15 @@ impl Reader<'_> {
             None => decimal(value.get_ref(), row.decimals).map_err(|message| refuse(&message))?,
         };
         let fits = i32::try_from(raw).is_ok_and(|raw| row.takes(raw));
-        fits.then_some((row.address.into(), 0, raw)).ok_or_else(|| refuse("out of the range of this parameter"))
+        fits.then_some((row.address.into(), raw)).ok_or_else(|| refuse("out of the range of this parameter"))
     }
 
     /// What an event does to an LXM05.
-    pub(super) fn servo_actions(&self, table: &Spanned<EventTable>) -> Result<Vec<Action>, BenchError> {
+    pub(crate) fn servo_actions(&self, table: &Spanned<EventTable>) -> Result<Vec<Action>, BenchError> {
         let row = table.get_ref();
         let mut actions = Vec::new();
         if let Some(fault) = &row.fault {
-            actions.push(Action::Error(self.servo_fault(row, fault)?));
+            actions.push(Action::Fault(self.servo_fault(row, fault)?));
         }
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));

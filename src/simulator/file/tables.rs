@@ -6,103 +6,103 @@ use toml::{Spanned, Value};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct File {
+pub(crate) struct File {
     #[serde(default)]
-    pub(super) line: LineTable,
+    pub(crate) line: LineTable,
     #[serde(default)]
-    pub(super) drive: Vec<Spanned<DriveTable>>,
+    pub(crate) drive: Vec<Spanned<DriveTable>>,
     #[serde(default)]
-    pub(super) disturb: Vec<Spanned<DisturbTable>>,
+    pub(crate) disturb: Vec<Spanned<DisturbTable>>,
 }
 
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct LineTable {
+pub(crate) struct LineTable {
     #[serde(default)]
-    pub(super) seed: u64,
+    pub(crate) seed: u64,
     #[serde(default)]
-    pub(super) echo: bool,
+    pub(crate) echo: bool,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct DriveTable {
-    pub(super) model: Spanned<String>,
-    pub(super) address: Option<Spanned<i64>>,
-    pub(super) protocol: Option<Spanned<String>>,
-    pub(super) baud: Option<Spanned<i64>>,
-    pub(super) parity: Option<Spanned<String>>,
-    pub(super) data_bits: Option<Spanned<i64>>,
-    pub(super) stop_bits: Option<Spanned<i64>>,
-    pub(super) reply_delay: Option<Spanned<String>>,
-    pub(super) jitter: Option<Spanned<String>>,
-    pub(super) load: Option<Spanned<String>>,
-    pub(super) slow: Option<Spanned<String>>,
+pub(crate) struct DriveTable {
+    pub(crate) model: Spanned<String>,
+    pub(crate) address: Option<Spanned<i64>>,
+    pub(crate) protocol: Option<Spanned<String>>,
+    pub(crate) baud: Option<Spanned<i64>>,
+    pub(crate) parity: Option<Spanned<String>>,
+    pub(crate) data_bits: Option<Spanned<i64>>,
+    pub(crate) stop_bits: Option<Spanned<i64>>,
+    pub(crate) reply_delay: Option<Spanned<String>>,
+    pub(crate) jitter: Option<Spanned<String>>,
+    pub(crate) load: Option<Spanned<String>>,
+    pub(crate) slow: Option<Spanned<String>>,
     #[serde(default)]
-    pub(super) strict_silence: bool,
+    pub(crate) strict_silence: bool,
     #[serde(default)]
-    pub(super) strict_remote: bool,
+    pub(crate) strict_remote: bool,
     #[serde(default = "given")]
-    pub(super) enable: bool,
-    pub(super) stoa: Option<Spanned<bool>>,
-    pub(super) stob: Option<Spanned<bool>>,
-    pub(super) start_right: Option<bool>,
-    pub(super) start_left: Option<bool>,
-    pub(super) mains: Option<bool>,
-    pub(super) torque: Option<Spanned<i64>>,
-    pub(super) ramps: Option<RampTable>,
+    pub(crate) enable: bool,
+    pub(crate) stoa: Option<Spanned<bool>>,
+    pub(crate) stob: Option<Spanned<bool>>,
+    pub(crate) start_right: Option<bool>,
+    pub(crate) start_left: Option<bool>,
+    pub(crate) mains: Option<bool>,
+    pub(crate) torque: Option<Spanned<i64>>,
+    pub(crate) ramps: Option<RampTable>,
     #[serde(default)]
-    pub(super) modules: Vec<Spanned<String>>,
+    pub(crate) modules: Vec<Spanned<String>>,
     #[serde(default)]
-    pub(super) set: BTreeMap<String, Spanned<Value>>,
+    pub(crate) set: BTreeMap<String, Spanned<Value>>,
     #[serde(default)]
-    pub(super) registers: BTreeMap<String, Spanned<i64>>,
+    pub(crate) registers: BTreeMap<String, Spanned<i64>>,
     #[serde(default)]
-    pub(super) nodes: Vec<Spanned<NodeTable>>,
-    pub(super) servo: Option<Spanned<ServoTable>>,
+    pub(crate) nodes: Vec<Spanned<NodeTable>>,
+    pub(crate) servo: Option<Spanned<ServoTable>>,
     #[serde(default)]
-    pub(super) readings: BTreeMap<String, Spanned<String>>,
+    pub(crate) readings: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
-    pub(super) event: Vec<Spanned<EventTable>>,
+    pub(crate) event: Vec<Spanned<EventTable>>,
 }
 
 /// A drive on the system bus.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct NodeTable {
-    pub(super) id: u8,
-    pub(super) model: Spanned<String>,
+pub(crate) struct NodeTable {
+    pub(crate) id: u8,
+    pub(crate) model: Spanned<String>,
     #[serde(default)]
-    pub(super) modules: Vec<Spanned<String>>,
+    pub(crate) modules: Vec<Spanned<String>>,
     #[serde(default)]
-    pub(super) set: BTreeMap<String, Spanned<Value>>,
+    pub(crate) set: BTreeMap<String, Spanned<Value>>,
 }
 
 /// What stands around an LXM05, and what it tells of itself.
 #[derive(Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct ServoTable {
-    pub(super) limn: Option<i64>,
-    pub(super) limp: Option<i64>,
-    pub(super) limits: Option<bool>,
-    pub(super) guide: Option<i64>,
-    pub(super) waver: Option<i64>,
-    pub(super) bit6: Option<Spanned<String>>,
-    pub(super) vendor: Option<Spanned<String>>,
-    pub(super) product: Option<Spanned<String>>,
-    pub(super) revision: Option<Spanned<String>>,
-    pub(super) revision_object: Option<Spanned<u8>>,
-    pub(super) in_pieces: Option<bool>,
+pub(crate) struct ServoTable {
+    pub(crate) limn: Option<i64>,
+    pub(crate) limp: Option<i64>,
+    pub(crate) limits: Option<bool>,
+    pub(crate) guide: Option<i64>,
+    pub(crate) waver: Option<i64>,
+    pub(crate) bit6: Option<Spanned<String>>,
+    pub(crate) vendor: Option<Spanned<String>>,
+    pub(crate) product: Option<Spanned<String>>,
+    pub(crate) revision: Option<Spanned<String>>,
+    pub(crate) revision_object: Option<Spanned<u8>>,
+    pub(crate) in_pieces: Option<bool>,
 }
 
 /// Hertz per second.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RampTable {
-    pub(super) up_right: Option<Spanned<Value>>,
-    pub(super) down_right: Option<Spanned<Value>>,
-    pub(super) up_left: Option<Spanned<Value>>,
-    pub(super) down_left: Option<Spanned<Value>>,
+pub(crate) struct RampTable {
+    pub(crate) up_right: Option<Spanned<Value>>,
+    pub(crate) down_right: Option<Spanned<Value>>,
+    pub(crate) up_left: Option<Spanned<Value>>,
+    pub(crate) down_left: Option<Spanned<Value>>,
 }
 
 fn given() -> bool {
@@ -111,39 +111,39 @@ fn given() -> bool {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct EventTable {
-    pub(super) at: Option<Spanned<String>>,
-    pub(super) when: Option<Spanned<String>>,
-    pub(super) after_writes: Option<Spanned<u64>>,
-    pub(super) after_telegrams: Option<Spanned<u64>>,
+pub(crate) struct EventTable {
+    pub(crate) at: Option<Spanned<String>>,
+    pub(crate) when: Option<Spanned<String>>,
+    pub(crate) after_writes: Option<Spanned<u64>>,
+    pub(crate) after_telegrams: Option<Spanned<u64>>,
     #[serde(rename = "for")]
-    pub(super) lasts: Option<Spanned<String>>,
-    pub(super) fault: Option<Spanned<String>>,
-    pub(super) class: Option<u8>,
-    pub(super) qualifier: Option<u16>,
-    pub(super) warning: Option<u16>,
-    pub(super) power_cycle: Option<bool>,
-    pub(super) silent: Option<Spanned<String>>,
-    pub(super) mains: Option<bool>,
-    pub(super) enable: Option<bool>,
-    pub(super) stoa: Option<Spanned<bool>>,
-    pub(super) stob: Option<Spanned<bool>>,
-    pub(super) start_right: Option<bool>,
-    pub(super) start_left: Option<bool>,
-    pub(super) torque: Option<Spanned<i64>>,
+    pub(crate) lasts: Option<Spanned<String>>,
+    pub(crate) fault: Option<Spanned<String>>,
+    pub(crate) class: Option<u8>,
+    pub(crate) qualifier: Option<u16>,
+    pub(crate) warning: Option<u16>,
+    pub(crate) power_cycle: Option<bool>,
+    pub(crate) silent: Option<Spanned<String>>,
+    pub(crate) mains: Option<bool>,
+    pub(crate) enable: Option<bool>,
+    pub(crate) stoa: Option<Spanned<bool>>,
+    pub(crate) stob: Option<Spanned<bool>>,
+    pub(crate) start_right: Option<bool>,
+    pub(crate) start_left: Option<bool>,
+    pub(crate) torque: Option<Spanned<i64>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct DisturbTable {
-    pub(super) every: Option<Spanned<u64>>,
-    pub(super) once: Option<Spanned<u64>>,
-    pub(super) at: Option<Spanned<String>>,
-    pub(super) kind: Spanned<String>,
-    pub(super) by: Option<Spanned<String>>,
-    pub(super) byte: Option<u8>,
-    pub(super) address: Option<Spanned<i64>>,
-    pub(super) pattern: Option<Spanned<String>>,
+pub(crate) struct DisturbTable {
+    pub(crate) every: Option<Spanned<u64>>,
+    pub(crate) once: Option<Spanned<u64>>,
+    pub(crate) at: Option<Spanned<String>>,
+    pub(crate) kind: Spanned<String>,
+    pub(crate) by: Option<Spanned<String>>,
+    pub(crate) byte: Option<u8>,
+    pub(crate) address: Option<Spanned<i64>>,
+    pub(crate) pattern: Option<Spanned<String>>,
     #[serde(rename = "for")]
-    pub(super) lasts: Option<Spanned<String>>,
+    pub(crate) lasts: Option<Spanned<String>>,
 }

@@ -11,9 +11,9 @@ const STEP: Span = Span::from_millis(30);
 const PATIENCE: usize = 2_000;
 
 /// A master at one LXM05 with address 1.
-pub(super) struct Hand {
-    pub(super) bench: Bench,
-    pub(super) now: Tick,
+pub(crate) struct Hand {
+    pub(crate) bench: Bench,
+    pub(crate) now: Tick,
 }
 
 /// What the manual lets a master do.
@@ -27,31 +27,31 @@ enum Step {
 use Step::{Until, Write};
 
 impl Hand {
-    pub(super) fn on(keys: &str) -> Self {
+    pub(crate) fn on(keys: &str) -> Self {
         Hand::with(&format!("[[drive]]\nmodel = \"lxm05\"\n{keys}\n"))
     }
 
-    pub(super) fn with(text: &str) -> Self {
+    pub(crate) fn with(text: &str) -> Self {
         Hand { bench: bench(text), now: Tick::ZERO }
     }
 
-    pub(super) fn ask_station(&mut self, station: u8, pdu: &[u8]) -> Option<Vec<u8>> {
+    pub(crate) fn ask_station(&mut self, station: u8, pdu: &[u8]) -> Option<Vec<u8>> {
         self.bench.master_sends(self.now, LINE, &Framing::Rtu.encode(station, pdu));
         self.now += STEP;
         let heard = bytes(&self.bench.advance(self.now));
         Framing::Rtu.decode(&heard).ok().map(|adu| adu.pdu)
     }
 
-    pub(super) fn ask(&mut self, pdu: &str) -> Vec<u8> {
+    pub(crate) fn ask(&mut self, pdu: &str) -> Vec<u8> {
         self.ask_station(1, &hex(pdu)).unwrap_or_default()
     }
 
-    pub(super) fn wait(&mut self, millis: u64) {
+    pub(crate) fn wait(&mut self, millis: u64) {
         self.now += Span::from_millis(millis);
         assert_eq!(self.bench.advance(self.now), []);
     }
 
-    pub(super) fn read(&mut self, address: u16) -> i32 {
+    pub(crate) fn read(&mut self, address: u16) -> i32 {
         let [a, b] = address.to_be_bytes();
         match self.ask_station(1, &[3, a, b, 0, 2]).as_deref() {
             Some([3, 4, value @ ..]) => i32::from_be_bytes(value.try_into().unwrap()),
@@ -60,7 +60,7 @@ impl Hand {
     }
 
     /// Tells what the drive answers: 0, or the exception code.
-    pub(super) fn try_write(&mut self, address: u16, value: i32) -> u8 {
+    pub(crate) fn try_write(&mut self, address: u16, value: i32) -> u8 {
         let [a, b] = address.to_be_bytes();
         let pdu = [vec![16, a, b, 0, 2, 4], value.to_be_bytes().to_vec()].concat();
         match self.ask_station(1, &pdu).as_deref() {
@@ -70,7 +70,7 @@ impl Hand {
         }
     }
 
-    pub(super) fn write(&mut self, address: u16, value: i32) {
+    pub(crate) fn write(&mut self, address: u16, value: i32) {
         assert_eq!(self.try_write(address, value), 0, "{address} = {value}");
     }
 
@@ -89,29 +89,29 @@ impl Hand {
         }
     }
 
-    pub(super) fn drive(&self) -> &Drive {
+    pub(crate) fn drive(&self) -> &Drive {
         self.bench.drive(1).unwrap()
     }
 
-    pub(super) fn drive_mut(&mut self) -> &mut Drive {
+    pub(crate) fn drive_mut(&mut self) -> &mut Drive {
         self.bench.drive_mut(1).unwrap()
     }
 
-    pub(super) fn servo(&self) -> Servo {
+    pub(crate) fn servo(&self) -> Servo {
         self.drive().servo(self.now).unwrap()
     }
 
     /// 1/min, whole.
-    pub(super) fn speed(&self) -> i64 {
+    pub(crate) fn speed(&self) -> i64 {
         self.servo().speed_milli_rpm / 1_000
     }
 
-    pub(super) fn status(&mut self) -> i32 {
+    pub(crate) fn status(&mut self) -> i32 {
         self.read(6_916)
     }
 
     /// "Operation enabled" in a mode.
-    pub(super) fn enable(&mut self, mode: i32) {
+    pub(crate) fn enable(&mut self, mode: i32) {
         self.run(WALK);
         self.write(6_918, mode);
         self.wait(20);

@@ -1,0 +1,169 @@
+//! An ACT or ACU as a station has it: what it understands, and what can happen to it.
+//!
+//! Choices where the manual is silent:
+//! - nothing but the mains feeds the electronics of an ACT (CM-485 manual 10.1 names 24 V for the ACU only);
+//! - a power cycle and a reset leave the shaft to coast.
+
+use super::line::{self, Port};
+use super::modbus;
+use super::setup::Setup;
+use super::state::Active;
+use super::vabus::{Node, Slave};
+use crate::profile::Family;
+use crate::protocol::modbus::pdu::Reply as ModbusReply;
+use crate::protocol::vabus::{Address, Reply as VabusReply, Request};
+use crate::simulator::device::contract::{Action, Answer, AskedByModbus, AskedByVabus, Device, Effect, Goes, Place};
+use crate::simulator::device::counters::Counters;
+use crate::tick::Tick;
+
+/// An ACT or ACU.
+#[derive(Clone, Debug)]
+pub(crate) struct Drive {
+    active: Active,
+    vabus: Slave,
+    port: Port,
+}
+
+impl Drive {
+    /// A drive that stands at `place` on its line, with others behind it on the system bus.
+    pub(crate) fn new(setup: &Setup, place: Place, nodes: Vec<Node>, family: Option<&Family>) -> Self {
+        Drive { active: Active::new(setup, place, family), vabus: Slave::new(nodes), port: Port::new(place) }
+    }
+}
+
+impl Device for Drive {
+    fn model(&self) -> &'static str {
+        if self.active.acu { "acu" } else { "act" }
+    }
+
+    fn catch_up(&mut self, now: Tick) {
+        self.active.catch_up(now);
+        self.vabus.catch_up(now);
+    }
+
+    fn next(&self) -> Option<Tick> {
+        [self.active.next(), self.vabus.next()].into_iter().flatten().min()
+    }
+
+    fn power_up(&mut self, now: Tick, up: Tick) {
+        self.active.power_up(now, up);
+        self.vabus.unlock();
+    }
+
+    fn power_down(&mut self, now: Tick) {
+        self.active.power_down(now);
+    }
+
+    fn lives_by_mains(&self) -> Option<bool> {
+        (!self.active.acu).then_some(self.active.contacts.mains)
+    }
+
+    fn act(&mut self, now: Tick, action: Action) {
+        let active = &mut self.active;
+        match action {
+            Action::Fault(fault) => active.trip(now, fault.number),
+            Action::Warning(word) => active.warn(word),
+            Action::Torque(torque) => active.burden(now, torque),
+            Action::Mains(on) => active.wire(now, |contacts| contacts.mains = on),
+            Action::StoA(on) => active.wire(now, |contacts| contacts.sto_a = on),
+            Action::StoB(on) => active.wire(now, |contacts| contacts.sto_b = on),
+            Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
+            Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
+            Action::PowerCycle | Action::Silent(_) => {}
+        }
+    }
+
+    fn place_at_power_on(&mut self, before: Place) -> Place {
+        self.port.at_power_on(&self.active, before)
+    }
+
+    fn place_after_write(&mut self, before: Place) -> Place {
+        self.port.after_write(&self.active, before)
+    }
+
+    fn heard(&mut self, now: Tick, last: Tick, _is_write: bool) {
+        self.active.catch_up(now);
+        self.active.heard(last);
+    }
+
+    fn modbus(&mut self) -> Option<&mut dyn AskedByModbus> {
+        Some(self)
+    }
+
+    fn vabus(&mut self) -> Option<&mut dyn AskedByVabus> {
+        Some(self)
+    }
+
+    fn eeprom(&self, number: u32, set: u8) -> Option<i64> {
+        self.active.eeprom(number, set)
+    }
+
+    fn ram(&self, number: u32, set: u8) -> Option<i64> {
+        self.active.ram(number, set)
+    }
+
+    fn eeprom_writes(&self) -> u64 {
+        self.active.eeprom_writes()
+    }
+
+    fn in_fault(&self) -> bool {
+        self.active.machine.in_fault()
+    }
+
+    fn is_energised(&self) -> bool {
+        self.active.machine.shaft.powered()
+    }
+
+    fn runs(&self) -> bool {
+        self.active.machine.runs()
+    }
+
+    fn shaft_speed(&self, now: Tick) -> i64 {
+        self.active.shaft_speed(now)
+    }
+
+    fn is_above(&self, _now: Tick, limit: i64) -> bool {
+        self.active.machine.shaft.is_above(limit)
+    }
+
+    fn rises_above(&self, limit: i64) -> Option<Tick> {
+        self.active.machine.shaft.rises_above(limit)
+    }
+
+    fn turning(&self, now: Tick) -> u64 {
+        let behind = self.vabus.nodes().filter(|node| node.shaft_speed(now) != 0).count() as u64;
+        behind + u64::from(self.shaft_speed(now) != 0)
+    }
+
+    fn energised(&self) -> u64 {
+        let behind = self.vabus.nodes().filter(|node| node.machine.shaft.powered()).count() as u64;
+        behind + u64::from(self.is_energised())
+    }
+}
+
+impl AskedByModbus for Drive {
+    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Answer<ModbusReply>> {
+        let (reply, effect) = modbus::answer(&mut self.active, counters, now, pdu);
+        let refused = matches!(reply, ModbusReply::Exception { .. });
+        let goes = line::goes(&self.active, modbus::written(pdu).filter(|_| !refused));
+        Some(Answer { reply, effect, goes })
+    }
+}
+
+impl AskedByVabus for Drive {
+    fn answer(&mut self, now: Tick, request: &Request) -> Option<Answer<VabusReply>> {
+        let (reply, effect) = self.vabus.answer(&mut self.active, now, request)?;
+        let taken = matches!(reply, VabusReply::Ack { .. });
+        let goes = line::goes(&self.active, Some(request.header().number.get()).filter(|_| taken));
+        Some(Answer { reply, effect, goes })
+    }
+
+    fn obey(&mut self, now: Tick, request: &Request) -> Effect {
+        self.vabus.obey(&mut self.active, now, request)
+    }
+
+    fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Answer<VabusReply>> {
+        let (reply, effect) = self.vabus.garbled(&mut self.active, own, telegram)?;
+        Some(Answer { reply, effect, goes: Goes::AsItStands })
+    }
+}

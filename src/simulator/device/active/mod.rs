@@ -1,0 +1,24 @@
+//! ACTIVE: ACT and ACU of Bonfiglioli Vectron, asked over Modbus and VABus (CM-485 and EM-RES-03 manuals).
+//!
+//! From the ground up: `store` and `spec` (parameters), `machine` (state machine), `state` (all that a drive holds),
+//! `values` (what it makes of that), `life` (time and power), `access` (reading and writing), `modbus` and `vabus` (what it
+//! answers), `line` (where it stands on its line), `drive` (all of it behind the contract).
+
+mod access;
+mod cause;
+mod drive;
+mod life;
+pub(crate) mod line;
+mod machine;
+mod modbus;
+pub(crate) mod readings;
+pub(crate) mod setup;
+mod spec;
+mod state;
+mod store;
+mod vabus;
+mod values;
+
+pub(crate) use drive::Drive;
+pub(crate) use state::Active;
+pub(crate) use vabus::Node;

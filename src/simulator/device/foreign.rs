@@ -1,0 +1,98 @@
+//! A Modbus slave that is no drive of ours: it knows what the norm defines and no vendor code
+//! (MODBUS Application Protocol V1.1b3, 6.3, 6.6, 6.8).
+
+use crate::protocol::modbus::pdu::{Exception, PduError, Reply, Request};
+use crate::simulator::device::contract::{Answer, AskedByModbus, Device};
+use crate::simulator::device::counters::Counters;
+use crate::tick::Tick;
+use std::collections::BTreeMap;
+
+/// Registers by address.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Foreign {
+    registers: BTreeMap<u16, u16>,
+}
+
+/// Most registers of one request (V1.1b3, 6.3).
+const MOST_REGISTERS: u16 = 125;
+
+impl Foreign {
+    pub(crate) fn new(registers: BTreeMap<u16, u16>) -> Self {
+        Foreign { registers }
+    }
+
+    pub(crate) fn register(&self, address: u32) -> Option<i64> {
+        self.registers.get(&u16::try_from(address).ok()?).map(|&value| value.into())
+    }
+
+    /// Executes a request and makes the reply.
+    pub(crate) fn answer(&mut self, pdu: &[u8]) -> Reply {
+        let function = pdu.first().copied().unwrap_or(0);
+        self.execute(pdu).unwrap_or_else(|code| Reply::Exception { function, code })
+    }
+
+    fn execute(&mut self, pdu: &[u8]) -> Result<Reply, Exception> {
+        let request = Request::decode(pdu).map_err(|error| match error {
+            // The lengths of 100 and 101 are our maker's; nobody else knows these codes.
+            PduError::Length { function: 100 | 101, .. } | PduError::Empty => Exception::IllegalFunction,
+            PduError::Length { .. } | PduError::ByteCount { .. } | PduError::TooLong { .. } => {
+                Exception::IllegalDataValue
+            }
+        })?;
+        match request {
+            Request::ReadRegisters { count, .. } if count == 0 || count > MOST_REGISTERS => {
+                Err(Exception::IllegalDataValue)
+            }
+            Request::ReadRegisters { start, count } => {
+                let read = |offset: u16| self.registers.get(&start.checked_add(offset)?).copied();
+                let values: Option<Vec<u16>> = (0..count).map(read).collect();
+                values.map(Reply::Registers).ok_or(Exception::IllegalDataAddress)
+            }
+            Request::WriteRegister { address, value } => {
+                *self.registers.get_mut(&address).ok_or(Exception::IllegalDataAddress)? = value;
+                Ok(Reply::RegisterWritten { address, value })
+            }
+            Request::Diagnostics { sub: 0, data } => Ok(Reply::Diagnostics { sub: 0, data }),
+            _ => Err(Exception::IllegalFunction),
+        }
+    }
+}
+
+impl Device for Foreign {
+    fn model(&self) -> &'static str {
+        "foreign"
+    }
+
+    fn modbus(&mut self) -> Option<&mut dyn AskedByModbus> {
+        Some(self)
+    }
+
+    /// A register.
+    fn ram(&self, address: u32, _set: u8) -> Option<i64> {
+        self.register(address)
+    }
+}
+
+impl AskedByModbus for Foreign {
+    fn answer(&mut self, _counters: &mut Counters, _now: Tick, pdu: &[u8]) -> Option<Answer<Reply>> {
+        Some(Answer::plain(Foreign::answer(self, pdu)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_speaks_the_norm_and_nothing_else() {
+        let mut foreign = Foreign::new([(0, 17), (1, 42)].into());
+        assert_eq!(foreign.answer(&[3, 0, 0, 0, 2]).encode(), [3, 4, 0, 17, 0, 42]);
+        assert_eq!(foreign.answer(&[3, 0, 1, 0, 2]).encode(), [0x83, 2]);
+        assert_eq!(foreign.answer(&[3, 0, 0, 0, 0]).encode(), [0x83, 3]);
+        assert_eq!(foreign.answer(&[6, 0, 1, 0, 9]).encode(), [6, 0, 1, 0, 9]);
+        assert_eq!(foreign.answer(&[8, 0, 0, 0xA5, 0x37]).encode(), [8, 0, 0, 0xA5, 0x37]);
+        assert_eq!(foreign.answer(&[8, 0, 0x0B, 0, 0]).encode(), [0x88, 1]);
+        assert_eq!(foreign.answer(&[100, 1, 0xE1]).encode(), [0xE4, 1]);
+        assert_eq!(foreign.register(1), Some(9));
+    }
+}

@@ -1,0 +1,277 @@
+//! What a bench file says of an ACT or ACU, and of a foreign slave.
+
+use super::reader::{BenchError, Model, PARITIES, Reader, decimal};
+use super::tables::{DriveTable, EventTable, NodeTable, RampTable};
+use crate::profile::value::check_width;
+use crate::profile::{Family, Sets, Type};
+use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::vabus::{Data, SystemNode};
+use crate::simulator::device::active::line::BAUD_RATES;
+use crate::simulator::device::active::setup::Setup;
+use crate::simulator::device::active::{Active, Node};
+use crate::simulator::device::contract::{Action, Fault, Place};
+use crate::simulator::device::shaft::Ramps;
+use crate::simulator::line::speech::Spoken;
+use crate::simulator::station::script::Event;
+use std::collections::BTreeMap;
+use toml::{Spanned, Value};
+
+/// Steepest ramp, 0.01 Hz/s: the range of P.424 and P.425 (CM-485 manual 11.2).
+const STEEPEST: i64 = 999_999;
+/// Heaviest load, percent of the rated torque.
+const HEAVIEST: i64 = 1_000;
+
+impl Reader<'_> {
+    /// An ACT or ACU without its line.
+    pub(crate) fn active(&self, row: &DriveTable, model: Model, family: Option<&Family>) -> Result<Setup, BenchError> {
+        let mut setup = Setup::plain(model == Model::Acu);
+        setup.readings = self.readings(row, model)?;
+        setup.strict_remote = row.strict_remote;
+        for sto in [&row.stoa, &row.stob].into_iter().flatten() {
+            self.check_sto(sto, model)?;
+        }
+        let contacts = &mut setup.contacts;
+        contacts.sto_a = *row.stoa.as_ref().map_or(&row.enable, Spanned::get_ref);
+        contacts.sto_b = model != Model::Acu || *row.stob.as_ref().map_or(&row.enable, Spanned::get_ref);
+        contacts.right = row.start_right.unwrap_or(contacts.right);
+        contacts.left = row.start_left.unwrap_or(contacts.left);
+        contacts.mains = row.mains.unwrap_or(contacts.mains);
+        if let Some(torque) = &row.torque {
+            setup.torque = self.torque(torque)?;
+        }
+        if let Some(ramps) = &row.ramps {
+            self.ramps(ramps, &mut setup.ramps)?;
+        }
+        self.equip(&row.modules, &row.set, family, &mut setup)?;
+        Ok(setup)
+    }
+
+    /// The drives behind it, on the system bus.
+    pub(crate) fn nodes(&self, row: &DriveTable, master: Model) -> Result<Vec<Node>, BenchError> {
+        let mut nodes = Vec::new();
+        for node in &row.nodes {
+            nodes.push(self.node(node, master, &nodes)?);
+        }
+        Ok(nodes)
+    }
+
+    /// Its option modules and the rows of `set`.
+    fn equip(
+        &self,
+        modules: &[Spanned<String>],
+        set: &BTreeMap<String, Spanned<Value>>,
+        family: Option<&Family>,
+        setup: &mut Setup,
+    ) -> Result<(), BenchError> {
+        setup.modules = modules.iter().map(|module| module.get_ref().clone()).collect();
+        for module in modules {
+            self.check_module(module, family)?;
+        }
+        self.values(set, family, setup)
+    }
+
+    /// A drive behind this one, on the system bus.
+    fn node(&self, table: &Spanned<NodeTable>, master: Model, others: &[Node]) -> Result<Node, BenchError> {
+        let row = table.get_ref();
+        let refuse = |span, message: &str| Err(self.error(span, message.to_owned()));
+        let Some(id) = SystemNode::new(row.id).filter(|id| *id != SystemNode::SELF).map(SystemNode::id) else {
+            return refuse(table.span(), &format!("id = {}; expected a node 1 to {}", row.id, SystemNode::LAST));
+        };
+        if others.iter().any(|other| other.id == id) {
+            return refuse(table.span(), &format!("node {id} is there already"));
+        }
+        let drives = [("act", Model::Act), ("acu", Model::Acu)];
+        if !drives.iter().any(|row| row.1 == master) {
+            return refuse(table.span(), "only an ACT or ACU is master of a system bus");
+        }
+        let model = self.word("model", &row.model, &drives)?;
+        let family = self.registry.family(model.name());
+        let mut setup = Setup::plain(model == Model::Acu);
+        self.equip(&row.modules, &row.set, family.as_deref(), &mut setup)?;
+        let place = Place { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
+        Ok(Node::new(id, Active::new(&setup, place, family.as_deref())))
+    }
+
+    /// The rows of `set`.
+    fn values(
+        &self,
+        set: &BTreeMap<String, Spanned<Value>>,
+        family: Option<&Family>,
+        setup: &mut Setup,
+    ) -> Result<(), BenchError> {
+        for (key, value) in set {
+            let param = key.parse().ok().and_then(|number| family?.param(number));
+            match param.filter(|param| param.kind == Some(Type::String)) {
+                Some(param) => {
+                    let text = value.get_ref().as_str().and_then(|text| Data::text(text.as_bytes()).ok());
+                    let message = || format!("set \"{key}\": expected a text of 1 to {} ASCII characters", Data::MOST);
+                    let text = text.filter(|text| text.characters().is_ascii());
+                    let text = text.ok_or_else(|| self.error(value.span(), message()))?;
+                    setup.texts.insert(param.id, text.characters().to_vec());
+                }
+                None => setup.values.push(self.value(key, value, family, &setup.modules)?),
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, BenchError> {
+        let baud = match &row.baud {
+            None => 19_200,
+            Some(got) => {
+                let known = BAUD_RATES.iter().find(|rate| i64::from(rate.1) == *got.get_ref());
+                let rates: Vec<_> = BAUD_RATES.iter().map(|rate| rate.1.to_string()).collect();
+                let message = || format!("baud = {}; expected one of: {}", got.get_ref(), rates.join(", "));
+                known.ok_or_else(|| self.error(got.span(), message()))?.1
+            }
+        };
+        let words = PARITIES.map(|parity| (parity.name(), parity));
+        let parity = row.parity.as_ref().map_or(Ok(Parity::Even), |got| self.word("parity", got, &words))?;
+        let line = match spoken {
+            Spoken::ASCII => LineSetting::ascii(baud, parity),
+            Spoken::Vabus => LineSetting { parity, ..LineSetting::vabus(baud) },
+            Spoken::Modbus(_) | Spoken::PBus => LineSetting::rtu(baud, parity),
+        };
+        match row.data_bits.as_ref().map(|got| (*got.get_ref(), got)) {
+            None => Ok(line),
+            Some((8, _)) => Ok(LineSetting { data_bits: 8, ..line }),
+            Some((7, _)) if line.data_bits == 7 => Ok(line),
+            Some((bits, got)) => {
+                let message = format!("data_bits = {bits}; expected 8, or 7 with protocol ascii or vabus");
+                Err(self.error(got.span(), message))
+            }
+        }
+    }
+
+    fn check_module(&self, module: &Spanned<String>, family: Option<&Family>) -> Result<(), BenchError> {
+        let rows = family.into_iter().flat_map(|family| family.params.values());
+        let mut known: Vec<&str> = rows.filter_map(|param| param.module.as_deref()).collect();
+        known.sort_unstable();
+        known.dedup();
+        if known.contains(&module.get_ref().as_str()) {
+            return Ok(());
+        }
+        let message = format!("module \"{}\"; expected one of: {}", module.get_ref(), known.join(", "));
+        Err(self.error(module.span(), message))
+    }
+
+    /// An ACT has one input for the enable (CM-485 manual 9).
+    fn check_sto(&self, got: &Spanned<bool>, model: Model) -> Result<(), BenchError> {
+        match model {
+            Model::Acu => Ok(()),
+            _ => Err(self.error(got.span(), "only an ACU has STOA and STOB; expected enable".to_owned())),
+        }
+    }
+
+    fn torque(&self, got: &Spanned<i64>) -> Result<i64, BenchError> {
+        let torque = Some(*got.get_ref()).filter(|torque| (0..=HEAVIEST).contains(torque));
+        let message = || format!("torque = {}; expected 0 to {HEAVIEST} % of the rated torque", got.get_ref());
+        torque.ok_or_else(|| self.error(got.span(), message()))
+    }
+
+    fn ramps(&self, table: &RampTable, ramps: &mut Ramps) -> Result<(), BenchError> {
+        for (got, slope) in [
+            (&table.up_right, &mut ramps.up_right),
+            (&table.down_right, &mut ramps.down_right),
+            (&table.up_left, &mut ramps.up_left),
+            (&table.down_left, &mut ramps.down_left),
+        ] {
+            let Some(got) = got else { continue };
+            let raw = decimal(got.get_ref(), 2).map_err(|message| self.error(got.span(), message))?;
+            let known = Some(raw).filter(|raw| (1..=STEEPEST).contains(raw));
+            let message = || format!("{} Hz/s; expected 0.01 to 9999.99", got.get_ref());
+            *slope = known.ok_or_else(|| self.error(got.span(), message()))?;
+        }
+        Ok(())
+    }
+
+    /// A row of `set`: number, data set, raw value.
+    fn value(
+        &self,
+        key: &str,
+        value: &Spanned<Value>,
+        family: Option<&Family>,
+        modules: &[String],
+    ) -> Result<(u32, u8, i64), BenchError> {
+        let refuse = |message: String| self.error(value.span(), format!("set \"{key}\": {message}"));
+        let (number, set) = match key.split_once('@') {
+            None => (key, Some(0)),
+            Some((number, text)) => {
+                let ram = text.strip_suffix("ram");
+                let set = ram.unwrap_or(text).parse().ok().filter(|set| (1..=4u8).contains(set));
+                (number, set.map(|set| if ram.is_some() { set + RAM_OFFSET } else { set }))
+            }
+        };
+        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram".to_owned()))?;
+        let param = number.parse().ok().and_then(|number| family?.param(number));
+        let param = param.filter(|param| param.module.as_ref().is_none_or(|module| modules.contains(module)));
+        let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number".to_owned()))?;
+        if set != 0 && param.sets != Some(Sets::Four) {
+            return Err(refuse("exists once; expected no data set".to_owned()));
+        }
+        let decimals = param.decimals_or_zero();
+        let raw = match value.get_ref() {
+            Value::String(text) => match text.strip_prefix("0x") {
+                Some(hex) => i64::from_str_radix(hex, 16).map_err(|_| refuse(format!("'{text}' is no number")))?,
+                None => decimal(value.get_ref(), decimals).map_err(refuse)?,
+            },
+            number => decimal(number, decimals).map_err(refuse)?,
+        };
+        let kind = param.kind.unwrap_or(Type::Long);
+        check_width(raw, kind, decimals).map_err(|error| refuse(error.to_string()))?;
+        Ok((param.id, set, raw))
+    }
+    /// What an event does.
+    pub(crate) fn active_events(&self, table: &Spanned<EventTable>, model: Model) -> Result<Vec<Event>, BenchError> {
+        let row = table.get_ref();
+        let trigger = self.trigger(table)?;
+        if row.class.is_some() || row.qualifier.is_some() {
+            return Err(self.error(table.span(), "class and qualifier are for model lxm05".to_owned()));
+        }
+        let mut actions = Vec::new();
+        if let Some(fault) = &row.fault {
+            actions.push(Action::Fault(Fault { number: self.fault(fault)?, ..Fault::default() }));
+        }
+        actions.extend(row.warning.map(Action::Warning));
+        if let Some(silent) = &row.silent {
+            actions.push(Action::Silent(self.time("silent", silent)?));
+        }
+        actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
+        actions.extend(row.mains.map(Action::Mains));
+        actions.extend(row.enable.into_iter().flat_map(|on| match model {
+            Model::Acu => vec![Action::StoA(on), Action::StoB(on)],
+            _ => vec![Action::StoA(on)],
+        }));
+        for (sto, action) in [(&row.stoa, Action::StoA as fn(bool) -> Action), (&row.stob, Action::StoB)] {
+            let Some(sto) = sto else { continue };
+            self.check_sto(sto, model)?;
+            actions.push(action(*sto.get_ref()));
+        }
+        actions.extend(row.start_right.map(Action::StartRight));
+        actions.extend(row.start_left.map(Action::StartLeft));
+        if let Some(torque) = &row.torque {
+            actions.push(Action::Torque(self.torque(torque)?));
+        }
+        if actions.is_empty() {
+            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, mains, enable, \
+                           stoa, stob, start_right, start_left or torque";
+            return Err(self.error(table.span(), message.to_owned()));
+        }
+        let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
+        if let Some(got) = row.lasts.as_ref().filter(|_| actions.iter().any(|action| action.opposite().is_none())) {
+            let message = "for goes only with mains, enable, stoa, stob, start_right, start_left";
+            return Err(self.error(got.span(), message.to_owned()));
+        }
+        Ok(actions.into_iter().map(|action| Event { trigger, action, lasts }).collect())
+    }
+
+    fn fault(&self, got: &Spanned<String>) -> Result<u16, BenchError> {
+        let digits = got.get_ref().strip_prefix('F').filter(|digits| digits.len() == 4);
+        let code = digits.and_then(|digits| u16::from_str_radix(digits, 16).ok()).filter(|&code| code != 0);
+        let message = || format!("fault = \"{}\"; expected F and 4 digits, such as \"F0500\"", got.get_ref());
+        code.ok_or_else(|| self.error(got.span(), message()))
+    }
+}
+
+/// RAM data sets are numbered 5 above their EEPROM twins (CM-485 manual 7).
+const RAM_OFFSET: u8 = 5;

@@ -1,0 +1,84 @@
+//! A `[[drive]]` of a bench file: which device stands at which place.
+
+use super::reader::{BenchError, Model, Reader, own_seed};
+use super::tables::DriveTable;
+use crate::protocol::vabus::Address;
+use crate::simulator::device::active;
+use crate::simulator::device::contract::{Device, Place};
+use crate::simulator::device::foreign::Foreign;
+use crate::simulator::line::speech::Spoken;
+use crate::simulator::station::Drive;
+use crate::simulator::station::setup::Setup;
+use crate::tick::Span;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+impl Reader<'_> {
+    /// What stands there.
+    pub(crate) fn drive(&self, table: &Spanned<DriveTable>, seed: u64) -> Result<Drive, BenchError> {
+        let row = table.get_ref();
+        let model = self.word("model", &row.model, &Model::NAMES)?;
+        let address = row.address.as_ref().map_or(Ok(1), |got| self.station(got))?;
+        let seed = own_seed(seed, address);
+        match model {
+            Model::Lxm05 => self.servo(table, address, seed),
+            Model::Act | Model::Acu | Model::Foreign => self.inverter(table, model, address, seed),
+        }
+    }
+
+    /// An ACT, an ACU, or a foreign slave, for which the keys of those two may stand and mean nothing.
+    fn inverter(&self, table: &Spanned<DriveTable>, model: Model, address: u8, seed: u64) -> Result<Drive, BenchError> {
+        let row = table.get_ref();
+        if row.servo.is_some() || row.stop_bits.is_some() {
+            return Err(self.error(table.span(), "servo and stop_bits are for model lxm05".to_owned()));
+        }
+        let spoken = self.spoken(row, address)?;
+        let family = self.registry.family(model.name());
+        if family.is_none() && model != Model::Foreign {
+            return Err(self.error(row.model.span(), format!("no catalogue describes model '{}'", model.name())));
+        }
+        if model != Model::Foreign && !row.registers.is_empty() {
+            return Err(self.error(table.span(), "registers are for model foreign; expected set".to_owned()));
+        }
+        let place = Place { address, spoken, line: self.line(row, spoken)? };
+        let mut station = Setup::plain(place);
+        station.delay = self.delay(row)?;
+        station.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;
+        station.strict_silence = row.strict_silence;
+        station.seed = seed;
+        let setup = self.active(row, model, family.as_deref())?;
+        let nodes = self.nodes(row, model)?;
+        let registers = self.registers(row)?;
+        for event in &row.event {
+            station.script.extend(self.active_events(event, model)?);
+        }
+        let device: Box<dyn Device> = match model {
+            Model::Foreign => Box::new(Foreign::new(registers)),
+            _ => Box::new(active::Drive::new(&setup, place, nodes, family.as_deref())),
+        };
+        Ok(Drive::new(station, device))
+    }
+
+    fn spoken(&self, row: &DriveTable, address: u8) -> Result<Spoken, BenchError> {
+        let protocols = [Spoken::RTU, Spoken::ASCII, Spoken::Vabus].map(|spoken| (spoken.name(), spoken));
+        let spoken = row.protocol.as_ref().map_or(Ok(Spoken::RTU), |got| self.word("protocol", got, &protocols))?;
+        let out_of_range = spoken == Spoken::Vabus && Address::drive(address).is_none();
+        if let Some(got) = row.address.as_ref().filter(|_| out_of_range) {
+            let message = format!("address = {address}; expected 1 to {} with protocol vabus", Address::LAST);
+            return Err(self.error(got.span(), message));
+        }
+        Ok(spoken)
+    }
+
+    fn registers(&self, row: &DriveTable) -> Result<BTreeMap<u16, u16>, BenchError> {
+        let mut registers = BTreeMap::new();
+        for (key, value) in &row.registers {
+            let fits = |number: i64| u16::try_from(number).ok();
+            let register = key.parse().ok().and_then(fits).zip(fits(*value.get_ref()));
+            let message = || format!("register \"{key}\" = {}; both expected 0 to 65535", value.get_ref());
+            let (number, value) = register.ok_or_else(|| self.error(value.span(), message()))?;
+            registers.insert(number, value);
+        }
+        Ok(registers)
+    }
+}

@@ -1,0 +1,92 @@
+//! What a bench file says of the line: disturbances, and who speaks unasked.
+
+use super::reader::{BenchError, Reader};
+use super::tables::DisturbTable;
+use crate::simulator::line::babble::{Babbler, Pattern};
+use crate::simulator::line::disturb::{Kind, Rule, When};
+use crate::simulator::line::speech::Spoken;
+use crate::tick::{Span, Tick};
+use toml::Spanned;
+
+impl Reader<'_> {
+    /// Somebody who speaks unasked; `None` if the table is about replies.
+    pub(crate) fn babbler(&self, table: &Spanned<DisturbTable>, spoken: Spoken) -> Result<Option<Babbler>, BenchError> {
+        let row = table.get_ref();
+        if row.kind.get_ref() != "babble" {
+            return Ok(None);
+        }
+        if row.every.is_some() || row.once.is_some() || row.byte.is_some() || row.address.is_some() {
+            let message = "babble goes only with at, by, for and pattern";
+            return Err(self.error(table.span(), message.to_owned()));
+        }
+        let pattern = match row.pattern.as_ref() {
+            None => Pattern::Bytes(vec![0x55]),
+            Some(got) => pattern(got.get_ref(), spoken).ok_or_else(|| {
+                let message = "expected random, digits, master, or bytes in hex such as \"55 AA\"";
+                self.error(got.span(), format!("pattern = \"{}\"; {message}", got.get_ref()))
+            })?,
+        };
+        let from = Tick::ZERO + self.time_or("at", row.at.as_ref(), Span::ZERO)?;
+        let pause = self.time_or("by", row.by.as_ref(), BABBLE_PAUSE)?;
+        let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
+        Ok(Some(Babbler::new(pattern, from, pause, lasts)))
+    }
+
+    pub(crate) fn rule(&self, table: &Spanned<DisturbTable>) -> Result<Rule, BenchError> {
+        let row = table.get_ref();
+        let when = match (&row.every, &row.once, &row.at) {
+            (Some(every), None, None) => When::Every(self.count(every)?),
+            (None, Some(once), None) => When::Once(self.count(once)?),
+            (None, None, Some(at)) => When::From(Tick::ZERO + self.time("at", at)?),
+            _ => return Err(self.error(table.span(), "expected exactly one of: every, once, at".to_owned())),
+        };
+        let by = self.time_or("by", row.by.as_ref(), Span::from_millis(150))?;
+        let kinds = [
+            ("late", Kind::Late(by)),
+            ("lost", Kind::Lost),
+            ("garbled", Kind::Garbled),
+            ("truncated", Kind::Truncated),
+            ("noise", Kind::Noise(row.byte.unwrap_or(0))),
+            ("echo", Kind::Echo),
+            ("doubled", Kind::Doubled(row.by.as_ref().map(|_| by))),
+            ("foreign", Kind::Foreign),
+            ("twin", Kind::Twin(row.by.as_ref().map_or(TWIN_PAUSE, |_| by))),
+        ];
+        let kind = self.word("kind", &row.kind, &kinds)?;
+        if let Some(by) = row.by.as_ref().filter(|_| !matches!(kind, Kind::Late(_) | Kind::Doubled(_) | Kind::Twin(_)))
+        {
+            return Err(self.error(
+                by.span(),
+                "by goes only with kind = \"late\", \"doubled\", \"twin\" or \"babble\"".to_owned(),
+            ));
+        }
+        if row.byte.is_some() && !matches!(kind, Kind::Noise(_)) {
+            return Err(self.error(table.span(), "byte goes only with kind = \"noise\"".to_owned()));
+        }
+        if let Some(got) = row.pattern.as_ref().or(row.lasts.as_ref()) {
+            return Err(self.error(got.span(), "pattern and for go only with kind = \"babble\"".to_owned()));
+        }
+        let station = row.address.as_ref().map(|got| self.station(got)).transpose()?;
+        Ok(Rule::new(when, kind, station))
+    }
+}
+
+/// A second drive answers so long after the first, as one does that is set the same and a little slower.
+const TWIN_PAUSE: Span = Span::from_millis(5);
+/// An adapter with a wrong rate delivers a byte every 20 ms (docs/open-points.md).
+const BABBLE_PAUSE: Span = Span::from_millis(20);
+/// Longest pattern of bytes.
+const MOST_PATTERN: usize = 256;
+
+/// Reads `random`, `digits`, `master`, `55 AA`.
+fn pattern(text: &str, spoken: Spoken) -> Option<Pattern> {
+    match text {
+        "random" => return Some(Pattern::Random),
+        "digits" => return Some(Pattern::Digits),
+        "master" => return Some(Pattern::Master(spoken)),
+        _ => {}
+    }
+    let byte = |word: &str| u8::from_str_radix(word, 16).ok().filter(|_| word.len() == 2);
+    let bytes: Vec<u8> = text.split_whitespace().map(byte).collect::<Option<_>>()?;
+    (1..=MOST_PATTERN).contains(&bytes.len()).then_some(Pattern::Bytes(bytes))
+}
