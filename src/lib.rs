@@ -13,7 +13,7 @@
 //! | [`drive`] | use-cases on connected drives |
 //! | [`args`], [`command`], [`render`], [`cli`] | the program: settings, verbs, output, dispatch |
 //!
-//! Who may name whom is law, and `tests/house.rs` holds it. ARCHITECTURE.md is the floor plan.
+//! Who may name whom is law, and `tests/house` holds it. ARCHITECTURE.md is the floor plan.
 
 pub mod args;
 pub mod cli;

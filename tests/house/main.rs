@@ -1,153 +1,174 @@
-//! The import law: which room may name which. Reads `crate::` paths in the sources.
+//! The import law: which room, and which file, may name which. Read from the sources, by path, down to the file.
 
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
 
+mod law;
+mod names;
+mod tokens;
+
+use law::{CIRCLES, LAW, SIBLINGS, STRICT, TELEGRAMS};
+use names::{Arrow, Module, Sources};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Room, and the rooms that it may name. A path below a room (`protocol::line`) allows only that part of it.
-const LAW: &[(&str, &[&str])] = &[
-    ("tick", &[]),
-    ("failure", &[]),
-    ("files", &[]),
-    ("gate", &[]),
-    ("outcome", &["failure"]),
-    ("profile", &[]),
-    ("protocol", &["tick"]),
-    ("exchange", &["protocol", "tick"]),
-    ("simulator", &["protocol", "profile", "tick"]),
-    ("transport", &["simulator", "files", "protocol::line", "tick"]),
-    (
-        "drive",
-        &["exchange", "transport", "profile", "gate", "failure", "files", "outcome", "tick", "simulator", "protocol"],
-    ),
-    ("render", &["outcome", "failure", "gate", "profile"]),
-    (
-        "args",
-        &[
-            "transport",
-            "profile",
-            "render",
-            "failure",
-            "files",
-            "tick",
-            "protocol::line",
-            "protocol::modbus",
-            "protocol::Protocol",
-        ],
-    ),
-    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "files", "tick"]),
-    ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure"]),
-];
+fn sources() -> Sources {
+    Sources::of(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"))
+}
 
-/// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.
-const DRIVE_TELEGRAMS: &[&str] = &[
-    "decode.rs",
-    "diag.rs",
-    "family.rs",
-    "journey.rs",
-    "mod.rs",
-    "modbus.rs",
-    "order.rs",
-    "plot.rs",
-    "registers.rs",
-    "relocate.rs",
-    "route.rs",
-    "services.rs",
-    "session.rs",
-    "sniff.rs",
-    "transfer.rs",
-    "trouble.rs",
-    "vabus.rs",
-];
-const DRIVE_SIMULATOR: &[&str] = &["bench.rs", "session.rs"];
+/// Whether `module` is `path` or lies below it.
+fn inside(module: &[String], path: &str) -> bool {
+    path.split("::").zip(module.iter().map(String::as_str).chain(std::iter::repeat(""))).all(|(a, b)| a == b)
+}
+
+fn told(module: &[String]) -> String {
+    module.join("::")
+}
 
 #[test]
 fn every_room_names_only_what_the_law_allows() {
-    let mut broken = Vec::new();
-    for (room, file) in sources() {
-        let allowed = LAW.iter().find(|row| row.0 == room).unwrap_or_else(|| panic!("room '{room}' has no law")).1;
-        for path in named(&file) {
-            let own = path.split("::").next() == Some(room.as_str());
-            let granted = allowed.iter().any(|allowed| path == *allowed || path.starts_with(&format!("{allowed}::")));
-            if !own && !granted {
-                broken.push(format!("{}: {room} must not name crate::{path}", file.display()));
-            }
-            let name = file.file_name().unwrap().to_string_lossy().into_owned();
-            for (target, files) in [("protocol", DRIVE_TELEGRAMS), ("simulator", DRIVE_SIMULATOR)] {
-                if room == "drive" && path.starts_with(target) && !files.contains(&name.as_str()) {
-                    broken.push(format!("{}: only {files:?} of drive name crate::{target}", file.display()));
-                }
+    let sources = sources();
+    let mut broken = BTreeSet::new();
+    for source in sources.iter().filter(|source| !source.module.is_empty()) {
+        let row = |own: &Module| {
+            let rows = LAW.iter().filter(|row| inside(own, row.0));
+            rows.max_by_key(|row| row.0.split("::").count()).unwrap_or_else(|| panic!("'{}' has no law", told(own)))
+        };
+        let (room, allowed) = row(&source.module);
+        for path in sources.spelt(source) {
+            let granted = allowed.iter().any(|allowed| inside(&path, allowed));
+            if !path.is_empty() && !inside(&path, room) && !granted {
+                broken.insert(format!("{}: {room} must not name {}", source.file.display(), told(&path)));
             }
         }
     }
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert!(broken.is_empty(), "{}", Vec::from_iter(broken).join("\n"));
+}
+
+#[test]
+fn only_these_files_of_drive_speak_of_telegrams_and_benches() {
+    let sources = sources();
+    let mut broken = BTreeSet::new();
+    for (target, files) in TELEGRAMS {
+        let mut idle: BTreeSet<&str> = files.iter().copied().collect();
+        for source in sources.iter().filter(|source| inside(&source.module, "drive")) {
+            let own = told(&source.module);
+            if sources.spelt(source).iter().any(|path| inside(path, target)) && !idle.remove(own.as_str()) {
+                broken.insert(format!("{own} must not name {target}: only {files:?}"));
+            }
+        }
+        broken
+            .extend(idle.iter().map(|file| format!("{file} does not name {target} any more: take it out of the list")));
+    }
+    assert!(broken.is_empty(), "{}", Vec::from_iter(broken).join("\n"));
+}
+
+#[test]
+fn siblings_do_not_name_each_other() {
+    let mut broken = BTreeSet::new();
+    for Arrow { from, to, name } in sources().arrows() {
+        for (room, shared) in SIBLINGS {
+            let depth = room.split("::").count();
+            let part = |module: &Module| -> Option<String> {
+                let part = module.get(depth).filter(|_| inside(module, room))?;
+                Some(format!("{room}::{part}"))
+            };
+            let (Some(own), Some(other)) = (part(&from), part(&to)) else { continue };
+            if own != other && !shared.contains(&other.as_str()) {
+                broken.insert(format!("{} must not name {name} of {}", told(&from), told(&to)));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", Vec::from_iter(broken).join("\n"));
+}
+
+#[test]
+fn no_file_is_in_a_circle() {
+    let is_strict = |arrow: &Arrow| STRICT.iter().any(|room| inside(&arrow.from, room) && inside(&arrow.to, room));
+    // A module and what lies inside it are one thing, but where the law is strict.
+    let nested = |arrow: &Arrow| arrow.from.starts_with(&arrow.to) || arrow.to.starts_with(&arrow.from);
+    let arrows = sources().arrows();
+    let arrows: BTreeSet<Arrow> = arrows.into_iter().filter(|arrow| is_strict(arrow) || !nested(arrow)).collect();
+    let known = |arrow: &&Arrow| CIRCLES.contains(&(told(&arrow.from).as_str(), told(&arrow.to).as_str()));
+    let left: BTreeSet<Arrow> = arrows.iter().filter(|arrow| !known(arrow)).cloned().collect();
+    let mut found: Vec<String> = circles(&left).iter().map(|circle| drawn(circle, &left)).collect();
+    let whole = circles(&arrows);
+    for (from, to) in CIRCLES {
+        let stands = arrows.iter().any(|arrow| told(&arrow.from) == *from && told(&arrow.to) == *to);
+        let within =
+            |circle: &&BTreeSet<Module>| [from, to].iter().all(|end| circle.iter().any(|file| told(file) == **end));
+        if !stands || !whole.iter().any(|circle| within(&circle)) {
+            found.push(format!("{from} -> {to} is in no circle any more: take it out of the list"));
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// Files that lead to each other, in whatever number of steps.
+fn circles(arrows: &BTreeSet<Arrow>) -> Vec<BTreeSet<Module>> {
+    let mut named: BTreeMap<&Module, BTreeSet<&Module>> = BTreeMap::new();
+    for arrow in arrows {
+        named.entry(&arrow.from).or_default().insert(&arrow.to);
+    }
+    let mut reach: BTreeMap<&Module, BTreeSet<&Module>> = BTreeMap::new();
+    for file in named.keys() {
+        let (mut todo, seen) = (vec![*file], reach.entry(file).or_default());
+        while let Some(at) = todo.pop() {
+            todo.extend(named.get(at).into_iter().flatten().filter(|to| seen.insert(to)));
+        }
+    }
+    let mut found: Vec<BTreeSet<Module>> = Vec::new();
+    for (file, reached) in &reach {
+        let back = |other: &&&Module| reach.get(**other).is_some_and(|reached| reached.contains(file));
+        let circle: BTreeSet<Module> = reached.iter().filter(back).map(|file| (**file).clone()).collect();
+        if !circle.is_empty() && !found.contains(&circle) {
+            found.push(circle);
+        }
+    }
+    found
+}
+
+fn drawn(circle: &BTreeSet<Module>, arrows: &BTreeSet<Arrow>) -> String {
+    let ties = arrows.iter().filter(|arrow| circle.contains(&arrow.from) && circle.contains(&arrow.to));
+    let mut drawn: BTreeMap<(String, String), Vec<&str>> = BTreeMap::new();
+    for arrow in ties {
+        drawn.entry((told(&arrow.from), told(&arrow.to))).or_default().push(&arrow.name);
+    }
+    let drawn: Vec<String> =
+        drawn.iter().map(|((from, to), names)| format!("  {from} -> {to}: {}", names.join(", "))).collect();
+    format!("a circle of {} files:\n{}", circle.len(), drawn.join("\n"))
+}
+
+#[test]
+fn a_circle_is_found_and_a_chain_is_none() {
+    let arrow =
+        |(from, to): &(&str, &str)| Arrow { from: vec![(*from).into()], to: vec![(*to).into()], name: "x".into() };
+    let drawn = |pairs: &[(&str, &str)]| circles(&pairs.iter().map(arrow).collect());
+    assert!(drawn(&[("a", "b"), ("b", "c"), ("a", "c")]).is_empty());
+    let found = drawn(&[("a", "b"), ("b", "c"), ("c", "b"), ("c", "d")]);
+    assert_eq!(found, [BTreeSet::from([vec!["b".to_owned()], vec!["c".to_owned()]])]);
 }
 
 #[test]
 fn the_law_has_no_circles() {
-    let law: BTreeMap<&str, BTreeSet<&str>> = LAW
-        .iter()
-        .map(|(room, to)| (*room, to.iter().map(|path| path.split("::").next().unwrap()).collect()))
-        .collect();
-    let mut settled: BTreeSet<&str> = BTreeSet::new();
+    let room = |path: &str| path.split("::").next().unwrap().to_owned();
+    let mut law: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (own, allowed) in LAW {
+        let rooms = allowed.iter().map(|path| room(path)).filter(|other| *other != room(own));
+        law.entry(room(own)).or_default().extend(rooms);
+    }
+    let mut settled: BTreeSet<String> = BTreeSet::new();
     while settled.len() < law.len() {
         let next = law.iter().find(|(room, to)| !settled.contains(*room) && to.is_subset(&settled));
-        settled.insert(next.unwrap_or_else(|| panic!("a circle among the rooms that are not in {settled:?}")).0);
+        settled
+            .insert(next.unwrap_or_else(|| panic!("a circle among the rooms that are not in {settled:?}")).0.clone());
     }
 }
 
 #[test]
 fn no_room_is_a_lumber_room() {
-    for (room, file) in sources() {
+    for source in sources().iter() {
         for bad in ["common", "util", "utils", "helpers", "misc"] {
-            assert!(room != bad && file.file_stem().unwrap() != bad, "{}", file.display());
+            assert!(!source.module.iter().any(|name| name == bad), "{}", source.file.display());
         }
     }
-}
-
-/// Every source file with the room that it is in.
-fn sources() -> Vec<(String, PathBuf)> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    collect(&src, &mut files);
-    let files = files.into_iter().filter(|file| !["lib.rs", "main.rs"].iter().any(|root| *file == src.join(root)));
-    files
-        .map(|file| {
-            let room = file.strip_prefix(&src).unwrap().components().next().unwrap();
-            let room = room.as_os_str().to_string_lossy().trim_end_matches(".rs").to_owned();
-            (room, file)
-        })
-        .collect()
-}
-
-fn collect(directory: &Path, files: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(directory).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            collect(&path, files);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            files.push(path);
-        }
-    }
-}
-
-/// Paths behind `crate::` in code, up to two levels; tests at the end of a file may name what they like.
-fn named(file: &Path) -> Vec<String> {
-    let text = std::fs::read_to_string(file).unwrap();
-    let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap();
-    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    let mut paths = Vec::new();
-    for line in code {
-        for (at, _) in line.match_indices("crate::") {
-            if line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$') {
-                continue;
-            }
-            let rest = &line[at + "crate::".len()..];
-            let path: String = rest.chars().take_while(|c| c.is_alphanumeric() || matches!(c, '_' | ':')).collect();
-            let levels: Vec<&str> = path.split("::").filter(|part| !part.is_empty()).take(2).collect();
-            paths.push(levels.join("::"));
-        }
-    }
-    paths
 }
