@@ -10,7 +10,7 @@ use crate::exchange::{
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::Event;
-use crate::profile::{Family, Lang, Registry};
+use crate::profile::{Cause, Family, Lang, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -109,6 +109,8 @@ pub struct Refusal {
     pub no: No,
     /// The cause, read back at once from where the family keeps it: P.11 of the ACTIVE family.
     pub cause: Option<u16>,
+    /// The answer that told the cause was lost, and reading had cleared it.
+    pub unheard: bool,
 }
 
 /// Why a question brought no value.
@@ -346,12 +348,38 @@ impl<'a> Session<'a> {
             Answer::Reply { said, after } => (said, after),
         };
         let Some(no) = no(&said) else { return Ok(Some((said, after))) };
-        let cause = match route.cause(family, no) {
-            Some(question) => self.number_once(route, question).await?,
-            None => None,
+        let (cause, unheard) = match route.cause(family, no) {
+            Some(question) => self.cause(route, family, question).await?,
+            None => (None, false),
         };
         // 0 is "nothing was refused": the register belongs to something else, or there is none.
-        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0) }))
+        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))
+    }
+
+    /// Asks why the drive said no, and tells whether the answer was lost. What is cleared by reading is asked once: asked
+    /// again it would say that nothing was refused.
+    async fn cause(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+    ) -> Result<(Option<u16>, bool), AccessError> {
+        let limits = self.limits();
+        let retries = if family.link.cause == Cause::ErrorRegister { 0 } else { limits.retries };
+        self.set_limits(Limits { witness: false, retries, ..limits });
+        let answer = self.ask(route.address, question).await;
+        self.set_limits(limits);
+        match answer {
+            Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
+            Ok(Answer::Broadcast) => Ok((None, false)),
+            Err(AccessError::Exchange(_)) => Ok((None, true)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Why the last question that failed brought no answer.
+    pub(super) fn last_failure(&self) -> AccessError {
+        self.too_late()
     }
 
     /// Asks for a number that is gone once it has been read.

@@ -156,7 +156,8 @@ impl Target {
             AccessError::Refused(Refusal { cause: Some(WRONG_WIDTH | WRONG_TYPE), .. })
                 | AccessError::Refused(Refusal {
                     no: No::Exception(Exception::IllegalDataAddress),
-                    cause: None | Some(0)
+                    cause: None | Some(0),
+                    ..
                 })
         );
         if !(doubtful && width) {
@@ -270,7 +271,15 @@ impl Target {
         let mut asked = 0;
         loop {
             asked += 1;
-            let answer = session.demand(route, &self.family, question.clone()).await?;
+            let answer = match session.demand(route, &self.family, question.clone()).await {
+                // Refused again, it tells again why.
+                Err(AccessError::Refused(Refusal { unheard: true, .. })) if asked <= session.limits().retries => {
+                    continue;
+                }
+                // The cause that was lost would have told the width.
+                Err(AccessError::Refused(Refusal { unheard: true, .. })) if !sure => return Err(session.last_failure()),
+                answer => answer?,
+            };
             let (said, _) = answer.ok_or(AccessError::Unspeakable)?;
             let content = route.content(&said).ok_or(AccessError::Unspeakable)?;
             match route.misshapen(&said, kind).filter(|_| sure) {

@@ -38,7 +38,8 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>, lang: Lang) 
                 No::Exception(exception) => exception.name().replace(' ', "_"),
                 No::Nak => "nak".to_owned(),
             };
-            (code, String::new())
+            let unheard = lang.pick(", cause not known", ", Ursache unbekannt");
+            (code, if refusal.unheard { unheard.to_owned() } else { String::new() })
         }
         (Some(code), Some(row)) => (row.slug.clone(), format!(", {where_text} = {code}: {}", row.name(lang))),
         (Some(code), None) => {
@@ -56,6 +57,12 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>, lang: Lang) 
         failure = failure.with(where_key, cause);
     }
     let unknown = match refusal.cause {
+        None if refusal.unheard => lang.pick(
+            "the answer that told the cause was lost, and reading clears it: try again, and `diag line` shows why answers \
+             are lost",
+            "die Antwort mit der Ursache ging verloren, und Lesen löscht sie: noch einmal versuchen; `diag line` zeigt, warum \
+             Antworten verloren gehen",
+        ),
         None => lang.pick(
             "the drive gave no cause; check the function code, the parameter and the value",
             "der Antrieb nennt keine Ursache; Funktionscode, Parameter und Wert prüfen",

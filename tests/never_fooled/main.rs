@@ -400,6 +400,16 @@ fn flipped_cut_and_merged_replies_are_not_believed() {
     }
 }
 
+/// A telegram of RTU with two zeros behind it has a right check value once more, and code 100 answers in two bytes more than
+/// it asks. The ten thousand found it: an adapter that echoes now and then, and noise of zeros.
+#[test]
+fn an_echo_with_zeros_behind_it_is_no_reply() {
+    let question = Question::from(Request::ReadLong { address: 0x31E0 });
+    let rtu = Protocol::Modbus(Framing::Rtu);
+    let echo = question.telegram(rtu, 1);
+    assert_eq!(believed(rtu, &question, &[&echo[..], &[0, 0]].concat()), None);
+}
+
 /// Whether an undamaged reply stands in these bytes: then believing it is right.
 fn holds_whole(bytes: &[u8], exchanges: &[(Question, Vec<u8>)]) -> bool {
     exchanges.iter().any(|(_, whole)| bytes.windows(whole.len()).any(|window| window == whole))

@@ -16,7 +16,10 @@ impl Master {
             let Phase::Reply(waiting) = &job.phase else { return None };
             let found = self.dialect.find(waiting.came.get(from..)?, job.station, job.asks())?;
             let (start, end) = (from + found.start, from + found.end);
-            if self.is_echo(waiting, start) || !self.proves(job, &found.said, waiting.has_echoed(start)) {
+            if begins_as_echo(waiting, start, end)
+                || self.is_echo(waiting, start)
+                || !self.proves(job, &found.said, waiting.has_echoed(start))
+            {
                 from = start + 1;
                 continue;
             }
@@ -236,6 +239,13 @@ impl Master {
             self.suspect(station, at);
         }
     }
+}
+
+/// Whether a longer telegram begins with all of what was sent: an RTU telegram with two zeros behind it has a right check
+/// value once more (the remainder of a CRC and itself is 0), so an echo and a little noise look like the reply of code 100.
+fn begins_as_echo(waiting: &Waiting, start: usize, end: usize) -> bool {
+    let telegram = waiting.came.get(start..end).unwrap_or_default();
+    telegram.len() > waiting.sent.len() && telegram.starts_with(&waiting.sent)
 }
 
 /// Clocks of adapters and drives differ a little, in microseconds.

@@ -216,3 +216,44 @@ fn a_raw_number_stands_beside_no_unit() {
         assert!(!row.split('(').next().unwrap().contains("Hz"), "{row}");
     }
 }
+
+#[test]
+fn a_width_whose_question_was_lost_is_no_refusal() {
+    for (kind, first) in [("lost", 2), ("late", 3)] {
+        for every in first..=7 {
+            let by = if kind == "late" { "by = \"2500ms\"\n" } else { "" };
+            let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = {every}\nkind = \"{kind}\"\n{by}");
+            for verb in ["--drive act read 241", "read 241", "sollwert"] {
+                let run = antrieb(&format!("-a 1 {verb}")).on(&bench).run();
+                let told = format!("{kind}, every {every}, {verb}: {}{}", run.out, run.err);
+                assert!(run.exit != 6 && !run.out.contains("refused"), "{told}");
+                assert!(
+                    run.exit != 0 || run.out.lines().any(|row| row.contains("241") && row.contains("raw")),
+                    "{told}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
+    let bench = format!("{DIFFERING}[[disturb]]\nonce = 2\nkind = \"lost\"\n");
+    let run = antrieb("-a 1 --drive act read 372").on(&bench).json().exits(0);
+    assert_eq!(names(&run), ["372@1", "372@2", "372@3", "372@4"]);
+    for (lang, words) in [("en", "cause not known"), ("de", "Ursache unbekannt")] {
+        let line = format!("-v -a 1 --drive act --retries 0 --lang {lang} read 372");
+        let run = antrieb(&line).on(&bench).exits(6);
+        let asked = run.sent().iter().filter(|sent| sent.starts_with("01 03 00 0B")).count();
+        assert!(asked == 1 && run.err.contains(words), "{}", run.err);
+    }
+}
+
+#[test]
+fn the_register_that_reading_clears_is_asked_once() {
+    for (kind, exit) in [("lost", 4), ("garbled", 5), ("truncated", 5)] {
+        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nonce = 1\nkind = \"{kind}\"\n");
+        let run = antrieb("-v -a 1 --drive act read 11").on(&bench).run();
+        assert_eq!((run.exit, run.sent().len()), (exit, 1), "{kind}: {}{}", run.out, run.err);
+    }
+}
