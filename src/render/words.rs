@@ -63,6 +63,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("no stop", "kein Halt"),
     ("not known", "nicht bekannt"),
     ("interrupted", "unterbrochen"),
+    ("error", "Fehler"),
     ("standstill NOT proven", "Stillstand NICHT belegt"),
     ("actual value", "Istwert"),
     ("changed", "geändert"),

@@ -44,7 +44,7 @@ use still::Sight;
 /// What comes behind the stop takes no longer, whatever the line is like: giving back, and what is reported.
 const ENDING: Span = Span::from_secs(10);
 /// The same of what only took motion away, and changed nothing.
-const ENDING_ALONE: Span = Span::from_secs(3);
+const ENDING_ALONE: Span = Span::from_millis(1_500);
 
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

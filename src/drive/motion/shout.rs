@@ -44,8 +44,10 @@ use std::rc::Rc;
 const SHORT: Span = Span::from_millis(250);
 /// How long the stop waits for the answer to a question before it.
 const GLANCE: Span = Span::from_millis(150);
-/// How long it is looked whether a setpoint of zero only slows the shaft, and what a ramp is: longer than a drive may take
-/// to answer (500 ms, CM-485 manual 6.8).
+/// How long it is asked what a ramp is: for as long as a drive may take to answer (500 ms, CM-485 manual 6.8), and once more,
+/// if that was lost.
+const TO_TELL: Span = Span::from_millis(700);
+/// How long it is looked whether a setpoint of zero only slows the shaft.
 const LOOKING: Span = Span::from_millis(600);
 /// How long one telegram of it may take with its answer, whatever comes over the line.
 const BRIEF: Span = Span::from_millis(450);
@@ -290,8 +292,8 @@ async fn in_force(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>)
     asked(session, meant, family, mode, DataSets::RAM_OFFSET + active).await
 }
 
-/// Asks again and again until it is told, as long as a drive may take: what comes late counts, because the same was asked
-/// again.
+/// Asks until it is told, as long as a drive may take. Asked again sooner, an answer that comes then would count as none:
+/// it could be one to either.
 async fn asked(
     session: &mut Session<'_>,
     meant: &Meant,
@@ -300,14 +302,18 @@ async fn asked(
     set: u8,
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
-    let until = session.now() + LOOKING;
+    let until = session.now() + TO_TELL;
     session.end_at(Some(until));
-    loop {
+    let limits = session.limits();
+    session.set_limits(Limits { reply_timeout: Limits::default().reply_timeout, ..limits });
+    let told = loop {
         match raw(session, &mut target, param, set, Lang::En).await {
             Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
-            told => return in_short(told),
+            told => break told,
         }
-    }
+    };
+    session.set_limits(limits);
+    in_short(told)
 }
 
 /// The telegrams that carry a control word: in both orders where it is not known which half comes first.
