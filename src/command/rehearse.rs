@@ -37,14 +37,12 @@ impl<'r> Rehearsal<'r> {
     pub(super) fn stopping(settings: &Settings, family: &'r Family, address: u8, slug: &str) -> Self {
         let mut told = Self::empty(settings, family, address);
         if let (Some(control), true) = (family.motion.control, slug == "disable") {
-            family.role("active-set").into_iter().for_each(|param| told.read(param, 0));
+            family.role("control-word").into_iter().for_each(|param| told.read(param, 0));
             if let Some(param) = family.role("control-mode") {
-                let set = told.ram(param);
-                told.read(param, set);
-                let (label, obeys) = (param.label(), control.obeys);
+                let (label, contacts) = (param.label(), control.contacts);
                 told.note(
-                    &format!("where {label} does not read as {obeys} the quick stop goes out first in place of disable"),
-                    &format!("wo {label} nicht als {obeys} gelesen wird, geht zuerst der Schnellhalt statt des Sperrens hinaus"),
+                    &format!("where that word lacks a bit of disable {label} decides: with {contacts} only the start contacts open; where neither is told in time the quick stop goes out in place of disable"),
+                    &format!("fehlt diesem Wort ein Bit des Sperrens, entscheidet {label}: bei {contacts} öffnen nur die Startkontakte; wird beides nicht rechtzeitig gesagt, geht der Schnellhalt statt des Sperrens hinaus"),
                 );
             }
         }
@@ -52,7 +50,7 @@ impl<'r> Rehearsal<'r> {
             told.write(param, 0, command.word.into());
         }
         told.goes_first();
-        told.looks();
+        told.looks_at_the_stop();
         told
     }
 
@@ -103,6 +101,18 @@ impl<'r> Rehearsal<'r> {
             );
         }
         told
+    }
+
+    /// What is read to prove a stop, and to know what the control word is.
+    fn looks_at_the_stop(&mut self) {
+        let family = self.family;
+        for role in ["status-word", "active-set", "control-mode"] {
+            if let Some(param) = family.role(role).filter(|_| role == "status-word" || family.motion.control.is_some())
+            {
+                let set = if role == "control-mode" { self.ram(param) } else { 0 };
+                self.read(param, set);
+            }
+        }
     }
 
     /// What every run reads first.
@@ -165,6 +175,12 @@ impl<'r> Rehearsal<'r> {
                 &format!("{label} geht in das RAM des aktiven Datensatzes; hier Satz {ACTIVE_SET}, P.249 sagt welcher"),
             );
         }
+    }
+
+    /// A setpoint that stands there afterwards as before.
+    pub(super) fn given_back(&mut self, param: &Param) {
+        self.read(param, 0);
+        self.changed.push(param.label());
     }
 
     /// What the options set before anything moves.

@@ -3,7 +3,7 @@
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    Ended, Meant, Motor, PROOF, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, shout_zero,
+    Ended, FirstWord, Meant, Motor, PROOF, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, shout_zero,
     watchdog_raw, watchdog_words,
 };
 use crate::drive::{Session, Target, describe};
@@ -110,8 +110,9 @@ pub(super) async fn run<'p, C>(
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     // What can only take motion away goes out before anything is asked.
+    let mut first_word = FirstWord::default();
     if let Some(act) = act {
-        plan.said = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
+        (plan.said, first_word) = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
         session.insist(true);
         session.end_at(Some(session.now() + PROOF));
     }
@@ -152,13 +153,14 @@ pub(super) async fn run<'p, C>(
         motor.controls(before);
     }
     motor.relieving = plan.relief.map(|_| begun);
+    motor.first_word = first_word;
     let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
             prepare(motor, &plan, &family, watchdog).await?;
             work(motor, checked).await
         })
         .await;
-    let mut after = motor.look().await.ok();
+    let mut after = motor.leave().await;
     for _ in 0..MOST_RETURNS {
         // A drive that answers again, and runs, gets its stop as soon as that is seen.
         let Some(stop) = ended.stop.as_ref().filter(|_| motor.unheard) else { break };
@@ -166,7 +168,7 @@ pub(super) async fn run<'p, C>(
             break;
         }
         ended.stop = Some(motor.stop_after_all(stop).await);
-        after = motor.look().await.ok();
+        after = motor.leave().await;
     }
     let standing = match &ended.stop {
         Some(stop) if after.is_none() => stop.standing,
@@ -184,9 +186,10 @@ pub(super) async fn run<'p, C>(
         setpoint: motor.setpoint.take(),
         notes: std::mem::take(&mut motor.notes),
         mode: motor.mode.take().map(|mode| mode.slug),
+        instead: motor.instead.take(),
     };
-    let before = before.or_else(|| motor.first_look.take());
-    Ok(report(&plan, &target, Seen { before, after }, done, ended, lang))
+    let seen = Seen { before, first: motor.first_seen.take(), after };
+    Ok(report(&plan, &target, seen, done, ended, lang))
 }
 
 /// Sends what stops the drive, before anything is asked that it does not need.
@@ -197,12 +200,12 @@ async fn stop_first(
     address: u8,
     act: Relief,
     zero: Option<&Modes<'_>>,
-) -> Result<bool, Failure> {
+) -> Result<(bool, FirstWord), Failure> {
     let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let meant = Meant { address, family, order: settings.word_order };
     let sent = match zero {
-        Some(modes) => shout_zero(session, registry, &meant, modes).await,
-        None => shout(session, registry, &meant, act).await.map(|_acknowledged| true),
+        Some(modes) => shout_zero(session, registry, &meant, modes).await.map(|sent| (sent, FirstWord::default())),
+        None => shout(session, registry, &meant, act).await.map(|first| (true, first)),
     };
     sent.map_err(|error| unstopped(error.failure(address, None, settings.lang), act, zero.is_none(), settings.lang))
 }
@@ -276,11 +279,15 @@ struct Done {
     idle: bool,
     /// Why nothing shows whether a drive stands that was to be stopped.
     unseen: Option<Unseen>,
+    /// Another stop was given than was asked for: which, and why.
+    instead: Option<String>,
 }
 
 /// What the drive said before and afterwards.
 struct Seen {
     before: Option<Situation>,
+    /// The first look at a drive to which what takes motion away had gone out already.
+    first: Option<Situation>,
     after: Option<Situation>,
 }
 
@@ -302,7 +309,7 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
     if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
         notes.push(nothing_stops_it(family, watchdog_s, lang));
     }
-    if watchdog_s.is_some_and(|seconds| seconds.raw > 0) {
+    if watchdog_s.is_some_and(|seconds| seconds.raw > 0) || (watchdog_s.is_none() && running == Some(true) && !held) {
         notes.push(watchdog_words(family, watchdog_s, lang));
     }
     let failure = verdict::of(plan, family, &seen, &ended, running, &done, lang);

@@ -293,7 +293,10 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
         family.role("mode-active").into_iter().for_each(|param| told.read(param, 0));
     }
     wanted.mode.engage.iter().for_each(|preset| told.write(&family.param_or_unknown(preset.param), 0, preset.value));
-    wanted.denominator.iter().for_each(|(param, raw)| told.write(param, 0, *raw));
+    wanted.denominator.iter().for_each(|(param, raw)| told.change(param, *raw));
+    if motion.hold && !wanted.mode.zero {
+        told.given_back(&wanted.param);
+    }
     wanted.schedule.values().for_each(|raw| told.write(&wanted.param, 0, raw));
     if let Some(start) = &wanted.start {
         told.control(start.word);

@@ -218,6 +218,13 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
     let lang = context.settings.lang;
     let family = offline_family(context.settings, context.registry)?;
     let word = contact_word(&family, contacts, lang)?;
+    if motion.hold && motion.on_exit == StopArg::QuickStop {
+        let text = lang.pick("contacts know no quick stop", "Kontakte kennen keinen Schnellhalt");
+        return Err(Failure::new(Class::Usage, "usage.on_exit", text).hint(lang.pick(
+            "--on-exit ramp opens the start contacts first, --on-exit coast opens all at once",
+            "--on-exit ramp öffnet zuerst die Startkontakte, --on-exit coast alle zugleich",
+        )));
+    }
     if context.settings.dry_run {
         return dry_run(context, &family, motion, false, None, |told| {
             let control = family.motion.control.filter(|_| motion.take_control);
@@ -301,11 +308,7 @@ fn opened(stop: StopArg, lang: Lang) -> &'static str {
             "at the end the start contacts S2IND and S3IND open, the enable only once the drive is without power",
             "am Ende öffnen die Startkontakte S2IND und S3IND, die Freigabe erst, wenn der Antrieb ohne Strom ist",
         ),
-        StopArg::QuickStop => lang.pick(
-            "contacts have no quick stop: at the end all open, and the shaft coasts",
-            "Kontakte kennen keinen Schnellhalt: am Ende öffnen alle, die Welle läuft aus",
-        ),
-        StopArg::Coast => {
+        StopArg::Coast | StopArg::QuickStop => {
             lang.pick("at the end all contacts open, and the shaft coasts", "am Ende öffnen alle, die Welle läuft aus")
         }
         StopArg::Keep => lang.pick("the contacts stay closed", "die Kontakte bleiben geschlossen"),

@@ -75,6 +75,9 @@ pub fn print_end(outcome: &Outcome, lang: Lang, console: &Console) {
     if let Some(Data::Motion(motion)) = &outcome.data {
         if let Some(stop) = motion.stop.as_ref().filter(|_| outcome.failure.is_none()) {
             let proof = match stop.acknowledged {
+                false if stop.choice == "keep" => {
+                    lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt")
+                }
                 true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
                 false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
             };

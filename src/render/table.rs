@@ -643,7 +643,9 @@ impl Page {
 
     fn motion(self, motion: &Motion) -> String {
         let mut text = self.heading(motion.address, &motion.drive);
-        let state = |state: &Option<State>| state.as_ref().map_or_else(|| "?".to_owned(), |state| state.name.clone());
+        let state = |state: &Option<State>| {
+            state.as_ref().map_or_else(|| self.word("not known").to_owned(), |state| state.name.clone())
+        };
         let mut rows = vec![("state", format!("{} -> {}", state(&motion.from), state(&motion.to)))];
         if let Some(setpoint) = &motion.setpoint {
             let reached = match setpoint.reached {
@@ -672,13 +674,17 @@ impl Page {
         if let Some(stop) = &motion.stop {
             let proof = match stop.acknowledged {
                 true => "acknowledged",
+                false if stop.choice == "keep" => "no stop",
                 // It is obeyed, but by a drive that shows no standstill.
                 false if motion.running == Some(false) && stop.standing.is_none() => "standstill NOT proven",
                 false => "NOT acknowledged",
             };
             let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
             let by = stop.escalated.map_or_else(String::new, |by| format!(" -> {by}"));
-            rows.push(("stop", format!("{}{by} ({}), {}{note}", stop.choice, stop.because, self.word(proof))));
+            rows.push((
+                "stop",
+                format!("{}{by} ({}), {}{note}", stop.choice, self.word(stop.because), self.word(proof)),
+            ));
         }
         if let Some(running) = motion.running {
             let word = self.word(if running { "yes" } else { "no" });

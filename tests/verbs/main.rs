@@ -36,6 +36,7 @@ mod line {
 
 /// What turns a shaft, and above all what stops it.
 mod motion {
+    mod asked_for;
     mod clock;
     mod held;
     mod leftovers;

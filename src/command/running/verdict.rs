@@ -30,6 +30,7 @@ pub(super) fn of(
             None => unproven(stop, family, lang),
         }),
         (None, _) => broken_promise(plan, family, seen, running, lang)
+            .or_else(|| other_stop(done, lang))
             .or_else(|| unseen_relief(plan, done, lang))
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref(), lang))
             .or_else(|| not_given_back(plan, &done.changed, lang)),
@@ -153,6 +154,12 @@ fn unseen_relief(plan: &Plan<'_>, done: &Done, lang: Lang) -> Option<Failure> {
     }
 }
 
+/// The drive is stopped, but not in the way that was asked for.
+fn other_stop(done: &Done, lang: Lang) -> Option<Failure> {
+    let failure = Failure::new(Class::Forbidden, "forbidden.other_stop", done.instead.clone()?);
+    Some(if done.standing == Some(true) { failure } else { warned(failure, lang) })
+}
+
 /// What stops a drive that cannot be reached.
 fn what_stops_it(family: &Family, lang: Lang) -> String {
     let enable = family.motion.interlock(Need::Release).and_then(|row| row.parts.first());
@@ -189,7 +196,7 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
 /// The fault in which the run ended; a stop of a drive that had tripped before may leave it so.
 fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
     let tripped = |situation: &&Situation| situation.state.starts_with("fault");
-    let had = seen.before.as_ref().filter(tripped).is_some() && plan.relief.is_some();
+    let had = seen.before.as_ref().or(seen.first.as_ref()).filter(tripped).is_some() && plan.relief.is_some();
     let after = seen.after.as_ref().filter(tripped).filter(|_| !had)?;
     Some(after.fault.unwrap_or(0) as u32)
 }

@@ -1,6 +1,6 @@
 //! What is changed for a run, and giving it back.
 
-use super::look::ram_set;
+use super::look::{ram_set, raw};
 use super::{Lever, Motor, StopChoice, guard, has_power};
 use crate::drive::describe;
 use crate::failure::Failure;
@@ -29,13 +29,53 @@ impl Motor<'_, '_> {
         if old == new {
             return Ok(());
         }
+        self.note_change(param, set, old, new);
+        self.write(param, set, new).await
+    }
+
+    /// Whether nothing is left of a write when the run is over: of a control word, of a setpoint that the end sets to 0, of
+    /// taking away what stood there from before; nor is it to be otherwise of a setpoint that stays.
+    pub(super) fn ends_with_the_run(&self, param: &Param, raw: i64) -> bool {
+        let family = &self.target.family;
+        let is_setpoint = self.setpoint.as_ref().is_some_and(|setpoint| setpoint.param == param.id);
+        family.role("control-word").is_some_and(|word| word.id == param.id)
+            || (is_setpoint && (!self.bounded || self.mode.as_ref().is_none_or(|mode| mode.zero)))
+            || (raw == 0 && family.motion.rest.iter().any(|row| row.param == param.id))
+    }
+
+    /// Reads what a parameter is before the run writes it for the first time.
+    pub(super) async fn remember(&mut self, param: &Param, set: u8, new: i64) -> Result<(), Failure> {
+        self.remember_if(param, set, new, |_| true).await
+    }
+
+    /// The same; what is not `fit` to be given back stays.
+    pub(super) async fn remember_if(
+        &mut self,
+        param: &Param,
+        set: u8,
+        new: i64,
+        fit: impl Fn(i64) -> bool,
+    ) -> Result<(), Failure> {
+        if self.settled.contains(&(param.id, set)) {
+            return Ok(());
+        }
+        match raw(self.session, self.target, param, set, self.lang).await? {
+            Some(old) if old != new && fit(old) => self.note_change(param, set, old, new),
+            // Written once more with another value it is another matter.
+            Some(old) if old == new => {}
+            _ => self.settled.push((param.id, set)),
+        }
+        Ok(())
+    }
+
+    fn note_change(&mut self, param: &Param, set: u8, old: i64, new: i64) {
+        self.settled.push((param.id, set));
         let (data_set, _) = describe::place(set);
         let name = match self.target.family.link.route.has_data_sets() {
             true => format!("{}@{data_set}ram", param.label()),
             false => param.label(),
         };
         self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
-        self.write(param, set, new).await
     }
 
     /// Whether what was changed goes back: not to a drive that still runs and may need it, but to one that is without power,
@@ -84,6 +124,8 @@ impl Motor<'_, '_> {
                 change.restored = restored;
             }
         }
+        // What fed the watchdog in the run would bring back what it was.
+        self.again = None;
     }
 
     /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual

@@ -6,6 +6,7 @@
 
 use super::describe;
 mod changes;
+mod leave;
 mod look;
 mod patience;
 mod relief;
@@ -22,7 +23,7 @@ pub use look::{
     upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
-pub use shout::{shout, shout_zero};
+pub use shout::{FirstWord, shout, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::{StopChoice, watchdog_words};
 pub use walk::no_fault;
@@ -39,6 +40,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::pin;
 use std::task::Poll;
 use still::Sight;
+
+/// What comes behind the stop takes no longer, whatever the line is like: giving back, and what is reported.
+const ENDING: Span = Span::from_secs(10);
+/// The same of what only took motion away, and changed nothing.
+const ENDING_ALONE: Span = Span::from_millis(1_500);
 
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +78,10 @@ pub struct Motor<'a, 's> {
     pub powered: bool,
     /// It was stopped before anybody looked: it may have been turning.
     pub shouted: bool,
+    /// The word that went out then.
+    pub first_word: FirstWord,
+    /// Another stop was given than was asked for: which, and why.
+    pub instead: Option<String>,
     /// What looks tell of the shaft of a drive that shows the frequency of its stator.
     sight: Sight,
     /// The encoder that tells without power too, once it was looked for.
@@ -87,6 +97,10 @@ pub struct Motor<'a, 's> {
     word: u16,
     /// Slug of the state that was seen last, if no control word was written since.
     seen: Option<String>,
+    /// The status word that was told last, and when.
+    shown: Option<(u32, Tick)>,
+    /// Whether the shaft stood when that was last waited for, and nothing was written since.
+    still: Option<Option<bool>>,
     /// When the drive answered last.
     heard: Tick,
     /// When it was last looked at who has control.
@@ -95,6 +109,8 @@ pub struct Motor<'a, 's> {
     pub relieving: Option<Tick>,
     /// The stop was given up because it answered no more.
     pub unheard: bool,
+    /// Every question ends then, whatever has come of it.
+    bound: Option<Tick>,
     /// When it was written to last, and what can be written to it again without changing anything.
     fed: Tick,
     again: Option<(Param, i64)>,
@@ -102,12 +118,16 @@ pub struct Motor<'a, 's> {
     pub mode: Option<Mode>,
     /// The drive's watchdog, if it is on.
     guard: Option<Span>,
-    /// What the drive said first, where nobody looked before.
-    pub first_look: Option<Situation>,
+    /// What the drive said first, where nobody looked before; what takes motion away had gone out already.
+    pub first_seen: Option<Situation>,
     /// Transitions that were walked.
     pub steps: Vec<Step>,
     /// Settings that were changed.
     pub changes: Vec<Change>,
+    /// Parameters, and their data sets, of which it is known whether they are to be given back.
+    settled: Vec<(u32, u8)>,
+    /// The run ends with its stop, so that a setpoint is part of it too.
+    bounded: bool,
     /// The setpoint that was given.
     pub setpoint: Option<Setpoint>,
     /// A setpoint, and what the drive makes of it by its own settings, if that is known; raw.
@@ -154,6 +174,8 @@ impl<'a, 's> Motor<'a, 's> {
             enabled: false,
             powered: false,
             shouted: false,
+            first_word: FirstWord::default(),
+            instead: None,
             sight: Sight::default(),
             encoder: None,
             ending: None,
@@ -162,17 +184,22 @@ impl<'a, 's> Motor<'a, 's> {
             remote: false,
             word: 0,
             seen: None,
+            shown: None,
+            still: None,
             heard: now,
             minded: now,
             relieving: None,
             unheard: false,
+            bound: None,
             fed: now,
             again: None,
             mode: None,
             guard,
-            first_look: None,
+            first_seen: None,
             steps,
             changes,
+            settled: Vec::new(),
+            bounded: false,
             setpoint: None,
             expects: None,
             zeroes: None,
@@ -199,7 +226,7 @@ impl<'a, 's> Motor<'a, 's> {
         choice: StopChoice,
         work: impl AsyncFnOnce(&mut Self) -> Result<T, Failure>,
     ) -> Ended<T> {
-        self.stops = Some(choice);
+        (self.stops, self.bounded) = (Some(choice), hold);
         let result = catching(work(self)).await.unwrap_or_else(|| {
             Err(Failure::new(Class::Bug, "bug.panic", "a bug of ours ended the run; the drive was stopped as chosen"))
         });
@@ -210,10 +237,13 @@ impl<'a, 's> Motor<'a, 's> {
         };
         self.session.note_interrupts();
         let has_hand_on = self.touched || (hold && self.lever == Lever::ControlWord);
-        let must_stop = has_hand_on && (hold || result.is_err());
+        // A proof once made stays one: what is without power needs no other stop.
+        let is_done = self.relieving.is_some() && self.is_off();
+        let must_stop = has_hand_on && (hold || result.is_err()) && !is_done;
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.ignore_interrupts();
         self.session.insist(false);
+        self.ends_within(if self.relieving.is_some() { ENDING_ALONE } else { ENDING });
         let answers = stop.as_ref().is_none_or(|stop| stop.state.is_some());
         let result = match result {
             Err(failure) if answers => Err(self.explained(failure).await),
@@ -230,6 +260,7 @@ impl<'a, 's> Motor<'a, 's> {
     pub async fn stop_after_all(&mut self, stop: &Stop) -> Stop {
         let stop = self.stop(StopChoice::of(stop.choice), stop.because).await;
         self.session.insist(false);
+        self.ends_within(ENDING);
         self.give_back(self.may_give_back(Some(&stop))).await;
         stop
     }
@@ -244,6 +275,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn status(&mut self) -> Result<u32, Failure> {
         let status = self.bear(async |motor: &mut Self| motor.role_raw("status-word").await).await?;
         let status = status.unwrap_or(0) as u32;
+        self.shown = Some((status, self.session.now()));
         let state = describe::state(&self.target.family, status, self.lang).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
         self.see(&state);
@@ -307,7 +339,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
         let param = self.control_word()?;
-        (self.touched, self.seen, self.word) = (true, None, word);
+        (self.touched, self.seen, self.still, self.word) = (true, None, None, word);
         self.powered |= self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0);
         self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await
@@ -324,7 +356,11 @@ impl<'a, 's> Motor<'a, 's> {
         self.bear(async |motor: &mut Self| motor.write_once(param, set, raw).await).await
     }
 
+    /// The only place that writes: what is not taken back by the stop itself is remembered before.
     async fn write_once(&mut self, param: &Param, set: u8, raw: i64) -> Result<(), Failure> {
+        if !self.stopping && !self.ends_with_the_run(param, raw) {
+            self.remember(param, set, raw).await?;
+        }
         let kind = match param.kind {
             Some(kind) => kind,
             None => self.target.width(self.session, param, set).await.map_err(|error| self.failure(&error))?,

@@ -1,9 +1,9 @@
 //! Acts that can only take motion away: they need nobody's word, and must work where little else does.
 
-use super::look::no_control;
-use super::shout::blind;
+use super::look::{no_control, working_raw};
 use super::still::STOPPED;
-use super::{Lever, Motor, Situation, StopChoice};
+use super::{Lever, Motor, Situation, StopChoice, has_power};
+use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::profile::{Lang, Mode, Param, Takes, Transition};
@@ -44,9 +44,15 @@ const PROVING: Span = Span::from_secs(12);
 impl Motor<'_, '_> {
     /// The drive has answered: what takes motion away is waited for on.
     pub(super) fn goes_on(&mut self) {
-        if let Some(since) = self.relieving {
+        if let (Some(since), None) = (self.relieving, self.bound) {
             self.session.end_at(Some((self.session.now() + PROOF).min(since + PROVING)));
         }
+    }
+
+    /// From now on every question ends within this time, whatever comes over the line.
+    pub(super) fn ends_within(&mut self, span: Span) {
+        self.bound = Some(self.session.now() + span);
+        self.session.end_at(self.bound);
     }
 
     /// The shaft becomes slower, or will not before this time is over: that is no reason to give up.
@@ -67,10 +73,20 @@ impl Motor<'_, '_> {
         (self.shouted, self.stopping) = (true, true);
         self.sight.forget();
         self.session.insist(true);
+        match self.relieve_by(act).await {
+            Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
+                self.tell_lost(&failure);
+                Ok(())
+            }
+            done => done,
+        }
+    }
+
+    async fn relieve_by(&mut self, act: Relief) -> Result<(), Failure> {
         let mut situation = self.glance().await?;
         let family = self.target.family.clone();
+        let contacts = family.motion.control.map(|control| control.contacts);
         let unheard = |seen: &Option<Situation>, motor: &Self| {
-            let contacts = family.motion.control.map(|control| control.contacts);
             let seen = seen.as_ref().filter(|seen| seen.mode.is_none() || seen.mode != contacts)?;
             no_control(seen, motor.target, motor.lang)
         };
@@ -82,16 +98,19 @@ impl Motor<'_, '_> {
                 return Err(self.not_obeyed(failure, seen));
             }
         }
-        let contacts = family
-            .motion
-            .control
-            .is_some_and(|control| situation.as_ref().is_some_and(|seen| seen.mode == Some(control.contacts)));
-        self.lever = if contacts { Lever::Contacts } else { Lever::ControlWord };
+        self.lever = match &situation {
+            Some(seen) if contacts.is_some() && seen.mode == contacts => Lever::Contacts,
+            _ => Lever::ControlWord,
+        };
         match &situation {
-            // A command of the state machine would close virtual contacts here; all open is what stops.
-            Some(_) if contacts => self.write_control(0).await?,
-            Some(seen) => self.command_from(command_of(act).unwrap_or_default(), &seen.state).await?,
+            // A command of the state machine would close virtual contacts here.
+            Some(_) if self.lever == Lever::Contacts => self.relieve_contacts(act).await?,
+            Some(seen) => {
+                self.note_instead(act, seen.state != "operation-enabled");
+                self.command_from(command_of(act).unwrap_or_default(), &seen.state).await?;
+            }
             None => {
+                self.note_instead(act, true);
                 self.touched = true;
                 self.say_blindly(act).await?;
             }
@@ -99,11 +118,49 @@ impl Motor<'_, '_> {
         self.prove_relief(act).await
     }
 
-    /// What the drive says, if it says anything; only what ends the session is an error.
+    /// What the first word did is not what was asked for, if the drive has heard it.
+    fn note_instead(&mut self, act: Relief, heard: bool) {
+        if act == Relief::Disable && self.first_word.instead && heard {
+            let label = self.target.family.role("control-mode").map_or_else(String::new, Param::label);
+            self.instead = Some(match self.lang {
+                Lang::En => format!("a quick stop in place of the ramp: {label} was not told in time"),
+                Lang::De => format!("Schnellhalt statt Rampe: {label} wurde nicht rechtzeitig gesagt"),
+            });
+        }
+    }
+
+    /// Opens virtual contacts: for a ramp the start contacts first. There is no quick stop by contacts.
+    async fn relieve_contacts(&mut self, act: Relief) -> Result<(), Failure> {
+        let starts = self.target.family.motion.control.map_or(0, |control| control.start_contacts);
+        let stands = self.role_raw("control-word").await?;
+        self.word = stands.and_then(|word| u16::try_from(word).ok()).unwrap_or(0);
+        let keeps_power = self.word & !starts != 0;
+        let label = self.target.family.role("control-mode").map_or_else(String::new, Param::label);
+        self.instead = match (act, self.lang) {
+            (Relief::QuickStop, Lang::En) => Some(format!(
+                "{label} is 2, and contacts know no quick stop: all were opened, and a shaft that was turning coasts"
+            )),
+            (Relief::QuickStop, Lang::De) => Some(format!(
+                "{label} ist 2, und Kontakte kennen keinen Schnellhalt: alle wurden geöffnet, eine drehende Welle läuft aus"
+            )),
+            (Relief::Disable, Lang::En) if self.first_word.instead && !keeps_power => Some(format!(
+                "{label} is 2, which was not told in time: all contacts were opened, and a shaft that was turning coasts"
+            )),
+            (Relief::Disable, Lang::De) if self.first_word.instead && !keeps_power => Some(format!(
+                "{label} ist 2, was nicht rechtzeitig gesagt wurde: alle Kontakte wurden geöffnet, eine drehende Welle läuft aus"
+            )),
+            _ => None,
+        };
+        let way = if act == Relief::Disable { StopChoice::Ramp } else { StopChoice::Coast };
+        self.open_contacts(way, false).await.map(|_state| ())
+    }
+
+    /// What proves the stop, and what decides on the word that follows: state and control mode, if both are told. All else
+    /// is for the report. Only what ends the session is an error.
     async fn glance(&mut self) -> Result<Option<Situation>, Failure> {
-        match self.look().await {
+        match self.state_and_mode().await {
             Ok(seen) => {
-                self.first_look.get_or_insert_with(|| seen.clone());
+                self.first_seen.get_or_insert_with(|| seen.clone());
                 Ok(Some(seen))
             }
             Err(failure) if matches!(failure.class, Class::Interrupted | Class::Port) => Err(failure),
@@ -111,12 +168,42 @@ impl Motor<'_, '_> {
         }
     }
 
+    async fn state_and_mode(&mut self) -> Result<Situation, Failure> {
+        let status = self.status().await?;
+        let state = describe::state(&self.target.family, status, self.lang).slug;
+        let mode = working_raw(self.session, self.target, "control-mode", self.lang).await?;
+        Ok(Situation { status, state, mode, ..Situation::default() })
+    }
+
+    /// Whether the drive was seen without power at the last look.
+    pub(super) fn is_off(&self) -> bool {
+        let slug = |status| describe::state(&self.target.family, status, self.lang).slug;
+        self.shown.is_some_and(|(status, _)| has_power(&slug(status)) == Some(false))
+    }
+
+    /// The stop is proven; what was asked behind it brought no answer.
+    pub(super) fn tell_lost(&mut self, failure: &Failure) {
+        let Some((_, at)) = self.shown else { return };
+        let ago = self.session.now().since(at).as_millis();
+        self.notes.push(match self.lang {
+            Lang::En => format!("seen without power {ago} ms before the end; not read after that: {}", failure.message),
+            Lang::De => {
+                format!("{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {}", failure.message)
+            }
+        });
+    }
+
     /// Sends the word that can only stop, whatever the drive takes it for.
     async fn say_blindly(&mut self, act: Relief) -> Result<(), Failure> {
         let family = self.target.family.clone();
-        let command = blind(&family, act, false).and_then(|slug| family.machine.command(slug));
-        let (Some(command), param) = (command, self.control_word()?) else { return Ok(()) };
-        self.write(&param, 0, command.word.into()).await
+        // As contacts 07h, "disable operation", could start something (see `shout`).
+        let slug = match act {
+            Relief::Disable if family.motion.control.is_some() => Some("quick-stop"),
+            act => command_of(act),
+        };
+        let usual = slug.and_then(|slug| family.machine.command(slug)).map(|command| command.word);
+        let (Some(word), param) = (self.first_word.word.or(usual), self.control_word()?) else { return Ok(()) };
+        self.write(&param, 0, word.into()).await
     }
 
     /// The stop went out, to a drive that others start and stop.

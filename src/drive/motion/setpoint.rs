@@ -6,7 +6,7 @@ use super::shaft::Watch;
 use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Change, Decimal, Setpoint};
+use crate::outcome::{Decimal, Setpoint};
 use crate::profile::{Control, Lang, Mode, Movement, Param, Start};
 use crate::tick::{Span, Tick};
 
@@ -53,12 +53,8 @@ impl Motor<'_, '_> {
 
     /// Writes a setting of the mode; it is given back at the end of a run that is bounded.
     async fn engage(&mut self, param: &Param, value: i64, known: impl Fn(i64) -> bool) -> Result<(), Failure> {
-        let old = raw(self.session, self.target, param, 0, self.lang).await?;
         self.touched = true;
-        if let Some(old) = old.filter(|&old| old != value && known(old)) {
-            let (param, name) = (param.id, param.label());
-            self.changes.push(Change { param, name, data_set: 0, old, new: value, restored: false });
-        }
+        self.remember_if(param, 0, value, known).await?;
         self.write(param, 0, value).await
     }
 
@@ -99,10 +95,11 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// Writes a parameter that belongs to the setpoint.
+    /// Writes a parameter that belongs to the setpoint; it is given back at the end of a run that is bounded.
     pub async fn set(&mut self, param: &Param, raw: i64) -> Result<(), Failure> {
         self.touched = true;
         self.sight.forget();
+        self.still = None;
         self.write(param, 0, raw).await
     }
 
@@ -132,7 +129,10 @@ impl Motor<'_, '_> {
                 Lang::En => format!("whether {} was written is not known", param.label()),
                 Lang::De => format!("ob {} geschrieben wurde, ist unbekannt", param.label()),
             }),
-            Ok(()) => {}
+            Ok(()) => {
+                let change = self.changes.iter_mut().find(|change| change.param == param.id);
+                change.into_iter().for_each(|change| change.new = raw);
+            }
         }
         given
     }

@@ -4,9 +4,12 @@
 //! - An ACTIVE drive takes P.410 as commands with P.412 = 1, as contacts with P.412 = 2, and not at all with P.412 = 0
 //!   (CM-485 manual 9.1). 00h is "disable voltage" and all contacts open. 02h is "quick stop", and as contacts it leaves
 //!   S1IND open, without which there is no release (9.1.3): neither can start anything. 07h, "disable operation", would
-//!   close S1IND to S3IND and could. So it goes out only where P.412, as the drive works with it, reads as 1, which costs
-//!   two short questions (P.249, P.412); otherwise the quick stop goes out in its place. Bit 9 of the status word, Remote,
-//!   would cost one, but 9.1.3 names it with P.412 = 2 too.
+//!   close S1IND to S3IND and could. So P.410 is asked first: where the three stand already, 07h takes bits away only and
+//!   closes nothing, whoever listens; a drive that was enabled by commands shows 0Fh. Where they do not, P.412 decides, as
+//!   the drive works with it (P.249, P.412): with 1 the word is 07h; with 2 it is P.410 without the start contacts, so that
+//!   S1IND keeps the power for the ramp. Each question has the 500 ms that 6.8 allows, and a little more; where nothing is
+//!   told in time the quick stop goes out in place of the ramp. Bit 9 of the status word, Remote, tells nothing: 9.1.3
+//!   names it with P.412 = 2 too.
 //! - An LXM05 always obeys DCOMcontrol (CiA 402, facts H). Which half of a value comes first may be unknown: 0 is the same
 //!   in both orders, and 2 and 7 in the wrong one have a lower half of 0, so that they go out in both.
 //! - Where nobody tells the family, each gets its own word at its own parameter; the other has no such parameter and
@@ -22,7 +25,7 @@
 //! - LXM05: a setpoint acts in its own mode only, so that of the mode that the drive shows goes out; if it shows none, that of
 //!   every mode in which a zero brings the shaft to rest.
 
-use super::look::{role_raw, working};
+use super::look::{raw, role_raw};
 use super::relief::command_of;
 use crate::drive::family;
 use crate::drive::route::{Cell, Inquiry, Meant};
@@ -32,7 +35,7 @@ use crate::exchange::{Answer, Limits, Question};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Event;
-use crate::profile::{Family, Lang, Mode, Registry, Type};
+use crate::profile::{Control, DataSets, Family, Lang, Mode, Param, Registry, Sets, Type};
 use crate::tick::Span;
 use std::rc::Rc;
 
@@ -41,6 +44,9 @@ use std::rc::Rc;
 const SHORT: Span = Span::from_millis(250);
 /// How long the stop waits for the answer to a question before it.
 const GLANCE: Span = Span::from_millis(150);
+/// How long it is asked what a ramp is: for as long as a drive may take to answer (500 ms, CM-485 manual 6.8), and once more,
+/// if that was lost.
+const TO_TELL: Span = Span::from_millis(700);
 /// How long it is looked whether a setpoint of zero only slows the shaft.
 const LOOKING: Span = Span::from_millis(600);
 /// How long one telegram of it may take with its answer, whatever comes over the line.
@@ -48,31 +54,49 @@ const BRIEF: Span = Span::from_millis(450);
 /// How often the stop is said while nobody acknowledges it: replies of 900 ms (CM-485 manual 6.8 promises less) are in time.
 const TIMES: u8 = 5;
 
-/// Sends what stops the drive until it is acknowledged, or has been said often enough; says whether it was. An act that is
-/// no command sends nothing.
+/// What went out first to a drive whose control word has more than one meaning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FirstWord {
+    /// The control word; it can only stop.
+    pub(super) word: Option<u16>,
+    /// A quick stop in place of the ramp that was asked for.
+    pub(super) instead: bool,
+}
+
+/// Sends what stops the drive until it is acknowledged, or has been said often enough. An act that is no command sends
+/// nothing.
 pub async fn shout(
     session: &mut Session<'_>,
     registry: &Registry,
     meant: &Meant,
     act: Relief,
-) -> Result<bool, AccessError> {
+) -> Result<FirstWord, AccessError> {
     if command_of(act).is_none() {
-        return Ok(false);
+        return Ok(FirstWord::default());
     }
     at_once(session, async |session: &mut Session<'_>| say(session, registry, meant, act).await).await
 }
 
-async fn say(session: &mut Session<'_>, registry: &Registry, meant: &Meant, act: Relief) -> Result<bool, AccessError> {
+async fn say(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    meant: &Meant,
+    act: Relief,
+) -> Result<FirstWord, AccessError> {
     let families = match &meant.family {
         Some(family) => vec![family.clone()],
         None => presumed(session, registry, meant.address).await?,
     };
-    let mut words = Vec::new();
+    let (mut words, mut said) = (Vec::new(), FirstWord::default());
     for family in &families {
-        let word = first_word(session, meant, family, act).await?;
-        words.extend(word.into_iter().flat_map(|word| telegrams(session, meant, family, word)));
+        let first = first_word(session, meant, family, act).await?;
+        words.extend(first.word.into_iter().flat_map(|word| telegrams(session, meant, family, word)));
+        if family.motion.control.is_some() {
+            said = first;
+        }
     }
-    repeat(session, meant, &words).await
+    repeat(session, meant, &words).await?;
+    Ok(said)
 }
 
 /// Says it until it is acknowledged, or has been said often enough.
@@ -104,10 +128,10 @@ pub async fn shout_zero(
 }
 
 /// Does it in short questions, also into a busy line; afterwards the session is as before.
-async fn at_once(
+async fn at_once<T>(
     session: &mut Session<'_>,
-    work: impl AsyncFnOnce(&mut Session<'_>) -> Result<bool, AccessError>,
-) -> Result<bool, AccessError> {
+    work: impl AsyncFnOnce(&mut Session<'_>) -> Result<T, AccessError>,
+) -> Result<T, AccessError> {
     session.insist(true);
     let limits = session.limits();
     session.set_limits(Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits });
@@ -214,40 +238,82 @@ async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -
     Ok(kinds)
 }
 
-/// The word that goes out first. Where it would close contacts it must be proven that it is none of them.
+/// The word that goes out first. Where it could close contacts it must be proven that it does not.
 async fn first_word(
     session: &mut Session<'_>,
     meant: &Meant,
     family: &Rc<Family>,
     act: Relief,
+) -> Result<FirstWord, AccessError> {
+    let word_of = |slug| family.machine.command(slug).map(|command| command.word);
+    let Some(control) = family.motion.control.filter(|_| act == Relief::Disable) else {
+        return Ok(FirstWord { word: command_of(act).and_then(word_of), instead: false });
+    };
+    if let Some(word) = ramp_word(session, meant, family, control).await? {
+        return Ok(FirstWord { word: Some(word), instead: false });
+    }
+    let label = family.role("control-mode").map_or_else(String::new, Param::label);
+    session.tell(Event::Note(match session.lang() {
+        Lang::En => format!("{label} did not tell in time what the control word is: a quick stop in place of the ramp"),
+        Lang::De => format!("{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"),
+    }));
+    Ok(FirstWord { word: word_of("quick-stop"), instead: true })
+}
+
+/// The word that ramps the drive down and closes no contact; `None` if that was not told in time.
+async fn ramp_word(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    family: &Rc<Family>,
+    control: Control,
 ) -> Result<Option<u16>, AccessError> {
-    let sure = act == Relief::Disable && obeys(session, meant, family).await?;
-    if let Some(mode) = family.role("control-mode").filter(|_| act == Relief::Disable && !sure) {
-        let (label, lang) = (mode.label(), session.lang());
-        session.tell(Event::Note(match lang {
-            Lang::En => {
-                format!("{label} did not tell in time that commands are obeyed: a quick stop in place of the ramp")
-            }
-            Lang::De => format!("{label} sagte nicht rechtzeitig, dass Befehle gelten: Schnellhalt statt Rampe"),
-        }));
+    let command = command_of(Relief::Disable).and_then(|slug| family.machine.command(slug));
+    let (Some(word), Some(disable)) = (family.role("control-word"), command.map(|command| command.word)) else {
+        return Ok(None);
+    };
+    let Some(stands) = asked(session, meant, family, word, 0).await?.and_then(|word| u16::try_from(word).ok()) else {
+        return Ok(None);
+    };
+    if disable & !stands == 0 {
+        return Ok(Some(disable));
     }
-    Ok(blind(family, act, sure).and_then(|slug| family.machine.command(slug)).map(|command| command.word))
+    Ok(match in_force(session, meant, family).await? {
+        Some(mode) if mode == control.obeys => Some(disable),
+        Some(mode) if mode == control.contacts => Some(stands & !control.start_contacts),
+        _ => None,
+    })
 }
 
-/// The command that can only stop; `obeyed`: the control word stands for commands, so that nothing can be closed by it.
-pub(super) fn blind(family: &Family, act: Relief, obeyed: bool) -> Option<&'static str> {
-    match act {
-        Relief::Disable if family.motion.control.is_some() && !obeyed => Some("quick-stop"),
-        act => command_of(act),
-    }
+/// What the control word stands for, as the drive works with it.
+async fn in_force(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<Option<i64>, AccessError> {
+    let (Some(mode), Some(active)) = (family.role("control-mode"), family.role("active-set")) else { return Ok(None) };
+    let active = if mode.sets == Some(Sets::Four) { asked(session, meant, family, active, 0).await? } else { Some(0) };
+    let Some(active) = active.and_then(|active| u8::try_from(active).ok()) else { return Ok(None) };
+    asked(session, meant, family, mode, DataSets::RAM_OFFSET + active).await
 }
 
-/// Whether the drive says that the control word stands for commands. What it does not say in a short time is no.
-async fn obeys(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
-    let (Some(control), Some(mode)) = (family.motion.control, family.role("control-mode")) else { return Ok(false) };
+/// Asks until it is told, as long as a drive may take. Asked again sooner, an answer that comes then would count as none:
+/// it could be one to either.
+async fn asked(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    family: &Rc<Family>,
+    param: &Param,
+    set: u8,
+) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
-    session.end_at(Some(session.now() + BRIEF));
-    Ok(in_short(working(session, &mut target, mode, Lang::En).await)? == Some(control.obeys))
+    let until = session.now() + TO_TELL;
+    session.end_at(Some(until));
+    let limits = session.limits();
+    session.set_limits(Limits { reply_timeout: Limits::default().reply_timeout, ..limits });
+    let told = loop {
+        match raw(session, &mut target, param, set, Lang::En).await {
+            Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
+            told => break told,
+        }
+    };
+    session.set_limits(limits);
+    in_short(told)
 }
 
 /// The telegrams that carry a control word: in both orders where it is not known which half comes first.

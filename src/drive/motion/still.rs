@@ -159,14 +159,19 @@ impl Motor<'_, '_> {
         }
     }
 
-    /// Whether the shaft stands as the program leaves; `None` if nothing tells, the line included.
+    /// Whether the shaft stands as the program leaves; `None` if nothing tells, the line included. A standstill that was
+    /// proven of a drive without power stays proven.
     pub async fn stands_at_the_end(&mut self) -> Option<bool> {
-        self.stands_now().await.ok().flatten()
+        match self.still {
+            Some(still) if self.is_off() && still != Some(false) => still,
+            _ => self.stands_now().await.ok().flatten(),
+        }
     }
 
     /// Waits until the shaft stands, with the drive's power on or not.
     pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
         let still = self.standstill().await?;
+        self.still = Some(still);
         let state = self.state().await?;
         match still {
             Some(false) => Err(self.still_turning(&state)),

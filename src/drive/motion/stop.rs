@@ -1,6 +1,6 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
-use super::look::{raw, watchdog_seconds};
+use super::look::{raw, watchdog_seconds, working_raw};
 use super::still::STOPPED;
 use super::{Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
@@ -14,7 +14,9 @@ const STOP_TRIES: u8 = 5;
 /// The stop is given up when the drive has not answered for so long.
 const SILENT: Span = Span::from_secs(10);
 /// And after so long where it answers now and then, but never as far as a proof.
-const PURSUED: Span = Span::from_secs(40);
+const PURSUED: Span = Span::from_secs(20);
+/// Who interrupts the strongest stop waits so long for it to be heard and proven.
+const HURRIED: Span = Span::from_secs(3);
 /// The same where somebody waits for what only takes motion away.
 const PURSUED_ALONE: Span = Span::from_secs(6);
 
@@ -92,8 +94,16 @@ impl Motor<'_, '_> {
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
         let begun = self.session.now();
         (self.heard, self.unheard) = (begun, false);
+        if self.relieving.is_none() {
+            self.bound = None;
+            self.session.end_at(None);
+        }
         let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
         loop {
+            if self.lever == Lever::Contacts && way == StopChoice::QuickStop {
+                way = self.no_quick_stop();
+                stop.escalated = Some(way.slug());
+            }
             let failure = match self.try_stop(way, hurry, tries >= STOP_TRIES).await {
                 Ok(proof) => return self.proven(stop, proof).await,
                 Err(failure) => failure,
@@ -108,7 +118,15 @@ impl Motor<'_, '_> {
                     (way, tries) = (next, 0);
                     stop.escalated = Some(next.slug());
                 }
-                (Class::Interrupted | Class::Port, _) => break,
+                (Class::Interrupted, None) => {
+                    // It must have gone out, also into a busy line.
+                    hurry = true;
+                    self.session.note_interrupts();
+                    if self.bound.is_none_or(|bound| bound > self.session.now() + HURRIED) {
+                        self.ends_within(HURRIED);
+                    }
+                }
+                (Class::Port, _) => break,
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
@@ -138,6 +156,21 @@ impl Motor<'_, '_> {
             Lever::Contacts => way.stronger().map(|_| StopChoice::Coast),
             Lever::Setpoint | Lever::Taken => None,
         }
+    }
+
+    /// What takes the place of a quick stop by contacts: what brings the shaft to rest, or, where a ramp was not waited for,
+    /// what takes the power at once.
+    fn no_quick_stop(&mut self) -> StopChoice {
+        let way = if self.relieving.is_some() { StopChoice::Coast } else { StopChoice::Ramp };
+        let (label, slug) =
+            (self.target.family.role("control-mode").map_or_else(String::new, Param::label), way.slug());
+        let text = match self.lang {
+            Lang::En => format!("{label} is 2, and contacts know no quick stop: {slug} in its place"),
+            Lang::De => format!("{label} ist 2, und Kontakte kennen keinen Schnellhalt: stattdessen {slug}"),
+        };
+        self.session.tell(Event::Note(text.clone()));
+        self.instead = Some(text);
+        way
     }
 
     /// Whether the drive answers after all, and has power.
@@ -302,7 +335,7 @@ impl Motor<'_, '_> {
 
     /// Opens virtual contacts: for a ramp the start contacts first, because without the enable the power is gone at once
     /// (CM-485 manual 9.1.3); any other stop opens all.
-    async fn open_contacts(&mut self, way: StopChoice, last: bool) -> Result<State, Failure> {
+    pub(super) async fn open_contacts(&mut self, way: StopChoice, last: bool) -> Result<State, Failure> {
         let starts = self.target.family.motion.control.map_or(0, |control| control.start_contacts);
         let without = self.word & !starts;
         if way == StopChoice::Ramp && without != 0 {
@@ -385,7 +418,10 @@ impl Motor<'_, '_> {
         let set = self.changes.iter().find(|change| Some(change.param) == changed).map(|change| change.new);
         let raw = match set {
             Some(raw) => Some(raw),
-            None => self.role_raw("watchdog").await.ok().flatten().or(self.target.known_watchdog),
+            None => {
+                let told = working_raw(self.session, self.target, "watchdog", self.lang).await;
+                told.ok().flatten().or(self.target.known_watchdog)
+            }
         };
         let family = &self.target.family;
         let turns = self.lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN");

@@ -202,10 +202,12 @@ fn a_zero_behind_which_the_shaft_would_turn_the_other_way_never_goes_out_unseen(
 
 #[test]
 fn a_quick_stop_in_place_of_a_ramp_is_told() {
-    let bench = active("act", 1, "reply_delay = \"300ms\"");
+    let bench = active("act", 1, "reply_delay = \"700ms\"");
     for (lang, told) in [("en", "a quick stop in place of the ramp"), ("de", "Schnellhalt statt Rampe")] {
         let run = antrieb(&format!("--lang {lang} -a 1 --drive act statemachine disable")).on(&bench).run();
         assert!(run.err.contains(told), "{}", run.err);
+        // Told, and no success: another stop was asked for.
+        assert!(run.exit != 0, "{}", run.err);
     }
     let prompt = antrieb("-b 115200 -a 1 --drive act statemachine disable").on(&active("act", 1, "")).run();
     assert!(!prompt.err.contains("in place of"), "{}", prompt.err);

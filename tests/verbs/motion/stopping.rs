@@ -67,17 +67,22 @@ fn a_zero_that_the_least_frequency_lifts_is_no_standstill() {
 
 #[test]
 fn under_virtual_contacts_a_stop_opens_them_all_and_closes_none() {
-    for verb in ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage"] {
-        let contacts = drive("\"410\" = 3, \"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0", "");
-        let run = alone(verb, &contacts).exits(0);
-        assert_eq!(run.data("/running"), &json!(false), "{verb}");
-        let words: Vec<_> = run.err.lines().filter(|line| line.contains("> 01 06 01 9A")).collect();
-        // The first word goes out unseen, and leaves S1IND open: 00h, or 02h.
-        let open = |line: &&str| line.contains("01 06 01 9A 00 00") || line.contains("01 06 01 9A 00 02");
-        assert!(
-            words.iter().all(open) && words.last().is_some_and(|line| line.contains("01 06 01 9A 00 00")),
-            "{words:?}"
-        );
+    // The first word of a quick stop goes out unseen, and leaves S1IND open. Of a ramp S1IND stays closed until the power is
+    // gone.
+    for (verb, allowed, exit) in [
+        ("quick-stop", &["00 02", "00 00"][..], 8),
+        ("disable", &["00 01", "00 00"], 0),
+        ("disable-voltage", &["00 00"], 0),
+    ] {
+        for model in ["act", "acu"] {
+            let contacts = drive("\"410\" = 3, \"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0, \"638\" = 1", "");
+            let run = alone(&format!("statemachine {verb}"), &contacts.replace("acu", model)).exits(exit);
+            assert_eq!(run.data("/running"), &json!(false), "{verb}");
+            let sent = run.err.lines().filter_map(|line| line.split_once("> 01 06 01 9A ")?.1.get(..5));
+            let words: Vec<_> = sent.collect();
+            assert!(words.iter().all(|word| allowed.contains(word)) && words.last() == Some(&"00 00"), "{words:?}");
+            assert!(words.first() == allowed.first(), "{words:?}");
+        }
     }
 }
 
@@ -139,7 +144,8 @@ impl Came {
     }
 }
 
-/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out, and then lets `rest` pass.
+/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out (`+7`: seven turns of the loop after the one before),
+/// and then lets `rest` pass.
 pub(super) fn held(
     bench: &str,
     presses: &[&str],
@@ -165,11 +171,23 @@ pub(super) fn held_of(
     let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
     let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
     let mut left: Vec<&str> = presses.to_vec();
+    let yields = |next: &&str| next.strip_prefix('+').and_then(|count| count.parse::<usize>().ok());
     let mut observe = |event: Event| {
         if let Event::Telegram { direction: '>', hex, .. } = event {
             if left.first().is_some_and(|next| hex.starts_with(next)) {
                 left.remove(0);
                 signals.press();
+                // Once more, so many turns of the loop later, whatever is under way then.
+                if let Some(turns) = left.first().and_then(yields) {
+                    left.remove(0);
+                    let signals = signals.clone();
+                    tokio::spawn(async move {
+                        for _ in 0..turns {
+                            tokio::task::yield_now().await;
+                        }
+                        signals.press();
+                    });
+                }
             }
             sent.borrow_mut().push(hex);
         }
@@ -319,6 +337,7 @@ fn a_shaft_that_may_still_turn_is_the_first_thing_that_is_said() {
     assert!(run.err.contains("NOT acknowledged"), "{}", run.err);
     let kept = antrieb(&format!("{line} --on-exit keep --lang de")).on(&drive(READY, dies)).run();
     assert!(!kept.err.contains("NICHT bestätigt") && kept.err.contains("keep"), "{}", kept.err);
+    assert!(kept.out.contains("keep (Fehler), kein Halt") && !kept.out.contains("bestätigt"), "{}", kept.out);
     assert_ne!((run.exit, kept.exit), (0, 0));
 }
 
