@@ -114,3 +114,30 @@ fn a_run_is_held_as_often_as_its_watchdog_needs_and_no_longer_than_it_was_to_be(
     let more = at_2_1_s.since(Tick::ZERO).as_millis() - at_2_s.since(Tick::ZERO).as_millis();
     assert!((60..=140).contains(&more), "{more} ms more for 100 ms more");
 }
+
+/// A drive whose watchdog is set, held by its control word alone.
+fn fed_by_its_word(rest: &str) -> Came {
+    held(&drive(READY, rest), &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+        motor.change("watchdog", 1).await?;
+        motor.walk("operation-enabled").await?;
+        motor.hold(Some(Span::from_millis(1_900)), async |_: &mut Motor<'_, '_>, _| Ok(())).await
+    })
+}
+
+#[test]
+fn an_enable_feeds_the_watchdog_of_a_drive_that_shows_it_and_starts_none_that_does_not() {
+    const ENABLE: &str = "01 06 01 9A 00 0F";
+    let enables = |sent: &[String]| sent.iter().filter(|hex| hex.starts_with(ENABLE)).count();
+    let whole = fed_by_its_word("");
+    assert!(whole.ended.result.is_ok(), "{:?}", whole.ended);
+    // Once to enable it, then within every third of a second or so.
+    assert!((4..=7).contains(&enables(&whole.sent)), "{:?}", whole.sent);
+    let first = whole.sent.iter().position(|hex| hex.starts_with(ENABLE)).unwrap();
+    for telegrams in first + 2..first + 14 {
+        let lost = format!("[[drive.event]]\nafter_telegrams = {telegrams}\nenable = false");
+        let came = fed_by_its_word(&lost);
+        // The look before may have shown it.
+        let later = came.sent.get(telegrams + 1..).unwrap_or_default();
+        assert_eq!(enables(later), 0, "lost after {telegrams}: {later:?}");
+    }
+}
