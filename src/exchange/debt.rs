@@ -211,8 +211,16 @@ mod tests {
         debts.owes(1, second.clone(), at(900), at(400));
         assert_eq!(debts.missing(1), [first.clone(), second.clone()]);
         debts.owes(1, first.clone(), at(700), at(600));
-        assert_eq!(debts.missing(1), [second.clone(), first.clone()], "what is asked again is missing once, from then on");
-        assert_eq!(debts.due(1), Some((at(900), at(7_600))), "the latest that is due, and 7 s behind the last question");
+        assert_eq!(
+            debts.missing(1),
+            [second.clone(), first.clone()],
+            "what is asked again is missing once, from then on"
+        );
+        assert_eq!(
+            debts.due(1),
+            Some((at(900), at(7_600))),
+            "the latest that is due, and 7 s behind the last question"
+        );
         debts.owes(1, question(3), at(7_500), at(7_399));
         assert_eq!(debts.missing(1).len(), 3);
         debts.owes(1, question(3), at(7_500), at(7_400));
