@@ -189,3 +189,52 @@ fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said) -> Option<Overtaken> 
     let place = overtaken.iter().position(|old| old.missing.is_answered_by(said))?;
     Some(overtaken.remove(place))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::modbus::pdu::Request;
+
+    fn question(start: u16) -> Question {
+        Question::Modbus(Request::ReadRegisters { start, count: 1 })
+    }
+
+    fn at(ms: u64) -> Tick {
+        Tick::ZERO + Span::from_millis(ms)
+    }
+
+    #[test]
+    fn what_is_missing_stays_so_until_it_cannot_come_any_more() {
+        let mut debts = Debts::default();
+        let [first, second] = [question(1), question(2)];
+        debts.owes(1, first.clone(), at(500), at(0));
+        debts.owes(1, second.clone(), at(900), at(400));
+        assert_eq!(debts.missing(1), [first.clone(), second.clone()]);
+        debts.owes(1, first.clone(), at(700), at(600));
+        assert_eq!(
+            debts.missing(1),
+            [second.clone(), first.clone()],
+            "what is asked again is missing once, from then on"
+        );
+        assert_eq!(
+            debts.due(1),
+            Some((at(900), at(7_600))),
+            "the latest that is due, and 7 s behind the last question"
+        );
+        debts.owes(1, question(3), at(7_500), at(7_399));
+        assert_eq!(debts.missing(1).len(), 3);
+        debts.owes(1, question(3), at(7_500), at(7_400));
+        assert_eq!(debts.missing(1), [first, question(3)], "7 s after it was asked it cannot come");
+        assert!(debts.missing(2).is_empty());
+    }
+
+    #[test]
+    fn only_a_station_that_was_heard_is_waited_for_at_the_end() {
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(500), at(0));
+        debts.owes(2, question(1), at(600), at(100));
+        assert_eq!(debts.until().count(), 0);
+        debts.hears(2);
+        assert_eq!(debts.until().collect::<Vec<_>>(), [at(2_100)]);
+    }
+}

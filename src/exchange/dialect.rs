@@ -432,3 +432,6 @@ fn ascii_frame(rest: &[u8]) -> Option<(Adu, usize)> {
     let end = masked.windows(2).position(|pair| pair == ascii::END)? + ascii::END.len();
     ascii::decode(masked.get(..end)?).ok().map(|adu| (adu, end))
 }
+
+#[cfg(test)]
+mod tests;

@@ -74,3 +74,29 @@ impl Limits {
         BUSY + Dialect::new(protocol).duration(line, rtu::MAX_FRAME)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+    use crate::protocol::modbus::Framing;
+
+    #[test]
+    fn the_longest_question_is_the_sum_of_everything_that_can_be_waited_for() {
+        let limits = Limits {
+            reply_timeout: Span::from_millis(300),
+            retries: 1,
+            turnaround: Span::from_millis(70),
+            ..Limits::default()
+        };
+        let line = LineSetting::rtu(19_200, Parity::Even);
+        let longest = |protocol: Protocol| limits.longest(protocol, line).as_micros() / 1_000;
+        // Behind a gateway no byte takes time: 2 x 8 tries of 300 + 50 ms, six second answers of 600 ms, 1 s for a busy line,
+        // three times the latest reply of 7 s, and the turnaround.
+        assert_eq!(longest(Framing::Tcp.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 70);
+        // 256 characters of 11 bits at 19200 Bd take 146.7 ms, in every try and once on a busy line.
+        assert_eq!(longest(Framing::Rtu.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 70 + 17 * 146_667 / 1_000);
+        // ASCII may dawdle a second between two characters.
+        assert_eq!(longest(Framing::Ascii.into()) - longest(Framing::Rtu.into()), 16 * 950);
+    }
+}

@@ -191,3 +191,20 @@ pub enum ExchangeError {
     #[error("a broadcast can only write")]
     BroadcastRead,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pauses_are_counted_with_the_shortest_and_the_longest_of_them() {
+        let mut pauses = Pauses::default();
+        let seen: Vec<_> = [7, 3, 9]
+            .map(|ms| {
+                pauses.note(Span::from_millis(ms));
+                (pauses.count, pauses.shortest.as_millis(), pauses.longest.as_millis())
+            })
+            .to_vec();
+        assert_eq!(seen, [(1, 7, 7), (2, 3, 7), (3, 3, 9)]);
+    }
+}

@@ -111,3 +111,79 @@ impl Twins {
         standing.two.is_some()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AT: u8 = 1;
+
+    fn at(seconds: u64) -> Tick {
+        Tick::ZERO + Span::from_secs(seconds)
+    }
+
+    /// Suspect, likely, marked, two.
+    fn seen(twins: &mut Twins, now: Tick) -> [bool; 4] {
+        let two = twins.are_two(AT, now);
+        [twins.is_suspect(AT), twins.are_likely(AT), twins.is_marked(AT), two]
+    }
+
+    #[test]
+    fn a_copy_is_a_suspicion_that_two_single_answers_take_away() {
+        let mut twins = Twins::default();
+        assert_eq!(seen(&mut twins, at(0)), [false; 4]);
+        twins.suspects(AT);
+        assert_eq!(seen(&mut twins, at(0)), [true, false, false, false]);
+        twins.counts(AT, false);
+        assert!(twins.is_suspect(AT));
+        twins.counts(AT, false);
+        assert_eq!(seen(&mut twins, at(0)), [false; 4]);
+        twins.counts(2, true);
+        assert!(!twins.are_likely(2), "of whom nobody suspects it nothing is counted");
+    }
+
+    #[test]
+    fn what_answers_everything_twice_in_the_same_words_is_told_the_second_time() {
+        let mut twins = Twins::default();
+        twins.suspects(AT);
+        let told: Vec<_> = [true, true, false, true]
+            .map(|twice| {
+                twins.counts(AT, twice);
+                (twins.answers_twice(AT), twins.are_likely(AT), twins.is_suspect(AT))
+            })
+            .to_vec();
+        assert_eq!(told, [(false, true, true), (true, true, true), (false, false, true), (false, true, true)]);
+        twins.counts(AT, true);
+        twins.marks(AT, at(0));
+        assert!(!twins.answers_twice(AT) && twins.are_likely(AT), "its words differ");
+    }
+
+    #[test]
+    fn one_answer_in_other_words_is_a_mark_and_two_are_two_drives() {
+        let mut twins = Twins::default();
+        twins.marks(AT, at(1));
+        assert_eq!(seen(&mut twins, at(1)), [true, true, true, false]);
+        for singles in 1..=8 {
+            twins.counts(AT, false);
+            assert_eq!(twins.is_suspect(AT), singles < 8, "{singles}");
+        }
+        twins.marks(AT, at(2));
+        assert_eq!(seen(&mut twins, at(2)), [true; 4], "a mark begins the count anew");
+    }
+
+    #[test]
+    fn two_drives_stay_two_for_a_while_and_marked_after_it() {
+        let mut twins = Twins::default();
+        twins.proves(AT, at(5));
+        assert_eq!([5, 14, 15].map(|second| twins.are_two(AT, at(second))), [true; 3]);
+        assert_eq!(seen(&mut twins, at(16)), [true, true, true, false], "somebody may have taken one away");
+        twins.marks(AT, at(17));
+        assert!(twins.are_two(AT, at(17)), "the mark of then still counts");
+    }
+
+    #[test]
+    fn a_second_question_that_is_lost_behind_an_answer_is_often() {
+        let mut twins = Twins::default();
+        assert_eq!([AT, 2, AT, AT].map(|station| twins.loses(station)), [false, false, true, true]);
+    }
+}
