@@ -4,30 +4,13 @@
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
 
 use antrieb::args::Environment;
+use antrieb::command::VERBS;
 use antrieb::render::Streams;
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-const VERBS: &[&str] = &[
-    "scan",
-    "identify",
-    "read",
-    "write",
-    "dataset",
-    "diag",
-    "statemachine",
-    "sollwert",
-    "monitor",
-    "protocol",
-    "line",
-    "params",
-    "decode",
-    "sniff",
-    "simulate",
-    "schema",
-];
 const SHELLS: &[(&str, &str)] =
     &[("bash", "antrieb.bash"), ("zsh", "_antrieb"), ("fish", "antrieb.fish"), ("powershell", "antrieb.ps1")];
 
@@ -41,7 +24,7 @@ fn completions_are_up_to_date() {
 #[test]
 fn man_pages_are_up_to_date() {
     check(&["man"], &root().join("man/antrieb.1"));
-    for verb in VERBS {
+    for verb in pages() {
         check(&["man", verb], &root().join(format!("man/antrieb-{verb}.1")));
     }
 }
@@ -68,7 +51,7 @@ fn every_verb_of_the_help_has_a_man_page() {
         .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
         .filter_map(|line| line.split_whitespace().next())
         .collect();
-    assert_eq!(verbs, VERBS);
+    assert_eq!(verbs, pages().collect::<Vec<_>>());
 }
 
 #[test]
@@ -78,6 +61,11 @@ fn the_man_page_lists_every_exit_code() {
         let start = meaning.split([':', ',']).next().unwrap();
         assert!(page.contains(&format!("{code}  {start}")), "{code} {meaning}");
     }
+}
+
+/// Every verb, and what is printed openly beside them.
+fn pages() -> impl Iterator<Item = &'static str> {
+    VERBS.iter().map(|verb| verb.name).chain(["schema"])
 }
 
 fn root() -> PathBuf {

@@ -1,6 +1,7 @@
 //! `dataset`: the four data sets of a drive.
 
 use super::read::select_failure;
+use super::verb::{Verb, Working};
 use super::write::{Job, Step, carry_out, permit, prepare};
 use super::{
     Context, Reader, addresses_to_read, addresses_to_write, connect, offline_family, plan, read_question,
@@ -9,7 +10,7 @@ use super::{
 use crate::args::Settings;
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Dataset, DatasetRow, Outcome, Value, Warning, WriteResult};
+use crate::outcome::{Data, Dataset, DatasetRow, Document, OrWrite, Outcome, Value, Warning, WriteResult};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -66,6 +67,15 @@ enum Action {
         #[arg(value_name = "PARAMETER")]
         params: Vec<String>,
     },
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "dataset";
+    type Prints = Document<OrWrite<Dataset>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Works on the data sets of one drive.

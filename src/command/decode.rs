@@ -1,10 +1,11 @@
 //! `decode`: what do these bytes, this word, this code say? Without a drive.
 
+use super::verb::{Verb, Working};
 use super::{Context, offline_family, telegram_reader};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::outcome::{Data, Decode, Outcome};
+use crate::outcome::{Data, Decode, Document, Outcome};
 use crate::profile::Family;
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
@@ -57,6 +58,15 @@ enum What {
         /// The code
         code: String,
     },
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "decode";
+    type Prints = Document<Decode>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(std::future::ready(run(self, context)))
+    }
 }
 
 /// Explains.

@@ -1,11 +1,12 @@
 //! `diag`: what ails the drive, or the line to it?
 
+use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::Settings;
 use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, ErrorDoc, Event, Outcome, Value};
+use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value};
 use crate::profile::{Cause, DataSets, Family, Lang, Registry};
 use clap::Args as ClapArgs;
 
@@ -39,6 +40,15 @@ pub struct Args {
 pub enum What {
     /// The line itself
     Line(super::diag_line::Args),
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "diag";
+    type Prints = Document<OrLine<Diag>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Diagnoses every drive that was named.

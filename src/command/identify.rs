@@ -1,10 +1,11 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
+use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
 use crate::args::Settings;
 use crate::drive::{AccessError, Session, Target, introduce, recognise};
 use crate::failure::Failure;
-use crate::outcome::{Data, ErrorDoc, Evidence, Identify, Identity, Module, Outcome};
+use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
 use crate::profile::{DataSets, Lang, Registry};
 use clap::Args as ClapArgs;
 
@@ -30,6 +31,15 @@ const ROLES: [&str; 9] = [
 
 /// What is often changed in RAM alone: shown as it holds now. The others of [`ROLES`] wait for a restart anyway.
 const IN_FORCE: [&str; 2] = ["watchdog", "control-mode"];
+
+impl Verb for Args {
+    const NAME: &'static str = "identify";
+    type Prints = Document<OrPlan<Identify>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
+}
 
 /// Identifies every drive that was named.
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {

@@ -1,11 +1,12 @@
 //! `line`: speed, parity and address of a drive. What `protocol` shares with it is here too.
 
 use super::asking::denied;
+use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
 use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
-use crate::outcome::{Data, Outcome};
+use crate::outcome::{Data, Document, OrRead, Outcome, Relocation};
 use crate::profile::Lang;
 use clap::{Arg, Args as ClapArgs, Subcommand};
 
@@ -50,6 +51,15 @@ enum What {
 fn present(option: &'static str, flag: &'static str) -> Arg {
     let refuse = |_: &str| Err::<String, _>("the present setting is given before `line`");
     Arg::new(option).long(flag).hide(true).value_parser(refuse)
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "line";
+    type Prints = Document<OrRead<Relocation>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Shows or changes it.

@@ -18,7 +18,29 @@ pub mod simulate;
 pub mod sniff;
 pub mod sollwert;
 pub mod statemachine;
+mod verb;
 pub mod write;
+
+pub use verb::{Entry, Flow, Typed, Verb, Working};
+
+/// Every verb, in the order of the help.
+pub const VERBS: &[Entry] = &[
+    verb::entry::<scan::Args>(),
+    verb::entry::<identify::Args>(),
+    verb::entry::<read::Args>(),
+    verb::entry::<write::Args>(),
+    verb::entry::<dataset::Args>(),
+    verb::entry::<diag::Args>(),
+    verb::entry::<statemachine::Args>(),
+    verb::entry::<sollwert::Args>(),
+    verb::entry::<monitor::Args>(),
+    verb::entry::<protocol::Args>(),
+    verb::entry::<line::Args>(),
+    verb::entry::<params::Args>(),
+    verb::entry::<decode::Args>(),
+    verb::entry::<sniff::Args>(),
+    verb::entry::<simulate::Args>(),
+];
 
 use crate::args::{Addresses, Origin, Settings};
 use crate::drive::motion::working;

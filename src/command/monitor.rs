@@ -4,6 +4,7 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
+use super::verb::{Flow, Verb, Working};
 use super::{
     Context, Reader, addresses_to_read, check_number, connect, is_over, offline, offline_family, plan, read_question,
 };
@@ -61,6 +62,19 @@ pub struct Args {
     /// On the built-in bench: do not follow the wall clock; minutes of the bench take milliseconds
     #[arg(long)]
     pub unpaced: bool,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "monitor";
+    type Prints = Record;
+
+    fn streams(&self) -> Option<Flow> {
+        Some(Flow::Samples { line: self.line })
+    }
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.

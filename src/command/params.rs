@@ -1,9 +1,10 @@
 //! `params`: browse the catalogue, without a drive.
 
+use super::verb::{Verb, Working};
 use super::{Context, offline_family};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Outcome, Params};
+use crate::outcome::{Data, Document, Outcome, Params};
 use clap::Args as ClapArgs;
 
 /// Browses the parameter catalogue. No drive is needed.
@@ -15,6 +16,15 @@ pub struct Args {
     /// Number, or words of a slug or name in English or German
     #[arg(value_name = "SEARCH")]
     pub search: Vec<String>,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "params";
+    type Prints = Document<Params>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(std::future::ready(run(self, context)))
+    }
 }
 
 /// Searches the catalogue.

@@ -2,9 +2,10 @@
 
 use super::Context;
 use super::line::{move_drive, show};
+use super::verb::{Verb, Working};
 use crate::drive::relocate::Wish;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
+use crate::outcome::{Document, OrRead, Outcome, Relocation};
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows or changes the protocol of a drive: Modbus RTU, Modbus ASCII, VABus.
@@ -30,6 +31,15 @@ enum What {
         #[arg(id = "to", value_name = "PROTOCOL", value_parser = Wish::to_protocol)]
         wish: Wish,
     },
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "protocol";
+    type Prints = Document<OrRead<Relocation>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Shows or changes it.

@@ -1,12 +1,13 @@
 //! `read`: values of parameters.
 
+use super::verb::{Verb, Working};
 use super::{
     Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, known_somewhere, offline,
     plan, read_question, target,
 };
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Outcome, Read, Value};
+use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value};
 use crate::profile::{Family, Lang, Selection, Selector, Type};
 use clap::Args as ClapArgs;
 
@@ -30,6 +31,15 @@ pub struct Args {
     /// Show this many decimals, whatever the catalogue says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
     pub decimals: Option<u8>,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "read";
+    type Prints = Document<OrPlan<Read>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Reads the parameters of every drive that was named.

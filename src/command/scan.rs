@@ -1,11 +1,12 @@
 //! `scan`: who is on the line?
 
 use super::Context;
+use super::verb::{Verb, Working};
 use crate::args::{Addresses, Settings, parse_addresses};
 use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Unknown, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::outcome::{Data, Event, FoundDrive, Outcome, Plan, Scan, Search, Warning};
+use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
 use crate::profile::Lang;
 use clap::Args as ClapArgs;
 use serde::Deserialize;
@@ -46,6 +47,15 @@ pub struct Args {
     /// Go on where this result of `scan --json` ends
     #[arg(long, value_name = "RESULT.json")]
     pub resume: Option<PathBuf>,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "scan";
+    type Prints = Document<OrPlan<Scan>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Searches the lines.
@@ -349,7 +359,7 @@ fn ranges(addresses: &BTreeSet<u8>) -> String {
 
 /// The document of an earlier scan, as far as it matters here.
 #[derive(Deserialize)]
-struct Document {
+struct Saved {
     schema: u32,
     command: String,
     data: Option<Scan>,
@@ -363,8 +373,7 @@ fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
             .hint("expected what `antrieb scan --json > RESULT.json` has written")
     };
     let text = files::read(path, files::TEXT).map_err(|error| bad(error.to_string()))?;
-    let document: Document =
-        serde_json::from_str(&text).map_err(|error| bad(format!("no result of a scan: {error}")))?;
+    let document: Saved = serde_json::from_str(&text).map_err(|error| bad(format!("no result of a scan: {error}")))?;
     let version = crate::outcome::SCHEMA_VERSION;
     if document.schema != version {
         return Err(bad(format!("schema {}; expected {version}", document.schema)));

@@ -1,10 +1,11 @@
 //! `simulate`: the built-in bench in real time, for any Modbus master.
 
 use super::Context;
+use super::verb::{Verb, Working};
 use crate::args::parse_span;
 use crate::drive::bench;
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome};
+use crate::outcome::{Data, Document, Outcome, Simulate};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use std::net::SocketAddr;
@@ -33,6 +34,15 @@ pub struct Args {
     /// End after this time
     #[arg(long = "for", value_name = "TIME", value_parser = parse_span)]
     pub duration: Option<Span>,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "simulate";
+    type Prints = Document<Simulate>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Serves until Ctrl-C.

@@ -1,10 +1,11 @@
 //! `sniff`: listens to what others say on a line. Never sends.
 
+use super::verb::{Flow, Verb, Working};
 use super::{Context, connect, offline_family, telegram_reader};
 use crate::args::parse_span;
 use crate::drive::{Listening, Port, sniff};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Outcome, Plan, Sniff};
+use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff};
 use crate::profile::Lang;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
@@ -33,6 +34,19 @@ pub struct Args {
 
 /// Where time is virtual, silence would never be cut short by anybody.
 const QUIET: Span = Span::from_secs(10);
+
+impl Verb for Args {
+    const NAME: &'static str = "sniff";
+    type Prints = Document<OrPlan<Sniff>>;
+
+    fn streams(&self) -> Option<Flow> {
+        Some(Flow::Telegrams)
+    }
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
+}
 
 /// Listens until the time or the count is over, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {

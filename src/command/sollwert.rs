@@ -6,13 +6,14 @@ mod zero;
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
+use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
 use crate::args::{MotionArgs, Settings, parse_span};
 use crate::drive::Session;
 use crate::drive::motion::Motor;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, ErrorDoc, Outcome, SetpointReport, Sollwert, Value};
+use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, SetpointReport, Sollwert, Value};
 use crate::profile::{DataSets, Family, Lang, Registry};
 use crate::tick::Span;
 use check::Check;
@@ -88,6 +89,17 @@ pub struct Args {
 pub enum Until {
     /// The drive reports the setpoint as reached.
     Reached,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "sollwert";
+    const ALIAS: Option<&'static str> = Some("setpoint");
+    const TURNS: bool = true;
+    type Prints = Document<OrMotion<Sollwert>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Shows the setpoints of every drive that was named, or gives one.

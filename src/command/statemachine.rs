@@ -2,13 +2,14 @@
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
+use super::verb::{Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault, runs_at, upon_enabling};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, ErrorDoc, Event, Outcome, StateReport, StateRow, Statemachine};
+use crate::outcome::{Data, Document, ErrorDoc, Event, OrMotion, Outcome, StateReport, StateRow, Statemachine};
 use crate::profile::{Family, Lang, Param, Registry};
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -60,6 +61,17 @@ enum Action {
 
 /// Roles that are read, in this order.
 const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"];
+
+impl Verb for Args {
+    const NAME: &'static str = "statemachine";
+    const ALIAS: Option<&'static str> = Some("state");
+    const TURNS: bool = true;
+    type Prints = Document<OrMotion<Statemachine>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
+}
 
 /// Shows the state of every drive that was named, or walks one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {

@@ -1,12 +1,13 @@
 //! `write`: set parameters, with proof.
 
 use super::read::select_failure;
+use super::verb::{Verb, Working};
 use super::{Context, Reader, addresses_to_write, connect, is_over, offline, summary, target};
 use crate::args::Settings;
 use crate::drive::{AccessError, Cell, Inquiry, Order, Session, Target, WriteFate, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Permit, Question};
-use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
+use crate::outcome::{Data, Document, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Selector, Store, Type};
 use crate::tick::Span;
@@ -48,6 +49,15 @@ pub(super) struct Step {
     pub(super) set: u8,
     pub(super) raw: i64,
     pub(super) kind: Option<Type>,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "write";
+    type Prints = Document<Write>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
 }
 
 /// Writes to every drive that was named.

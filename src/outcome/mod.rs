@@ -3,6 +3,7 @@
 //! The shapes here are the contract with scripts ([`SCHEMA_VERSION`]); `antrieb schema` prints them. Texts are in the
 //! language that the user chose; numbers, slugs and codes are the same in every language.
 
+mod document;
 mod found;
 mod line;
 mod motion;
@@ -12,6 +13,7 @@ mod stream;
 mod transfer;
 mod value;
 
+pub use document::{Document, Envelope, OrLine, OrMotion, OrPlan, OrRead, OrWrite};
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
 };

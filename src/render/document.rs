@@ -2,30 +2,9 @@
 
 use super::{Console, Format, rows, table};
 use crate::failure::Failure;
-use crate::outcome::{Data, ErrorDoc, Outcome, SCHEMA_VERSION, Warning};
+use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
 use crate::profile::Lang;
-use schemars::JsonSchema;
-use serde::Serialize;
 use std::io::{self, Write};
-
-/// The JSON document around every result.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct Envelope<'a, D> {
-    /// Version of this shape.
-    pub schema: u32,
-    /// `antrieb`.
-    pub tool: &'static str,
-    /// The verb.
-    pub command: &'a str,
-    /// Whether all that was asked for was done.
-    pub ok: bool,
-    /// What was found; also partly, beside an error.
-    pub data: Option<D>,
-    /// Remarks.
-    pub warnings: &'a [Warning],
-    /// Why it is not all that was asked for.
-    pub error: Option<ErrorDoc>,
-}
 
 /// Prints an outcome: data to `out`, remarks and failures to the console (in JSON they are in the document too).
 pub fn print(
@@ -154,82 +133,4 @@ fn io_error(error: csv::Error) -> io::Error {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
     }
-}
-
-/// What a verb that reads finds, or what it would send under `--dry-run`.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OrPlan<D> {
-    Found(D),
-    Plan(crate::outcome::Plan),
-}
-
-/// What a verb finds, or what it would ask or write under `--dry-run`.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OrWrite<D> {
-    Found(D),
-    Plan(crate::outcome::Plan),
-    Write(crate::outcome::Write),
-}
-
-/// What a verb finds, what it did to the shaft, or what it would send under `--dry-run`.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OrMotion<D> {
-    Found(D),
-    Motion(Box<crate::outcome::Motion>),
-    Plan(crate::outcome::Plan),
-}
-
-/// What ails the drives, or the line to them, or what would be asked under `--dry-run`.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OrLine<D> {
-    Found(D),
-    Line(Box<crate::outcome::LineCheck>),
-    Plan(crate::outcome::Plan),
-}
-
-/// What a verb did to a drive's line, or the settings that it read.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OrRead<D> {
-    Done(D),
-    Read(crate::outcome::Read),
-    Plan(crate::outcome::Plan),
-}
-
-/// JSON Schema of a verb's document; of every verb's if none is named. `None` for a verb without one.
-pub fn schema(verb: Option<&str>) -> Option<serde_json::Value> {
-    use crate::outcome as o;
-    macro_rules! of {
-        ($data:ty) => {
-            schemars::schema_for!(Envelope<'static, $data>)
-        };
-    }
-    let schema = match verb {
-        None => of!(Data),
-        Some("scan") => of!(OrPlan<o::Scan>),
-        Some("identify") => of!(OrPlan<o::Identify>),
-        Some("read") => of!(OrPlan<o::Read>),
-        Some("write") => of!(o::Write),
-        Some("dataset") => of!(OrWrite<o::Dataset>),
-        Some("diag") => of!(OrLine<o::Diag>),
-        Some("statemachine") => of!(OrMotion<o::Statemachine>),
-        Some("sollwert") => of!(OrMotion<o::Sollwert>),
-        Some("protocol" | "line") => of!(OrRead<o::Relocation>),
-        Some("params") => of!(o::Params),
-        Some("monitor") => schemars::schema_for!(o::Record),
-        Some("decode") => of!(o::Decode),
-        Some("sniff") => of!(OrPlan<o::Sniff>),
-        Some("simulate") => of!(o::Simulate),
-        Some(_) => return None,
-    };
-    Some(schema.to_value())
 }

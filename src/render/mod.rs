@@ -10,7 +10,7 @@ mod words;
 
 pub use ask::{Input, Terminal};
 pub use console::{Console, Streams};
-pub use document::{Envelope, print, print_end, print_failure, schema};
+pub use document::{print, print_end, print_failure};
 pub use rows::Row;
 pub use stream::{Key, Keys, Manner, Stream, View};
 

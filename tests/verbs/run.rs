@@ -1,6 +1,7 @@
 //! The program inside a test: a command line as it is typed, streams that end in buffers, a directory of its own.
 
 use antrieb::args::Environment;
+use antrieb::command::VERBS;
 use antrieb::render::Streams;
 use jsonschema::Validator;
 use serde_json::Value;
@@ -13,23 +14,10 @@ use std::rc::Rc;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// Verbs that have a JSON document, and so a schema.
-pub(crate) const VERBS: [&str; 14] = [
-    "scan",
-    "identify",
-    "read",
-    "write",
-    "dataset",
-    "diag",
-    "statemachine",
-    "sollwert",
-    "protocol",
-    "line",
-    "params",
-    "decode",
-    "sniff",
-    "simulate",
-];
+/// The names of the verbs that print one document; `monitor` streams, and its records have a test of their own.
+pub(crate) fn verbs() -> impl Iterator<Item = &'static str> {
+    VERBS.iter().map(|verb| verb.name).filter(|name| *name != "monitor")
+}
 
 /// What a user types behind `antrieb`. Blanks part words, `'…'` holds them together, `{dir}` is the working directory.
 pub(crate) fn antrieb(line: &str) -> Run {
@@ -253,7 +241,7 @@ pub(crate) static SCHEMAS: LazyLock<BTreeMap<&str, Validator>> = LazyLock::new(|
         assert!(jsonschema::meta::is_valid(&schema), "{verb}");
         jsonschema::validator_for(&schema).unwrap()
     };
-    [""].into_iter().chain(VERBS).map(|verb| (verb, compiled(verb))).collect()
+    [""].into_iter().chain(verbs()).map(|verb| (verb, compiled(verb))).collect()
 });
 
 type Buffer = Rc<RefCell<Vec<u8>>>;

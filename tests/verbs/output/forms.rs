@@ -1,6 +1,6 @@
 //! Forms of output: what goes where, what a pipe, a terminal and a script get.
 
-use crate::run::{SCHEMAS, VERBS, antrieb};
+use crate::run::{SCHEMAS, antrieb, verbs};
 use unicode_width::UnicodeWidthStr;
 
 /// A line of every verb that brings plenty.
@@ -129,7 +129,7 @@ fn telegrams_are_shown_decoded_with_their_times() {
 
 #[test]
 fn schemas_are_printed_for_every_verb_and_refuse_what_is_no_document() {
-    for verb in VERBS {
+    for verb in verbs() {
         let validator = &SCHEMAS[verb];
         assert!(!validator.is_valid(&serde_json::json!({})), "{verb}");
         let whole = serde_json::json!({ "schema": 1, "tool": "antrieb", "command": verb, "ok": true,

@@ -1,0 +1,200 @@
+//! The program: dispatch over the list of verbs, the forms of their output, the exit code.
+
+mod printed;
+mod signals;
+mod typed;
+
+use crate::args::{ColorChoice, Environment, Globals, Settings};
+use crate::command::{Context, Entry, Flow, Typed};
+use crate::drive::Interrupt;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Event, Outcome};
+use crate::profile::{Lang, Registry};
+use crate::render::{self, Console, Format, Manner, Stream, Streams, Terminal, View};
+use clap::ArgMatches;
+use printed::Printed;
+use signals::{obey_keys, raise_on_closed_output, raise_on_signal};
+use std::cell::RefCell;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use typed::What;
+
+/// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
+/// name, and the port.
+pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
+    let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
+    let (globals, what) = match typed::parse(arguments) {
+        Ok(typed::Line { globals, what }) => (globals, what),
+        Err(error) => return typed::explain(&error, arguments, out.as_mut(), err),
+    };
+    let quiet = globals.quiet;
+    let console = Console::new(err, quiet, err_is_terminal && !quiet && !globals.no_progress);
+    let (entry, verb) = match what {
+        What::Work(entry, verb) => (entry, verb),
+        What::Print(page, matches) => return print(page, &matches, globals.json, out.as_mut(), &console),
+    };
+    let settings = Settings::resolve(&globals, environment);
+    let (format, manner) = form(&settings, &globals, environment, out_is_terminal, width, err_is_terminal);
+    let view = verb.streams().and_then(|flow| {
+        let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
+        view(flow, format, sends, environment, out_is_terminal)
+    });
+    let carry_out = |stream: Option<&RefCell<Stream<'_>>>| {
+        let outcome = settings.and_then(|settings| {
+            let present = input_is_terminal && err_is_terminal;
+            let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
+            let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
+            work(entry, verb.as_ref(), &settings, &mut ask, &console, stream)
+        });
+        outcome.unwrap_or_else(Outcome::from)
+    };
+    let printed = match view {
+        None => whole(carry_out(None), entry, format, manner, out.as_mut(), &console),
+        Some(view) => Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
+            let stream = RefCell::new(stream);
+            let outcome = carry_out(Some(&stream));
+            stream.into_inner().finish(&outcome, entry.name).map(|()| outcome)
+        }),
+    };
+    match printed {
+        Ok(outcome) => outcome.failure.map_or(0, |failure| failure.class.exit()),
+        Err(error) => closed(&error, &console),
+    }
+}
+
+/// Prints what the program knows of itself.
+fn print(page: &Printed, matches: &ArgMatches, json: bool, out: &mut dyn Write, console: &Console) -> u8 {
+    match (page.print)(matches, out) {
+        Ok(None) => 0,
+        Ok(Some(failure)) if json => {
+            let code = failure.class.exit();
+            match render::print(&failure.into(), page.name, Format::Json, Lang::En, None, out, console) {
+                Ok(()) => code,
+                Err(error) => closed(&error, console),
+            }
+        }
+        Ok(Some(failure)) => {
+            render::print_failure(&failure, console);
+            failure.class.exit()
+        }
+        Err(error) => closed(&error, console),
+    }
+}
+
+/// Prints what was found, all of it at the end.
+fn whole(
+    outcome: Outcome,
+    verb: &Entry,
+    format: Format,
+    manner: Manner,
+    out: &mut dyn Write,
+    console: &Console,
+) -> io::Result<Outcome> {
+    match render::print(&outcome, verb.name, format, manner.lang, manner.width, out, console) {
+        // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
+        Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
+            render::print_end(&outcome, manner.lang, console);
+            if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
+        }
+        printed => printed.map(|()| outcome),
+    }
+}
+
+/// In which form, and how; settings that cannot be had are told in English.
+fn form(
+    settings: &Result<Settings, Failure>,
+    globals: &Globals,
+    environment: &Environment,
+    out_is_terminal: bool,
+    width: Option<u16>,
+    holds_stderr: bool,
+) -> (Format, Manner) {
+    let (format, lang, choice) = match settings {
+        Ok(settings) => (settings.format, settings.lang, settings.color),
+        Err(_) if globals.json => (Format::Json, Lang::En, ColorChoice::Never),
+        Err(_) => (globals.format.unwrap_or_default(), Lang::En, ColorChoice::Never),
+    };
+    let color = may_color(choice, environment, out_is_terminal);
+    (format, Manner { lang, width: width.filter(|_| out_is_terminal), color, holds_stderr })
+}
+
+/// The form of a stream; `None` where everything is printed at the end.
+fn view(flow: Flow, format: Format, sends: bool, environment: &Environment, out_is_terminal: bool) -> Option<View> {
+    let is_dumb = environment.variables.get("TERM").is_some_and(|term| term == "dumb");
+    match (flow, format) {
+        (_, Format::Ndjson) => Some(View::Ndjson),
+        // Without an end to wait for there is no document: its JSON is one object a line.
+        (Flow::Samples { .. }, Format::Json) => Some(View::Ndjson),
+        _ if !sends => None,
+        (Flow::Samples { .. }, Format::Csv) => Some(View::Csv),
+        (Flow::Samples { line: true }, Format::Table) if out_is_terminal => Some(View::Ticker),
+        (Flow::Samples { .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
+        (Flow::Samples { .. }, Format::Table) => Some(View::Lines),
+        (Flow::Telegrams, Format::Table) => Some(View::Telegrams),
+        (Flow::Telegrams, Format::Json | Format::Csv) => None,
+    }
+}
+
+/// Whether colours may go to stdout: `--color` before NO_COLOR (no-color.org), CLICOLOR and TERM.
+fn may_color(choice: ColorChoice, environment: &Environment, out_is_terminal: bool) -> bool {
+    let is = |name: &str, what: &dyn Fn(&str) -> bool| environment.variables.get(name).is_some_and(|set| what(set));
+    match choice {
+        ColorChoice::Always => true,
+        ColorChoice::Never => false,
+        ColorChoice::Auto => {
+            let unwanted = is("NO_COLOR", &|set| !set.is_empty()) || is("CLICOLOR", &|set| set == "0");
+            out_is_terminal && !unwanted && !is("TERM", &|set| set == "dumb")
+        }
+    }
+}
+
+/// A pipe that was closed on the other side is a success: the reader has what it wanted.
+fn closed(error: &io::Error, console: &Console) -> u8 {
+    if error.kind() == io::ErrorKind::BrokenPipe {
+        return 0;
+    }
+    console.line(&format!("error: cannot write the output: {error}"));
+    Class::Port.exit()
+}
+
+fn work(
+    entry: &Entry,
+    verb: &dyn Typed,
+    settings: &Settings,
+    ask: &mut Terminal,
+    console: &Console,
+    stream: Option<&RefCell<Stream<'_>>>,
+) -> Result<Outcome, Failure> {
+    let registry = Registry::open(&settings.catalogues)
+        .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.to_string()))?;
+    let bug = |error: io::Error| Failure::new(Class::Bug, "bug.runtime", format!("cannot start the runtime: {error}"));
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(bug)?;
+    let interrupt = Interrupt::default();
+    let ends = interrupt.clone();
+    let mut observe = |event| match stream {
+        None => console.observe(event),
+        // Nobody reads any more.
+        Some(stream) if !stream.borrow_mut().observe(event) => ends.raise(),
+        Some(_) => {}
+    };
+    let keys = stream.and_then(|stream| stream.borrow_mut().keys());
+    settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
+    let mut context =
+        Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
+    runtime.block_on(async {
+        // A verb that turns a shaft must notice that nobody reads any more; others finish what they began.
+        let pipe = entry.turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
+        let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
+        // From the first moment on a signal is heard, and does not just kill us.
+        tokio::task::yield_now().await;
+        let outcome = tokio::select! {
+            outcome = verb.run(&mut context) => outcome,
+            () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
+        };
+        signals.abort();
+        if let Some(pipe) = pipe {
+            pipe.abort();
+        }
+        outcome
+    })
+}

@@ -1,0 +1,166 @@
+//! What was typed: the tree of arguments from the list of verbs, and what to say of what does not fit it.
+
+use super::closed;
+use super::printed::{PRINTED, Printed};
+use crate::args::Globals;
+use crate::command::{self, Entry, VERBS};
+use crate::failure::{Class, Failure};
+use crate::outcome::Outcome;
+use crate::profile::Lang;
+use crate::render::{self, Console, Format, Manner, Stream, View};
+use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser};
+use std::ffi::OsString;
+use std::io::Write;
+
+/// Commissioning tool for industrial drives on serial lines.
+///
+/// Finds drives, says in plain words what they say, reads and writes their parameters in four data sets, and diagnoses
+/// the line. `--port sim` is a built-in bench with two drives: try everything there first.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "antrieb", version, after_help = after_help(), max_term_width = 100, disable_help_subcommand = true)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
+struct Root {
+    #[command(flatten)]
+    globals: Globals,
+}
+
+/// A command line that fits.
+#[derive(Debug)]
+pub(super) struct Line {
+    pub(super) globals: Globals,
+    pub(super) what: What,
+}
+
+/// What it asks for.
+#[derive(Debug)]
+pub(super) enum What {
+    /// The work of a verb.
+    Work(&'static Entry, Box<dyn command::Typed>),
+    /// Something that the program knows of itself.
+    Print(&'static Printed, ArgMatches),
+}
+
+fn after_help() -> String {
+    let mut text = "Exit codes:\n    0  done\n".to_owned();
+    for (_, code, meaning) in Class::TABLE {
+        text += &format!("  {code:>3}  {meaning}\n");
+    }
+    text + "\nFirst steps:\n  antrieb --port sim scan\n  antrieb --port sim -a 1 read 372@2 481 @actual\n  antrieb --port sim -a 2 diag\n"
+}
+
+/// The whole tree.
+pub(super) fn tree() -> clap::Command {
+    let verbs = VERBS.iter().map(|verb| (verb.command)());
+    Root::command().subcommands(verbs).subcommands(PRINTED.iter().map(|printed| (printed.command)()))
+}
+
+/// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
+/// is built where something is to be explained.
+pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
+    let read = |tree: clap::Command| line(&tree.try_get_matches_from(arguments)?);
+    read(mentioned(arguments)).or_else(|_| read(tree()))
+}
+
+/// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
+fn mentioned(arguments: &[OsString]) -> clap::Command {
+    let stands = |name: &str| arguments.iter().any(|word| word == name);
+    let root = clap::Command::new("antrieb").disable_help_subcommand(true);
+    let verbs = VERBS.iter().filter(|verb| stands(verb.name) || verb.alias.is_some_and(stands));
+    let printed = PRINTED.iter().filter(|printed| stands(printed.name));
+    let root = Globals::augment_args(root).subcommands(verbs.map(|verb| (verb.command)()));
+    root.subcommands(printed.map(|printed| (printed.command)()))
+}
+
+fn line(matches: &ArgMatches) -> Result<Line, clap::Error> {
+    let globals = Globals::from_arg_matches(matches)?;
+    let missing = || clap::Error::new(clap::error::ErrorKind::MissingSubcommand);
+    let (name, own) = matches.subcommand().ok_or_else(missing)?;
+    if let Some(printed) = PRINTED.iter().find(|printed| printed.name == name) {
+        return Ok(Line { globals, what: What::Print(printed, own.clone()) });
+    }
+    let verb = VERBS.iter().find(|verb| verb.name == name).ok_or_else(missing)?;
+    Ok(Line { globals, what: What::Work(verb, (verb.typed)(own)?) })
+}
+
+/// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
+pub(super) fn explain(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, err: Box<dyn Write>) -> u8 {
+    let text = error.render().to_string();
+    if !error.use_stderr() {
+        let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+        return printed.map_or_else(|error| closed(&error, &Console::new(err, true, false)), |()| 0);
+    }
+    let console = Console::new(err, true, false);
+    let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
+    let wants_json = words.iter().any(|word| word == "--json" || word == "--format=json")
+        || words
+            .windows(2)
+            .any(|pair| pair.first().is_some_and(|w| w == "--format") && pair.last().is_some_and(|w| w == "json"));
+    if wants_json {
+        let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+        let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
+        let message = told.join(" ").trim_start_matches("error: ").to_owned();
+        let failure = Failure::new(Class::Usage, "usage.arguments", message)
+            .hint(elsewhere(error).map_or_else(|| "antrieb --help".to_owned(), |verb| format!("antrieb {verb}")));
+        let root = tree();
+        let verb = words
+            .iter()
+            .skip(1)
+            .find_map(|word| root.find_subcommand(word.as_ref()))
+            .map_or("", |verb| verb.get_name());
+        let outcome = Outcome::from(failure);
+        let _closed = if verb == "monitor" {
+            let manner = Manner { lang: Lang::En, width: None, color: false, holds_stderr: false };
+            Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
+        } else {
+            render::print(&outcome, verb, Format::Json, Lang::En, None, out, &console)
+        };
+    } else {
+        text.lines().for_each(|line| console.line(line));
+        if let Some(verb) = elsewhere(error) {
+            console.line(&format!("hint: antrieb {verb}"));
+        }
+    }
+    Class::Usage.exit()
+}
+
+/// The verb under which an unknown one is to be found: `statemachine enable` for `enable`.
+fn elsewhere(error: &clap::Error) -> Option<String> {
+    let Some(clap::error::ContextValue::String(word)) = error.get(clap::error::ContextKind::InvalidSubcommand) else {
+        return None;
+    };
+    let root = tree();
+    let verb = root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
+    Some(format!("{} {word}", verb.get_name()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_verbs_that_are_mentioned_suffice_to_read_the_arguments() {
+        for typed in [
+            "antrieb -p sim -a 1 --drive act read 372@2 --json",
+            "antrieb read monitor --drive scan",
+            "antrieb state --port sim show",
+            "antrieb --lang de setpoint 25Hz --hold",
+            "antrieb decode status 0x0237",
+        ] {
+            let words: Vec<OsString> = typed.split(' ').map(Into::into).collect();
+            let [few, all] = [mentioned(&words), tree()].map(|tree| tree.try_get_matches_from(&words));
+            let [few, all] = [few, all].map(|matches| line(&matches.unwrap()).unwrap());
+            assert_eq!(format!("{few:?}"), format!("{all:?}"), "{typed}");
+        }
+    }
+
+    #[test]
+    fn no_name_is_taken_twice() {
+        let aliases = VERBS.iter().filter_map(|verb| verb.alias);
+        let mut names: Vec<_> = VERBS.iter().map(|verb| verb.name).chain(aliases).collect();
+        names.extend(PRINTED.iter().map(|printed| printed.name));
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count, "{names:?}");
+    }
+}

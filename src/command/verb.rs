@@ -1,0 +1,104 @@
+//! What a verb is. It is declared in its own file, by [`Verb`] for its arguments, and once in the list
+//! [`VERBS`](super::VERBS): dispatch, help, completions, man pages, schemas and the matrix of tests walk that list.
+
+use super::Context;
+use crate::failure::Failure;
+use crate::outcome::Outcome;
+use schemars::{JsonSchema, schema_for};
+use std::fmt::Debug;
+use std::future::Future;
+use std::pin::Pin;
+
+/// The work of a verb on its way.
+pub type Working<'a> = Pin<Box<dyn Future<Output = Result<Outcome, Failure>> + 'a>>;
+
+/// A verb, told by the type of its arguments; their doc comment is its help.
+pub trait Verb: clap::Args + Debug + 'static {
+    /// How it is typed.
+    const NAME: &'static str;
+    /// How it may be typed as well.
+    const ALIAS: Option<&'static str> = None;
+    /// Whether it can turn a shaft. Then it ends when nobody reads its output any more, and says on stderr how.
+    const TURNS: bool = false;
+    /// What it prints as JSON: `Document<D>` with what it finds, or the lines of its stream.
+    type Prints: JsonSchema;
+
+    /// What it tells while it works; `None` if it tells everything at the end.
+    fn streams(&self) -> Option<Flow> {
+        None
+    }
+
+    /// Works. What ends it early is a failure; what fails on the way stands in the outcome beside what was found.
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a>;
+}
+
+/// What comes while a verb works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// Values of drives, again and again, without an end to wait for.
+    Samples {
+        /// On a terminal one line that is refreshed is wanted, and not the whole of it.
+        line: bool,
+    },
+    /// Telegrams.
+    Telegrams,
+}
+
+/// A verb with its arguments as they were typed.
+pub trait Typed: Debug {
+    /// See [`Verb::streams`].
+    fn streams(&self) -> Option<Flow>;
+    /// See [`Verb::run`].
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a>;
+}
+
+impl<V: Verb> Typed for V {
+    fn streams(&self) -> Option<Flow> {
+        Verb::streams(self)
+    }
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Verb::run(self, context)
+    }
+}
+
+/// A row of the list of verbs.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// How it is typed.
+    pub name: &'static str,
+    /// How it may be typed as well.
+    pub alias: Option<&'static str>,
+    /// Whether it can turn a shaft.
+    pub turns: bool,
+    /// Its arguments and its help.
+    pub command: fn() -> clap::Command,
+    /// JSON Schema of what it prints.
+    pub schema: fn() -> serde_json::Value,
+    /// Takes what was typed.
+    pub typed: fn(&clap::ArgMatches) -> Result<Box<dyn Typed>, clap::Error>,
+}
+
+/// The row of a verb.
+pub(super) const fn entry<V: Verb>() -> Entry {
+    Entry {
+        name: V::NAME,
+        alias: V::ALIAS,
+        turns: V::TURNS,
+        command: command::<V>,
+        schema: schema::<V>,
+        typed: typed::<V>,
+    }
+}
+
+fn command<V: Verb>() -> clap::Command {
+    let command = V::augment_args(clap::Command::new(V::NAME));
+    V::ALIAS.into_iter().fold(command, clap::Command::visible_alias)
+}
+
+fn schema<V: Verb>() -> serde_json::Value {
+    schema_for!(V::Prints).to_value()
+}
+
+fn typed<V: Verb>(matches: &clap::ArgMatches) -> Result<Box<dyn Typed>, clap::Error> {
+    Ok(Box::new(V::from_arg_matches(matches)?))
+}

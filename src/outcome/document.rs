@@ -1,0 +1,85 @@
+//! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
+
+use super::{ErrorDoc, LineCheck, Motion, Plan, Read, Warning, Write};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The document of a verb that finds `D`, for its schema.
+pub type Document<D> = Envelope<'static, D>;
+
+/// The JSON document around every result.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Envelope<'a, D> {
+    /// Version of this shape.
+    pub schema: u32,
+    /// `antrieb`.
+    pub tool: &'static str,
+    /// The verb.
+    pub command: &'a str,
+    /// Whether all that was asked for was done.
+    pub ok: bool,
+    /// What was found; also partly, beside an error.
+    pub data: Option<D>,
+    /// Remarks.
+    pub warnings: &'a [Warning],
+    /// Why it is not all that was asked for.
+    pub error: Option<ErrorDoc>,
+}
+
+/// What a verb that reads finds, or what it would send under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrPlan<D> {
+    /// What was found.
+    Found(D),
+    /// What would be sent.
+    Plan(Plan),
+}
+
+/// What a verb finds, or what it would ask or write under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrWrite<D> {
+    /// What was found.
+    Found(D),
+    /// What would be sent.
+    Plan(Plan),
+    /// What was written, or would be.
+    Write(Write),
+}
+
+/// What a verb finds, what it did to the shaft, or what it would send under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrMotion<D> {
+    /// What was found.
+    Found(D),
+    /// What the shaft did.
+    Motion(Box<Motion>),
+    /// What would be sent.
+    Plan(Plan),
+}
+
+/// What ails the drives, or the line to them, or what would be asked under `--dry-run`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrLine<D> {
+    /// What was found.
+    Found(D),
+    /// What ails the line.
+    Line(Box<LineCheck>),
+    /// What would be sent.
+    Plan(Plan),
+}
+
+/// What a verb did to a drive's line, or the settings that it read.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrRead<D> {
+    /// What was done.
+    Done(D),
+    /// The settings that were read.
+    Read(Read),
+    /// What would be sent.
+    Plan(Plan),
+}
