@@ -3,15 +3,13 @@
 mod ask;
 mod console;
 mod document;
-mod rows;
+mod finding;
 mod stream;
-mod table;
 mod words;
 
 pub use ask::{Input, Terminal};
 pub use console::{Console, Streams};
 pub use document::{print, print_end, print_failure};
-pub use rows::Row;
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use std::str::FromStr;
@@ -31,16 +29,17 @@ pub enum Format {
     Csv,
 }
 
+impl Format {
+    /// Every form, with its word.
+    pub const ALL: [(&'static str, Format); 4] =
+        [("table", Format::Table), ("json", Format::Json), ("ndjson", Format::Ndjson), ("csv", Format::Csv)];
+}
+
 impl FromStr for Format {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "table" => Ok(Format::Table),
-            "json" => Ok(Format::Json),
-            "ndjson" => Ok(Format::Ndjson),
-            "csv" => Ok(Format::Csv),
-            _ => Err(format!("expected table, json, ndjson or csv, got '{text}'")),
-        }
+        let known = Format::ALL.iter().find(|(word, _)| *word == text);
+        known.map(|(_, format)| *format).ok_or_else(|| format!("expected table, json, ndjson or csv, got '{text}'"))
     }
 }
 

@@ -4,7 +4,7 @@ use super::Form;
 use crate::outcome::{Record, TelegramDoc};
 use crate::profile::value::format_decimal;
 use crate::render::clean;
-use crate::render::table::direction;
+use crate::render::finding::direction;
 use std::io::{self, Write};
 
 /// Milliseconds of a day, with three places.

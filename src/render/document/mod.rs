@@ -1,0 +1,92 @@
+//! Puts an outcome into the form that was asked for, one file a form.
+
+mod csv;
+mod json;
+mod ndjson;
+mod table;
+
+use super::{Console, Format};
+use crate::failure::Failure;
+use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
+use crate::profile::Lang;
+use std::io::{self, Write};
+
+/// What is to be printed, and for whom.
+struct Print<'a> {
+    outcome: &'a Outcome,
+    command: &'a str,
+    lang: Lang,
+    width: Option<u16>,
+}
+
+/// Prints an outcome: data to `out`, remarks and failures to the console (in JSON they are in the document too).
+pub fn print(
+    outcome: &Outcome,
+    command: &str,
+    format: Format,
+    lang: Lang,
+    width: Option<u16>,
+    out: &mut dyn Write,
+    console: &Console,
+) -> io::Result<()> {
+    console.finish();
+    let form = match format {
+        Format::Table => table::print,
+        Format::Json => json::print,
+        Format::Ndjson => ndjson::print,
+        Format::Csv => csv::print,
+    };
+    form(&Print { outcome, command, lang, width }, out)?;
+    out.flush()?;
+    for warning in &outcome.warnings {
+        console.line(&format!("warning: {}", warning.message));
+    }
+    if let Some(failure) = &outcome.failure {
+        print_failure(failure, console);
+    }
+    Ok(())
+}
+
+/// Says on the console what went wrong and what to do.
+pub fn print_failure(failure: &Failure, console: &Console) {
+    console.line(&format!("error: {}", failure.message));
+    if let Some(hint) = &failure.hint {
+        console.line(&format!("hint: {hint}"));
+    }
+}
+
+/// Says on the console how a run ended whose document nobody reads.
+pub fn print_end(outcome: &Outcome, lang: Lang, console: &Console) {
+    console.finish();
+    if let Some(Data::Motion(motion)) = &outcome.data {
+        if let Some(stop) = motion.stop.as_ref().filter(|_| outcome.failure.is_none()) {
+            let proof = match stop.acknowledged {
+                false if stop.choice == "keep" => {
+                    lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt")
+                }
+                true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
+                false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
+            };
+            console.line(&format!("note: {}: {proof}", stop.escalated.unwrap_or(stop.choice)));
+        }
+        motion.notes.iter().for_each(|note| console.line(&format!("note: {note}")));
+    }
+    if let Some(failure) = &outcome.failure {
+        print_failure(failure, console);
+    }
+}
+
+impl Print<'_> {
+    fn envelope<D>(&self, data: Option<D>) -> Envelope<'_, D> {
+        let Print { outcome, command, .. } = self;
+        Envelope {
+            schema: SCHEMA_VERSION,
+            tool: "antrieb",
+            command,
+            ok: outcome.failure.is_none(),
+            data,
+            warnings: &outcome.warnings,
+            error: outcome.failure.as_ref().map(ErrorDoc::from),
+        }
+    }
+}

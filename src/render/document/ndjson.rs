@@ -1,0 +1,26 @@
+//! One object a line: the rows, then the envelope without data as the last.
+
+use super::Print;
+use crate::render::finding;
+use std::io::{self, Write};
+
+pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let tagged = |kind: &str, fields: serde_json::Map<String, serde_json::Value>| {
+        let mut line = serde_json::Map::new();
+        line.insert("type".to_owned(), kind.into());
+        line.extend(
+            fields.into_iter().map(|(key, value)| (if key == "type" { "data_type".to_owned() } else { key }, value)),
+        );
+        line
+    };
+    for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows()) {
+        serde_json::to_writer(&mut *out, &tagged(row.kind, row.fields))?;
+        writeln!(out)?;
+    }
+    if let serde_json::Value::Object(mut fields) = serde_json::to_value(page.envelope(None::<()>))? {
+        fields.remove("data");
+        serde_json::to_writer(&mut *out, &tagged("end", fields))?;
+        writeln!(out)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! `dataset`: the data sets side by side.
+
+use super::page::{Page, is_unscaled, number, shown};
+use super::{Finding, Row, list};
+use crate::outcome::Dataset;
+
+impl Finding for Dataset {
+    fn table(&self, page: Page) -> String {
+        page.dataset(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let values = self.rows.iter().flat_map(|row| &row.values);
+        let mut rows = list("value", &values.collect::<Vec<_>>());
+        rows.extend(list("written", &self.written));
+        if rows.is_empty() {
+            rows.extend(list("dataset", &[self]));
+        }
+        rows
+    }
+}
+
+impl Page {
+    fn dataset(self, dataset: &Dataset) -> String {
+        let mut text = self.heading(dataset.address, &dataset.drive);
+        let active = dataset.active.map_or_else(|| "?".to_owned(), |set| set.to_string());
+        let selection = dataset.selection.as_ref().map_or_else(String::new, |value| {
+            let number = value.value.map_or_else(|| "?".to_owned(), |number| shown(number, false));
+            format!("{number} {}", value.text.clone().unwrap_or_default())
+        });
+        text += &self.pairs(vec![("active set", active), ("selection", selection)]);
+        let sets = dataset.rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
+        if sets > 0 {
+            let first = dataset.rows.iter().find(|row| row.values.len() == sets);
+            let sets = first.iter().flat_map(|row| &row.values).map(|value| format!(">@{}", value.data_set));
+            let sets: Vec<String> = sets.collect();
+            let mut head = vec![">param", "name"];
+            head.extend(sets.iter().map(String::as_str));
+            head.extend(["unit", "equal"]);
+            let rows = dataset.rows.iter().map(|row| {
+                let mut cells = vec![row.param.to_string(), row.name.clone()];
+                cells.extend(row.values.iter().map(|value| match &value.error {
+                    None => number(value),
+                    Some(error) => error.code.clone(),
+                }));
+                let is_raw = row.values.iter().any(is_unscaled);
+                cells.push(if is_raw { self.word("raw").to_owned() } else { row.unit.clone().unwrap_or_default() });
+                cells.push(self.word(if row.equal { "yes" } else { "no" }).to_owned());
+                cells
+            });
+            text += "\n";
+            text += &self.table(&head, rows.collect());
+        }
+        if !dataset.written.is_empty() {
+            text += "\n";
+            text += &self.written(&dataset.written);
+        }
+        text
+    }
+}

@@ -1,0 +1,63 @@
+//! `decode`: what bytes, words and codes say.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{Decode, TelegramDoc};
+use crate::render::clean;
+
+impl Finding for Decode {
+    fn table(&self, page: Page) -> String {
+        page.decode(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        if self.telegrams.is_empty() { list("decoded", &[self]) } else { list("telegram", &self.telegrams) }
+    }
+}
+
+impl Page {
+    fn decode(self, decode: &Decode) -> String {
+        let mut text = String::new();
+        match decode.telegrams.as_slice() {
+            [] => {}
+            [only] => text += &self.telegram(only),
+            several => text += &self.telegrams(several),
+        }
+        if let Some(bits) = &decode.word {
+            text += &clean(&bits.hex);
+            text += &bits.state.as_ref().map_or_else(String::new, |state| format!(" {}", state.name));
+            text += "\n";
+            text += &self.bits(bits);
+            let help = bits.bits.iter().filter(|bit| bit.set && bit.help.is_some());
+            let rows: Vec<_> = help
+                .map(|bit| vec![bit.name.clone().unwrap_or_default(), bit.help.clone().unwrap_or_default()])
+                .collect();
+            if !rows.is_empty() {
+                text += "\n";
+                text += &self.table(&["", ""], rows);
+            }
+        }
+        match (&decode.fault, decode.kind) {
+            (Some(fault), _) => text += &self.pairs(self.fault(fault)),
+            (None, "fault") => text += &self.pairs(vec![("fault", self.word("none").to_owned())]),
+            _ => {}
+        }
+        if let Some(register) = &decode.register {
+            let mut rows = vec![("error register", format!("{} {}", register.code, register.name))];
+            rows.extend(register.hint.iter().map(|hint| ("hint", hint.clone())));
+            text += &self.pairs(rows);
+        }
+        text
+    }
+
+    fn telegram(self, doc: &TelegramDoc) -> String {
+        let mut text = self.table(&[""], vec![vec![doc.hex.clone()], vec![doc.meaning.clone()]]);
+        let rows = doc.fields.iter().map(|field| vec![field.hex.clone(), field.name.clone(), field.value.clone()]);
+        let rows: Vec<_> = rows.collect();
+        if !rows.is_empty() {
+            text += "\n";
+            text += &self.table(&["", "field", "value"], rows);
+        }
+        text
+    }
+}

@@ -1,0 +1,37 @@
+//! `identify`: who a drive is, and by what that is told.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{Identify, Identity};
+use crate::render::clean;
+
+impl Finding for Identify {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.drives, Page::identity)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("drive", &self.drives)
+    }
+}
+
+impl Page {
+    fn identity(self, identity: &Identity) -> String {
+        let mut text = self.heading(identity.address, &identity.drive);
+        if let Some(error) = &identity.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        let product = identity.product.as_ref().map_or_else(String::new, |product| format!(", {product}"));
+        text += &format!("{}\n\n", clean(&(identity.title.clone() + &product)));
+        text += &self.values(&identity.values);
+        let rows = identity.modules.iter().map(|module| {
+            let present = if module.present { "present" } else { "not fitted" };
+            vec![module.name.clone(), self.word(present).to_owned(), module.evidence.clone()]
+        });
+        text += "\n";
+        text += &self.table(&["module", "", "evidence"], rows.collect());
+        let rows = identity.evidence.iter();
+        let rows = rows.map(|row| vec![row.asked.clone(), row.answered.clone(), row.tells.clone()]).collect();
+        text + "\n" + &self.table(&["asked", "value", "tells"], rows)
+    }
+}

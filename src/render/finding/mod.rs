@@ -1,0 +1,74 @@
+//! Findings, one file a kind: its page for people, and its rows for NDJSON and CSV.
+
+mod dataset;
+mod decode;
+mod diag;
+mod identify;
+mod line;
+mod monitor;
+mod motion;
+mod page;
+mod params;
+mod read;
+mod relocation;
+mod scan;
+mod simulate;
+mod sollwert;
+mod statemachine;
+mod telegrams;
+mod write;
+
+pub(super) use page::Page;
+pub(super) use telegrams::direction;
+
+use crate::outcome::Data;
+use serde::Serialize;
+use serde_json::Value;
+
+/// A kind of finding, in the forms that are no JSON document.
+pub(super) trait Finding {
+    /// For people.
+    fn table(&self, page: Page) -> String;
+    /// The list that it is in the main.
+    fn rows(&self) -> Vec<Row>;
+}
+
+/// A row: what it is, and its fields.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// `drive`, `value` …
+    pub(super) kind: &'static str,
+    /// Fields in the order of the JSON document.
+    pub(super) fields: serde_json::Map<String, Value>,
+}
+
+/// What was found, whatever it is.
+pub(super) fn of(data: &Data) -> &dyn Finding {
+    match data {
+        Data::Scan(found) => found,
+        Data::Identify(found) => found,
+        Data::Read(found) => found,
+        Data::Write(found) => found,
+        Data::Dataset(found) => found,
+        Data::Diag(found) => found,
+        Data::LineCheck(found) => found,
+        Data::Statemachine(found) => found,
+        Data::Sollwert(found) => found,
+        Data::Params(found) => found,
+        Data::Decode(found) => found,
+        Data::Sniff(found) => found,
+        Data::Simulate(found) => found,
+        Data::Monitor(found) => found,
+        Data::Plan(found) => found,
+        Data::Motion(found) => found,
+        Data::Relocation(found) => found,
+    }
+}
+
+fn list<T: Serialize>(kind: &'static str, items: &[T]) -> Vec<Row> {
+    let fields = items.iter().filter_map(|item| match serde_json::to_value(item) {
+        Ok(Value::Object(fields)) => Some(fields),
+        _ => None,
+    });
+    fields.map(|fields| Row { kind, fields }).collect()
+}

@@ -1,0 +1,175 @@
+//! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
+
+use crate::outcome::{Decimal, Fault, Value, Word};
+use crate::profile::Lang;
+use crate::profile::value::format_decimal;
+use crate::render::clean;
+use crate::render::words::word;
+use comfy_table::{CellAlignment, ContentArrangement, Table};
+
+/// How a page is written.
+#[derive(Clone, Copy)]
+pub(in crate::render) struct Page {
+    pub(in crate::render) lang: Lang,
+    /// Columns of the terminal, if it is one.
+    pub(in crate::render) width: Option<u16>,
+}
+
+impl Page {
+    pub(super) fn word<'t>(self, english: &'t str) -> &'t str {
+        word(self.lang, english)
+    }
+
+    pub(super) fn each<T>(self, items: &[T], one: impl Fn(Page, &T) -> String) -> String {
+        items.iter().map(|item| one(self, item)).collect::<Vec<_>>().join("\n")
+    }
+
+    /// A table; columns whose name starts with `>` are aligned to the right. What starts with `@` is no word, but a data set.
+    pub(super) fn table(self, head: &[&str], rows: Vec<Vec<String>>) -> String {
+        if rows.is_empty() {
+            return String::new();
+        }
+        let mut table = Table::new();
+        table.load_style(comfy_table::presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
+        if let Some(width) = self.width {
+            table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
+        }
+        let names = head.iter().map(|name| name.trim_start_matches('>'));
+        let names: Vec<_> = names.map(|name| if name.starts_with('@') { name } else { self.word(name) }).collect();
+        if names.iter().any(|name| !name.is_empty()) {
+            table.set_header(names);
+        }
+        for row in rows {
+            table.add_row(row.iter().map(|cell| clean(cell)));
+        }
+        for (index, column) in table.column_iter_mut().enumerate() {
+            column.set_padding((0, 2));
+            if head.get(index).is_some_and(|name| name.starts_with('>')) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+        }
+        let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
+        let indent =
+            lines.iter().filter(|line| !line.is_empty()).map(|line| line.len() - line.trim_start().len()).min();
+        let indent = indent.unwrap_or(0);
+        lines.iter().map(|line| format!("{}\n", line.get(indent..).unwrap_or(""))).collect()
+    }
+
+    /// Names at the left, what belongs to them at the right.
+    pub(super) fn pairs(self, rows: Vec<(&'static str, String)>) -> String {
+        self.table(&["", ""], rows.into_iter().map(|(name, text)| vec![self.word(name).to_owned(), text]).collect())
+    }
+
+    pub(super) fn heading(self, address: u8, drive: &str) -> String {
+        format!("{} {address} ({})\n", self.word("drive"), clean(drive))
+    }
+
+    /// One row a value; the address only if there are several drives.
+    pub(super) fn values(self, values: &[Value]) -> String {
+        let several = values.iter().any(|value| Some(value.address) != values.first().map(|first| first.address));
+        let rows = values.iter().map(|value| {
+            let mut row = if several { vec![value.address.to_string()] } else { Vec::new() };
+            row.extend([
+                value.param.to_string(),
+                set_name(value.data_set, value.store),
+                value.name.clone(),
+                number(value),
+                unit(value).to_owned(),
+                self.meaning(value),
+            ]);
+            row
+        });
+        let head: &[&str] = if several {
+            &[">addr", ">param", "set", "name", ">value", "unit", "meaning"]
+        } else {
+            &[">param", "set", "name", ">value", "unit", "meaning"]
+        };
+        self.table(head, rows.collect())
+    }
+
+    /// A value in a few words: number, unit, meaning.
+    pub(super) fn short(self, value: &Value) -> String {
+        let unit = unit(value);
+        let meaning = match (self.meaning(value), &value.error) {
+            (meaning, _) if meaning.is_empty() => meaning,
+            (meaning, Some(_)) => return meaning,
+            (meaning, None) => format!("({meaning})"),
+        };
+        let words = [number(value), unit.to_owned(), meaning];
+        words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+    }
+
+    /// What a value stands for: the error, the text, the state and set bits.
+    pub(super) fn meaning(self, value: &Value) -> String {
+        if let Some(error) = &value.error {
+            return error.message.clone();
+        }
+        let mut parts = Vec::new();
+        parts.extend(value.text.clone());
+        if let Some(word) = &value.word {
+            parts.extend(word.state.as_ref().map(|state| state.name.clone()));
+            let set = word.bits.iter().filter(|bit| bit.set);
+            let set: Vec<_> = set
+                .map(|bit| bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit)))
+                .collect();
+            parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
+        }
+        if let Some(expected) = &value.expected {
+            parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
+        } else if value.value.is_none() && value.raw.is_some() {
+            let unit = value.unit.as_ref().map_or_else(String::new, |unit| format!(": {unit}"));
+            parts.push(format!("({}{unit})", self.word("raw, decimals unknown")));
+        }
+        if value.unconfirmed.iter().any(|field| field == "row") {
+            parts.push(format!("({})", self.word("unconfirmed")));
+        }
+        parts.join(": ")
+    }
+
+    pub(super) fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {
+        let mut rows = vec![("fault", format!("{} {}", fault.key, fault.name))];
+        rows.extend(fault.group.iter().map(|group| ("group", group.clone())));
+        rows.extend(fault.node.iter().map(|node| ("node", node.to_string())));
+        rows.extend(fault.cause.iter().map(|cause| ("cause", cause.clone())));
+        rows.extend(fault.remedy.iter().map(|remedy| ("remedy", remedy.clone())));
+        rows
+    }
+
+    pub(super) fn bits(self, bits: &Word) -> String {
+        let rows = bits.bits.iter().map(|bit| {
+            let unknown = || self.word("unknown").to_owned();
+            vec![bit.bit.to_string(), u8::from(bit.set).to_string(), bit.name.clone().unwrap_or_else(unknown)]
+        });
+        self.table(&[">bit", ">value", "name"], rows.collect())
+    }
+}
+
+pub(super) fn shown(number: Decimal, hex: bool) -> String {
+    if hex && (0..=0xFFFF).contains(&number.raw) {
+        return format!("0x{:04X}", number.raw);
+    }
+    format_decimal(number.raw, number.decimals)
+}
+
+pub(super) fn number(value: &Value) -> String {
+    match (value.value, value.raw) {
+        (Some(number), _) => shown(number, value.hex),
+        (None, Some(raw)) => raw.to_string(),
+        (None, None) => "-".to_owned(),
+    }
+}
+
+/// A raw number whose decimals nobody knows.
+pub(super) fn is_unscaled(value: &Value) -> bool {
+    value.value.is_none() && value.raw.is_some()
+}
+
+/// The unit of the number that is shown; a raw one is in none.
+pub(super) fn unit(value: &Value) -> &str {
+    value.unit.as_deref().filter(|_| !is_unscaled(value)).unwrap_or("")
+}
+
+/// `2`, or `2ram`; volatile parameters have no EEPROM set.
+pub(super) fn set_name(set: u8, store: &str) -> String {
+    if store == "ram" && set > 0 { format!("{set}ram") } else { set.to_string() }
+}

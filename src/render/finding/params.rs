@@ -1,0 +1,85 @@
+//! `params`: rows of the catalogue, or one of them in full.
+
+use super::page::{Page, shown};
+use super::{Finding, Row, list};
+use crate::outcome::{Decimal, ParamDoc, Params};
+
+impl Finding for Params {
+    fn table(&self, page: Page) -> String {
+        match self.params.as_slice() {
+            [only] => page.param(only),
+            several => page.params(several),
+        }
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("param", &self.params)
+    }
+}
+
+impl Page {
+    fn params(self, params: &[ParamDoc]) -> String {
+        let rows = params.iter().map(|param| {
+            vec![
+                param.param.to_string(),
+                param.slug.clone(),
+                param.name.clone(),
+                param.unit.clone().unwrap_or_default(),
+                range(param),
+                param.access.to_owned(),
+                param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string()),
+            ]
+        });
+        self.table(&[">param", "slug", "name", "unit", "range", "access", "data sets"], rows.collect())
+    }
+
+    fn param(self, param: &ParamDoc) -> String {
+        let mut rows = vec![
+            ("param", param.param.to_string()),
+            ("slug", param.slug.clone()),
+            ("name", param.name.clone()),
+            ("type", param.kind.unwrap_or("?").to_owned()),
+            ("access", param.access.to_owned()),
+            ("data sets", param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string())),
+        ];
+        rows.extend(param.decimals.map(|decimals| ("decimals", decimals.to_string())));
+        rows.extend(param.unit.iter().map(|unit| ("unit", unit.clone())));
+        if param.min.is_some() || param.max.is_some() {
+            rows.push(("range", range(param)));
+        }
+        rows.extend(param.default.map(|default| ("default", shown(default, false))));
+        rows.extend(param.hazard.map(|hazard| ("hazard", hazard.to_owned())));
+        rows.extend(param.module.iter().map(|module| ("module", module.clone())));
+        if param.volatile {
+            rows.push(("volatile", self.word("yes").to_owned()));
+        }
+        if param.after_reset {
+            rows.push(("note", self.word("after a reset").to_owned()));
+        }
+        for (index, choice) in param.values.iter().enumerate() {
+            rows.push((if index == 0 { "values" } else { "" }, format!("{} = {}", choice.raw, choice.text)));
+        }
+        for (index, bit) in param.bits.iter().enumerate() {
+            rows.push((
+                if index == 0 { "bits" } else { "" },
+                format!("{} {}", bit.bit, bit.name.clone().unwrap_or_default()),
+            ));
+        }
+        rows.extend(param.note.iter().map(|note| ("note", note.clone())));
+        if !param.unconfirmed.is_empty() {
+            rows.push(("unconfirmed", param.unconfirmed.join(", ")));
+        }
+        rows.push(("source", format!("{} ({})", param.source, param.origin)));
+        self.pairs(rows)
+    }
+}
+
+fn range(param: &ParamDoc) -> String {
+    match (param.min, param.max) {
+        (None, None) => String::new(),
+        (min, max) => {
+            let limit = |limit: Option<Decimal>| limit.map_or_else(|| "?".to_owned(), |limit| shown(limit, false));
+            format!("{} … {}", limit(min), limit(max))
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! `scan`: who answered.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{FoundDrive, Scan};
+
+impl Finding for Scan {
+    fn table(&self, page: Page) -> String {
+        page.scan(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("drive", &self.drives)
+    }
+}
+
+impl Page {
+    fn scan(self, scan: &Scan) -> String {
+        let several = |of: fn(&FoundDrive) -> &String| {
+            scan.drives.iter().any(|drive| Some(of(drive)) != scan.drives.first().map(of))
+        };
+        let shows_port = several(|drive| &drive.port);
+        let shows_line = [&scan.line, &scan.protocol].contains(&&"auto".to_owned())
+            || several(|drive| &drive.line)
+            || several(|drive| &drive.protocol);
+        let row = |drive: &FoundDrive| {
+            let told = drive.evidence.last().map_or_else(String::new, |row| format!("{}: {}", row.asked, row.answered));
+            let mut row = if shows_port { vec![drive.port.clone()] } else { Vec::new() };
+            if shows_line {
+                row.extend([drive.line.clone(), drive.protocol.clone()]);
+            }
+            row.extend([
+                drive.address.to_string(),
+                drive.drive.clone(),
+                drive.title.clone(),
+                drive.state.as_ref().map_or_else(String::new, |state| state.name.clone()),
+                drive.fault.clone().unwrap_or_else(|| "-".to_owned()),
+                told,
+            ]);
+            row
+        };
+        let rows = scan.drives.iter().map(row).collect();
+        let mut head = if shows_port { vec!["port"] } else { Vec::new() };
+        if shows_line {
+            head.extend(["line", "protocol"]);
+        }
+        head.extend([">addr", "drive", "name", "state", "fault", "evidence"]);
+        self.table(&head, rows)
+    }
+}

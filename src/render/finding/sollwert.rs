@@ -1,0 +1,37 @@
+//! `sollwert`: setpoints and actual values.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{SetpointReport, Sollwert};
+use crate::render::clean;
+
+impl Finding for Sollwert {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.drives, Page::setpoints)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let of =
+            |drive: &SetpointReport| [&drive.setpoints, &drive.actual, &drive.sources].map(|part| list("value", part));
+        let mut rows: Vec<Row> = self.drives.iter().flat_map(of).flatten().collect();
+        // A drive that failed has no values, but must not be missing.
+        rows.extend(list("drive", &self.drives.iter().filter(|drive| drive.error.is_some()).collect::<Vec<_>>()));
+        rows
+    }
+}
+
+impl Page {
+    fn setpoints(self, report: &SetpointReport) -> String {
+        let mut text = self.heading(report.address, &report.drive);
+        if let Some(error) = &report.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        for (name, values) in
+            [("setpoints", &report.setpoints), ("actual values", &report.actual), ("sources", &report.sources)]
+        {
+            text += &format!("\n{}\n", self.word(name));
+            text += &self.values(values);
+        }
+        text
+    }
+}

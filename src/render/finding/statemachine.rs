@@ -1,0 +1,56 @@
+//! `statemachine`: the state, and what leads out of it.
+
+use super::page::{Page, number};
+use super::{Finding, Row, list};
+use crate::outcome::{StateReport, Statemachine, Value};
+use crate::render::clean;
+
+impl Finding for Statemachine {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.drives, Page::state)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("drive", &self.drives)
+    }
+}
+
+impl Page {
+    fn state(self, report: &StateReport) -> String {
+        let mut text = self.heading(report.address, &report.drive);
+        if let Some(error) = &report.error {
+            return text + &format!("{}\n", clean(&error.message));
+        }
+        let mut rows = Vec::new();
+        rows.extend(report.state.iter().map(|state| ("state", state.name.clone())));
+        let mode = |mode: &Value| format!("P.{} = {} {}", mode.param, number(mode), self.meaning(mode));
+        rows.extend(report.control_mode.iter().map(|value| ("control mode", mode(value))));
+        rows.extend(report.control_mode_stored.iter().map(|value| ("stored, not in force", mode(value))));
+        match (&report.fault, report.fault_code) {
+            (Some(fault), _) => rows.extend(self.fault(fault)),
+            (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
+            (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
+        }
+        for (index, missing) in report.missing.iter().enumerate() {
+            rows.push((if index == 0 { "missing" } else { "" }, missing.clone()));
+        }
+        text += &self.pairs(rows);
+        let map = report.states.iter().flat_map(|state| {
+            let leads = state.leads.iter().enumerate().map(|(index, lead)| {
+                let name = if index == 0 { state.name.clone() } else { String::new() };
+                let mark = if state.present && index == 0 { ">>" } else { "" };
+                vec![mark.to_owned(), name, lead.clone()]
+            });
+            leads.collect::<Vec<_>>()
+        });
+        text += "\n";
+        text += &self.table(&["", "", ""], map.collect());
+        for (name, bits) in [("status word", &report.status), ("control word", &report.control)] {
+            if let Some(bits) = bits {
+                text += &format!("\n{} {}\n", self.word(name), bits.hex);
+                text += &self.bits(bits);
+            }
+        }
+        text
+    }
+}

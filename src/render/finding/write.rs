@@ -1,0 +1,58 @@
+//! `write`: what became of each value.
+
+use super::page::{Page, set_name, shown};
+use super::{Finding, Row, list};
+use crate::outcome::{Write, WriteResult, Written};
+
+impl Finding for Write {
+    fn table(&self, page: Page) -> String {
+        page.written(&self.values)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("written", &self.values)
+    }
+}
+
+impl Page {
+    pub(super) fn written(self, values: &[Written]) -> String {
+        let rows = values.iter().map(|row| {
+            let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
+            let mut remark = row.error.as_ref().map(|error| error.message.clone());
+            remark = remark.or_else(|| row.text.clone());
+            let mut remark = remark.into_iter().chain(row.note.clone()).collect::<Vec<_>>();
+            if row.result == WriteResult::Planned {
+                remark.extend(row.telegram.clone());
+                remark.extend(row.meaning.clone());
+            }
+            vec![
+                row.address.to_string(),
+                row.param.to_string(),
+                set_name(row.data_set, row.store),
+                row.store.to_owned(),
+                row.name.clone(),
+                old,
+                shown(row.value, false),
+                row.unit.clone().unwrap_or_default(),
+                self.word(result(row.result)).to_owned(),
+                remark.join("; "),
+            ]
+        });
+        let head = [">addr", ">param", "set", "store", "name", ">old", ">new", "unit", "result", "meaning"];
+        self.table(&head, rows.collect())
+    }
+}
+
+fn result(result: WriteResult) -> &'static str {
+    match result {
+        WriteResult::Verified => "verified",
+        WriteResult::Written => "written",
+        WriteResult::Unchanged => "unchanged",
+        WriteResult::Planned => "planned",
+        WriteResult::Refused => "refused",
+        WriteResult::Unknown => "unknown",
+        WriteResult::Differs => "differs",
+        WriteResult::Broadcast => "broadcast",
+        WriteResult::Skipped => "skipped",
+    }
+}

@@ -1,0 +1,215 @@
+//! The live view without a terminal: a line for every drive, and the values of one of them.
+
+use super::chart::Drive;
+use crate::outcome::{Column, Decimal, Record, StreamStart};
+use crate::profile::Lang;
+use crate::render::clean;
+use crate::render::stream::cells::{Board, find, is_number, long, number, seconds, short};
+use crate::render::words::word;
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::{Line, Span, Text};
+use ratatui::widgets::{Paragraph, Row, Table};
+
+/// The live view without a terminal.
+pub(super) struct Screen {
+    pub(super) lang: Lang,
+    pub(super) color: bool,
+    pub(super) start: Option<StreamStart>,
+    pub(super) drives: Vec<Drive>,
+    /// The drive whose chart and values are shown.
+    pub(super) turned_to: usize,
+    pub(super) t: Decimal,
+    pub(super) rounds: u64,
+    pub(super) gaps: u64,
+    pub(super) lost: bool,
+    pub(super) note: String,
+}
+
+/// Fewest lines of a chart with its axis.
+const CHART: u16 = 7;
+/// Fewest columns of a chart.
+const CHART_WIDTH: u16 = 36;
+
+impl Screen {
+    pub(super) fn new(lang: Lang, color: bool) -> Self {
+        Screen {
+            lang,
+            color,
+            start: None,
+            drives: Vec::new(),
+            turned_to: 0,
+            t: Decimal { raw: 0, decimals: 6 },
+            rounds: 0,
+            gaps: 0,
+            lost: false,
+            note: String::new(),
+        }
+    }
+
+    pub(super) fn record(&mut self, record: &Record) {
+        match record {
+            Record::Start(start) => {
+                self.drives = start.drives.iter().map(|drive| Drive::new(drive.clone())).collect();
+                self.start = Some(start.clone());
+            }
+            Record::Sample(sample) => {
+                self.t = sample.t;
+                self.rounds = sample.n + 1;
+                self.gaps += u64::from(sample.error.is_some());
+                let drive = self.drives.iter_mut().find(|drive| drive.about.address == sample.address);
+                if let Some(drive) = drive {
+                    drive.take(sample);
+                }
+            }
+            Record::Lost(_) => self.lost = true,
+            Record::Reopened(_) => self.lost = false,
+            Record::Telegram(_) | Record::End(_) => {}
+        }
+    }
+
+    /// Shows another drive.
+    pub(super) fn turn(&mut self, by: isize) {
+        let count = self.drives.len() as isize;
+        if count > 0 {
+            self.turned_to = (self.turned_to as isize + by).rem_euclid(count) as usize;
+        }
+    }
+
+    pub(super) fn word(&self, english: &'static str) -> &'static str {
+        word(self.lang, english)
+    }
+
+    pub(super) fn draw(&self, frame: &mut Frame<'_>) {
+        let area = frame.area();
+        let drives = (self.drives.len() as u16).min((area.height / 4).max(1));
+        let (head, foot) = (u16::from(area.height >= 3), u16::from(area.height >= 5));
+        let [head, list, body, foot] = Layout::vertical([
+            Constraint::Length(head),
+            Constraint::Length(drives),
+            Constraint::Min(0),
+            Constraint::Length(foot),
+        ])
+        .areas(area);
+        self.head(frame, head);
+        self.list(frame, list);
+        self.foot(frame, foot);
+        let Some(drive) = self.drives.get(self.turned_to) else { return };
+        let rows = drive.about.columns.iter().filter(|column| column.role != Some("status-word")).count() as u16;
+        let has_chart = !drive.drawn.is_empty() && body.width >= CHART_WIDTH && body.height >= CHART + rows.min(4);
+        let table = if has_chart { rows.min(body.height - CHART) } else { body.height };
+        let [chart, table] = Layout::vertical([Constraint::Min(0), Constraint::Length(table)]).areas(body);
+        if has_chart {
+            self.chart(frame, chart, drive);
+        }
+        self.table(frame, table, drive);
+    }
+
+    fn head(&self, frame: &mut Frame<'_>, area: Rect) {
+        let place = self.start.as_ref().map_or_else(
+            || self.word("connecting").to_owned(),
+            |start| format!("{}  {} {}", clean(&start.port), start.line, start.protocol),
+        );
+        let lost = if self.lost { format!("  {}", self.word("PORT LOST")) } else { String::new() };
+        let counts = format!("{} s  #{}  {}: {}{lost}", seconds(self.t), self.rounds, self.word("gaps"), self.gaps);
+        let all = [format!(" antrieb monitor  {place}  {counts}"), format!(" {place}  {counts}"), format!(" {counts}")];
+        let fits = |text: &&String| Line::raw(text.as_str()).width() <= area.width.into();
+        let text = all.iter().find(fits).or(all.last()).cloned().unwrap_or_default();
+        frame.render_widget(Paragraph::new(text).style(Style::new().add_modifier(Modifier::REVERSED)), area);
+    }
+
+    fn list(&self, frame: &mut Frame<'_>, area: Rect) {
+        // The drive that is shown is always among those listed.
+        let first = (self.turned_to + 1).saturating_sub(area.height.into());
+        let lines = self.drives.iter().enumerate().skip(first).take(area.height.into());
+        let lines: Vec<_> = lines
+            .map(|(index, drive)| {
+                let [whole, brief] = [false, true].map(|brief| self.drive(drive, index == self.turned_to, brief));
+                if whole.width() <= area.width.into() { whole } else { brief }
+            })
+            .collect();
+        frame.render_widget(Paragraph::new(lines), area);
+    }
+
+    /// What a drive does, in a line; briefly where codes must do for names.
+    fn drive<'l>(&self, drive: &'l Drive, shown: bool, brief: bool) -> Line<'l> {
+        let bold = Style::new().add_modifier(Modifier::BOLD);
+        let marker = if shown && self.drives.len() > 1 { ">" } else { " " };
+        let Some(sample) = &drive.last else { return Line::raw(format!("{marker}{}", drive.about.address)) };
+        let mut spans = vec![Span::styled(format!("{marker}{} {}  ", sample.address, clean(&sample.drive)), bold)];
+        if let Some(error) = &sample.error {
+            let text = format!("{}: {}", self.word("gap"), clean(&error.message));
+            spans.push(Span::styled(text, self.tint(Color::Red).add_modifier(Modifier::BOLD)));
+            return Line::from(spans);
+        }
+        if let Some(state) = &sample.state {
+            let tint = match state.slug.as_str() {
+                "operation-enabled" => self.tint(Color::Green),
+                slug if slug.starts_with("fault") => self.tint(Color::Red),
+                _ => Style::new(),
+            };
+            spans.push(Span::styled(clean(&state.name), tint.add_modifier(Modifier::BOLD)));
+        }
+        for (role, color) in [("fault", Color::Red), ("warnings", Color::Yellow)] {
+            let column = drive.about.columns.iter().find(|column| column.role == Some(role));
+            let Some((column, value)) = column.and_then(|column| Some((column, find(column, sample)?))) else {
+                continue;
+            };
+            let present = value.raw != Some(0);
+            if brief && !present {
+                continue;
+            }
+            let names = if brief { short(column, Some(value), self.lang) } else { long(column, value, self.lang) };
+            let tint = if present { self.tint(color).add_modifier(Modifier::BOLD) } else { Style::new() };
+            spans.push(Span::raw(format!("  {}: ", self.word(role))));
+            spans.push(Span::styled(clean(&names), tint));
+        }
+        Line::from(spans)
+    }
+
+    fn foot(&self, frame: &mut Frame<'_>, area: Rect) {
+        let next = if self.drives.len() > 1 { format!("  Tab {}", self.word("next drive")) } else { String::new() };
+        let keys = format!(" q {}{next}", self.word("end"));
+        let note = if self.note.is_empty() { keys } else { format!("{keys}  {}", clean(&self.note)) };
+        frame.render_widget(Paragraph::new(note).style(Style::new().add_modifier(Modifier::DIM)), area);
+    }
+
+    fn table(&self, frame: &mut Frame<'_>, area: Rect, drive: &Drive) {
+        let board = Board { columns: drive.about.columns.clone() };
+        let columns = board.columns.iter().filter(|column| column.role != Some("status-word"));
+        let rows = columns.map(|column| {
+            let value = drive.last.as_ref().and_then(|sample| find(column, sample));
+            let shown = match value {
+                Some(value) if is_number(column) => number(value),
+                value => short(column, value, self.lang),
+            };
+            let text = value.map_or_else(|| self.why(drive, column), |value| long(column, value, self.lang));
+            let text = if text == shown { String::new() } else { text };
+            let unit = column.unit.as_ref().filter(|_| value.is_some());
+            let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
+            Row::new([
+                Text::raw(format!("{}{set}", column.param)).right_aligned(),
+                Text::raw(clean(&column.name)),
+                Text::raw(clean(&shown)).right_aligned(),
+                Text::raw(unit.map_or_else(String::new, |unit| clean(unit))),
+                Text::raw(clean(&text)),
+            ])
+        });
+        let name = if area.width < 60 { Constraint::Fill(1) } else { Constraint::Length(30) };
+        let text = if area.width < 60 { Constraint::Length(0) } else { Constraint::Fill(1) };
+        let widths = [Constraint::Length(6), name, Constraint::Length(10), Constraint::Length(5), text];
+        frame.render_widget(Table::new(rows, widths), area);
+    }
+
+    /// Why a value is missing though its drive answers.
+    fn why(&self, drive: &Drive, column: &Column) -> String {
+        let Some(sample) = drive.last.as_ref().filter(|sample| sample.error.is_none()) else { return String::new() };
+        let value = sample.values.iter().find(|value| column.holds(&value.value));
+        value.and_then(|value| value.value.error.as_ref()).map_or_else(String::new, |error| error.message.clone())
+    }
+
+    pub(super) fn tint(&self, color: Color) -> Style {
+        if self.color { Style::new().fg(color) } else { Style::new() }
+    }
+}

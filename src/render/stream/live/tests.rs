@@ -1,0 +1,162 @@
+//! The live view on terminals of every size, and keys.
+
+use super::chart::bounds;
+use super::keys::Key;
+use super::screen::Screen;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Column, Decimal, ErrorDoc, Record, Sample, SampleValue, State, StreamStart, Value, WatchedDrive};
+use crate::profile::Lang;
+use ratatui::backend::TestBackend;
+use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+
+fn column(param: u32, name: &str, unit: Option<&str>, role: &'static str) -> Column {
+    Column {
+        param,
+        data_set: 0,
+        store: "ram",
+        slug: role.to_owned(),
+        name: name.to_owned(),
+        unit: unit.map(str::to_owned),
+        role: Some(role),
+        scaled: true,
+    }
+}
+
+fn watched(address: u8) -> WatchedDrive {
+    let columns = vec![
+        column(411, "State word", None, "status-word"),
+        column(283, "Ramp reference frequency", Some("Hz"), "setpoint-ramp"),
+        column(210, "Stator frequency", Some("Hz"), "stator-frequency"),
+        column(260, "Current\u{1b} error", None, "fault"),
+    ];
+    WatchedDrive { address, drive: "act".to_owned(), title: None, columns }
+}
+
+fn at(second: i64) -> Decimal {
+    Decimal { raw: second * 1_000_000, decimals: 6 }
+}
+
+/// A sample of every column; `None` is a gap.
+fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
+    let t = at(n as i64);
+    let columns = watched(address).columns;
+    let error = raw.is_none().then(|| ErrorDoc::from(&Failure::new(Class::Silence, "silence.no_reply", "no reply")));
+    let value = |column: Column| Value {
+        address,
+        node: 0,
+        drive: "act".to_owned(),
+        param: column.param,
+        slug: column.slug,
+        name: column.name,
+        data_set: 0,
+        store: "ram",
+        raw: if column.param == 260 { raw.map(|_| 0) } else { raw },
+        value: raw.map(|raw| Decimal { raw, decimals: 2 }),
+        decimals: Some(2),
+        unit: column.unit,
+        text: None,
+        word: None,
+        kind: None,
+        origin: String::new(),
+        unconfirmed: Vec::new(),
+        expected: None,
+        error: error.clone(),
+        hex: false,
+    };
+    Record::Sample(Sample {
+        t,
+        n,
+        address,
+        drive: "act".to_owned(),
+        state: raw.map(|_| State { slug: "operation-enabled".to_owned(), name: "Operation enabled".to_owned() }),
+        values: columns.into_iter().map(|column| SampleValue { t, value: value(column) }).collect(),
+        error: error.clone(),
+    })
+}
+
+fn screen(drives: u8, samples: &[Option<i64>]) -> Screen {
+    let mut screen = Screen::new(Lang::En, false);
+    screen.record(&Record::Start(StreamStart {
+        t: at(0),
+        schema: 1,
+        tool: "antrieb",
+        command: "monitor",
+        port: "sim".to_owned(),
+        line: "19200 8E1".to_owned(),
+        protocol: "rtu",
+        interval: at(1),
+        drives: (1..=drives).map(watched).collect(),
+    }));
+    for (n, raw) in (0..).zip(samples) {
+        (1..=drives).for_each(|address| screen.record(&sample(address, n, *raw)));
+    }
+    screen
+}
+
+fn drawn(screen: &Screen, width: u16, height: u16) -> Vec<String> {
+    let mut terminal = ratatui::Terminal::new(TestBackend::new(width, height)).unwrap();
+    terminal.draw(|frame| screen.draw(frame)).unwrap();
+    let buffer = terminal.backend().buffer();
+    let cells: Vec<&str> = buffer.content().iter().map(|cell| cell.symbol()).collect();
+    cells.chunks(width.into()).map(|row| row.concat().trim_end().to_owned()).collect()
+}
+
+#[test]
+fn it_draws_on_every_terminal() {
+    let many = screen(9, &[Some(0), None, Some(-500), Some(2_500)]);
+    for screen in [Screen::new(Lang::De, true), screen(0, &[]), screen(1, &[None]), many] {
+        for width in [1, 2, 9, 36, 59, 60, 130] {
+            [1, 2, 3, 4, 5, 8, 12, 15, 30].into_iter().for_each(|height| drop(drawn(&screen, width, height)));
+        }
+    }
+}
+
+#[test]
+fn a_wide_terminal_shows_chart_and_table() {
+    let shown = drawn(&screen(1, &[Some(0), Some(1_250), Some(2_500), None, Some(2_500)]), 100, 30);
+    let page = shown.join("\n");
+    assert!(shown[0].contains("sim  19200 8E1 rtu  4.000 s  #5  gaps: 1"), "{page}");
+    assert!(shown[1].contains("1 act  Operation enabled  fault: none"), "{page}");
+    assert!(shown[2].contains("setpoint 25.00 Hz") && shown[2].contains("actual 25.00 Hz"), "{page}");
+    assert!(page.contains('×') && page.contains("gap"), "{page}");
+    assert!(shown[28].contains("260 Current\\u{1b} error"), "{page}");
+    assert!(shown.iter().any(|line| line.starts_with("25.0│")), "{page}");
+}
+
+#[test]
+fn a_narrow_terminal_shows_less() {
+    let screen = screen(1, &[Some(0), Some(2_500)]);
+    // Chart and table.
+    assert!(drawn(&screen, 60, 20).iter().any(|line| line.contains('│')));
+    // The table without the chart, then only the drive.
+    let small = drawn(&screen, 40, 8);
+    assert!(!small.iter().any(|line| line.contains('│')) && small.iter().any(|line| line.contains("25.00")));
+    assert_eq!(drawn(&screen, 40, 1), [" 1 act  Operation enabled  fault: none"]);
+    assert_eq!(drawn(&screen, 26, 1), [" 1 act  Operation enabled"]);
+}
+
+#[test]
+fn lines_of_a_chart_end_where_a_gap_begins() {
+    let mut screen = screen(1, &[Some(2_500), Some(2_500), None, None, None, Some(2_500), Some(2_500)]);
+    let top = |screen: &Screen| drawn(screen, 100, 30)[3].clone();
+    assert!(top(&screen).trim_end_matches(' ').contains("   "), "{}", top(&screen));
+    screen.turn(1);
+    assert_eq!(screen.turned_to, 0);
+}
+
+#[test]
+fn axes_hold_all_values_at_round_numbers() {
+    assert_eq!(bounds([0.0].into_iter()), (0.0, 1.0));
+    assert_eq!(bounds([3.0, 24.9].into_iter()), (0.0, 25.0));
+    assert_eq!(bounds([-12.0, 49.0].into_iter()), (-15.0, 50.0));
+    assert_eq!(bounds(std::iter::empty()), (0.0, 1.0));
+}
+
+#[test]
+fn keys_that_end_it() {
+    let key = |code, modifiers| Key::of(&Event::Key(KeyEvent::new(code, modifiers)));
+    assert_eq!(key(KeyCode::Char('q'), KeyModifiers::NONE), Some(Key::Quit));
+    assert_eq!(key(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Key::Quit));
+    assert_eq!(key(KeyCode::Char('c'), KeyModifiers::NONE), None);
+    assert_eq!(key(KeyCode::Tab, KeyModifiers::NONE), Some(Key::Next));
+}
