@@ -75,6 +75,11 @@ impl Failure {
         Failure { class, code: code.into(), message: message.into(), hint: None, context: Vec::new() }
     }
 
+    /// A failure in the words of its causes, the outermost first: `antrieb.toml: the file exists already`.
+    pub fn caused(class: Class, code: &str, cause: &anyhow::Error) -> Self {
+        Failure::new(class, code, format!("{cause:#}"))
+    }
+
     /// The same with something to do next.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {

@@ -13,10 +13,43 @@
 //! | [`drive`] | use-cases on connected drives |
 //! | [`args`], [`command`], [`render`], [`cli`] | the program: settings, verbs, output, dispatch |
 //!
+//! The last row is there with the feature `cli`, which is on by default. Without it this is a library: here it finds a drive
+//! on the built-in bench, whose time is virtual, and reads a parameter. A serial port takes the place of the bench by its
+//! name.
+//!
+//! ```
+//! use antrieb::drive::{Interrupt, Opening, Port, ScanPlan, Session, Target, scan};
+//! use antrieb::profile::{Lang, Registry, value::format_decimal};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let registry = Registry::open(&[])?;
+//! let port: Port = "sim".parse()?;
+//! let mut told = |_event| {};
+//! let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+//! runtime.block_on(async {
+//!     let mut session = Session::open(Opening::at(&port), &registry, Interrupt::default(), &mut told).await?;
+//!     let found = scan(&mut session, &ScanPlan::new(1..=3, Lang::En), &registry).await;
+//!     let drive = found.drives.first().ok_or("nobody answers")?;
+//!     assert_eq!((drive.address, drive.drive.as_str()), (1, "act"));
+//!
+//!     let family = registry.family(&drive.drive).ok_or("no drive that we know")?;
+//!     let rated_speed = family.param(372).cloned().ok_or("no such parameter")?;
+//!     let mut target = Target::new(drive.address, family);
+//!     let reading = target.read_set(&mut session, &rated_speed, 2).await?;
+//!     let shown = format_decimal(reading.raw, rated_speed.decimals_or_zero());
+//!     assert_eq!((shown.as_str(), rated_speed.unit.as_deref()), ("1390", Some("1/min")));
+//!     Ok(())
+//! })
+//! # }
+//! ```
+//!
 //! Who may name whom is law, and `tests/house` holds it. ARCHITECTURE.md is the floor plan.
 
+#[cfg(feature = "cli")]
 pub mod args;
+#[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "cli")]
 pub mod command;
 pub mod drive;
 pub mod exchange;
@@ -26,9 +59,11 @@ pub mod gate;
 pub mod outcome;
 pub mod profile;
 pub mod protocol;
+#[cfg(feature = "cli")]
 pub mod render;
 pub mod simulator;
 pub mod tick;
 pub mod transport;
 
+#[cfg(feature = "cli")]
 pub use cli::run;

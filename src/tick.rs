@@ -5,6 +5,7 @@
 
 use std::fmt;
 use std::ops::{Add, AddAssign, Sub};
+use std::str::FromStr;
 use std::time::Duration;
 
 /// A point in time, in microseconds since the link was opened.
@@ -115,6 +116,33 @@ impl From<Span> for Duration {
     }
 }
 
+/// Reads the way people write times: `500ms`, `1.5 s`, `2m`, `750us`, up to a week.
+impl FromStr for Span {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        let bad = || format!("expected a time such as 500ms, 2s or 1m, got '{text}'");
+        let typed = text.trim();
+        let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
+        let (number, unit) = typed.split_at(end);
+        let micros = match unit.trim() {
+            "us" => 1,
+            "ms" => 1_000,
+            "s" => 1_000_000,
+            "m" | "min" => 60_000_000,
+            "h" => 3_600_000_000,
+            _ => return Err(bad()),
+        };
+        let (whole, part) = number.split_once('.').unwrap_or((number, ""));
+        let millionths: u64 = format!("{whole}{part:0<6}").parse().map_err(|_| bad())?;
+        let exact = millionths.checked_mul(micros).filter(|time| time % 1_000_000 == 0 && part.len() <= 6);
+        let span = Span(exact.ok_or_else(bad)? / 1_000_000);
+        if span > WEEK { Err(format!("'{typed}' is longer than a week")) } else { Ok(span) }
+    }
+}
+
+/// Nothing that is waited for takes longer.
+const WEEK: Span = Span(7 * 24 * 3_600_000_000);
+
 /// Prints the span in the unit a technician would use: `750 us`, `12.5 ms`, `2 s`.
 impl fmt::Display for Span {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -145,6 +173,18 @@ mod tests {
         assert_eq!(shown(500_000), "500 ms");
         assert_eq!(shown(2_000_000), "2 s");
         assert_eq!(shown(1_250_000), "1.25 s");
+    }
+
+    #[test]
+    fn times_are_humane() {
+        for (text, us) in
+            [("500ms", 500_000), ("2s", 2_000_000), ("1.5 s", 1_500_000), ("1m", 60_000_000), ("0.5ms", 500)]
+        {
+            assert_eq!(text.parse(), Ok(Span::from_micros(us)), "{text}");
+        }
+        for text in ["", "5", "s", "-1s", "1.2.3s", "1x", "0.5us", "200h", "99999999h", "0.0000001s"] {
+            assert!(text.parse::<Span>().is_err(), "{text}");
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::profile::Lang;
+use crate::profile::{Lang, place};
 use crate::protocol::modbus::LAST_STATION;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
@@ -232,13 +232,13 @@ fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
     let text = match files::read(path, files::TEXT) {
         Ok(text) => text,
         Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
-        Err(error) => return Err(Failure::new(Class::Data, "data.config", format!("{shown}: {error}"))),
+        Err(error) => {
+            let error = anyhow::Error::new(error).context(shown.to_string());
+            return Err(Failure::caused(Class::Data, "data.config", &error));
+        }
     };
     toml::from_str(&text).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        let before = text.get(..at).unwrap_or("");
-        let (line, column) =
-            (before.matches('\n').count() + 1, before.chars().rev().take_while(|&c| c != '\n').count() + 1);
+        let (line, column) = place(&text, error.span().map_or(0, |span| span.start));
         let message = error.message().replace(|c: char| c.is_control(), " ");
         Failure::new(Class::Data, "data.config", format!("{shown}:{line}:{column}: {message}"))
     })

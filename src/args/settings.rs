@@ -13,6 +13,7 @@ use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
+use anyhow::Context as _;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -358,8 +359,8 @@ fn catalogues(low: &Low<'_>, environment: &Environment) -> Result<Vec<CatalogueF
     paths.extend(named.map(|path| environment.directory.join(path)));
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let text = files::read(&path, files::TEXT)
-            .map_err(|error| Failure::new(Class::Data, "data.catalogue", format!("{shown}: {error}")))?;
+        let text = files::read(&path, files::TEXT).with_context(|| shown.clone());
+        let text = text.map_err(|error| Failure::caused(Class::Data, "data.catalogue", &error))?;
         Ok(CatalogueFile { path: shown, text })
     };
     paths.into_iter().map(read).collect()

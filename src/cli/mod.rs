@@ -11,6 +11,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::{Lang, Registry};
 use crate::render::{self, Console, Format, Manner, Stream, Streams, Terminal, View};
+use anyhow::Context as _;
 use clap::ArgMatches;
 use printed::Printed;
 use signals::{obey_keys, raise_on_closed_output, raise_on_signal};
@@ -167,8 +168,9 @@ fn work(
 ) -> Result<Outcome, Failure> {
     let registry = Registry::open(&settings.catalogues)
         .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.to_string()))?;
-    let bug = |error: io::Error| Failure::new(Class::Bug, "bug.runtime", format!("cannot start the runtime: {error}"));
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(bug)?;
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.context("cannot start the runtime");
+    let runtime = runtime.map_err(|error| Failure::caused(Class::Bug, "bug.runtime", &error))?;
     let interrupt = Interrupt::default();
     let ends = interrupt.clone();
     let mut observe = |event| match stream {

@@ -7,6 +7,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Decode, Document, Outcome};
 use crate::profile::Family;
+use anyhow::Context as _;
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
 
@@ -101,9 +102,13 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         }
         What::Trace { file } => {
             let shown = file.display().to_string();
-            let bad = |why: String| Failure::new(Class::Data, "data.trace", format!("{shown}: {why}"));
-            let text = files::read(file, files::RECORDING).map_err(|error| bad(error.to_string()))?;
-            Decode { telegrams: reader.recording(&text).map_err(bad)?, ..blank("trace", &shown) }
+            let told = || {
+                let text = files::read(file, files::RECORDING)?;
+                reader.recording(&text).map_err(anyhow::Error::msg)
+            };
+            let telegrams = told().with_context(|| shown.clone());
+            let telegrams = telegrams.map_err(|error| Failure::caused(Class::Data, "data.trace", &error))?;
+            Decode { telegrams, ..blank("trace", &shown) }
         }
         What::Status { word } => word_of(&family, "status-word", "status", word, None, lang)?,
         What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode), lang)?,

@@ -8,6 +8,7 @@ use crate::profile::Registry;
 use crate::simulator::Bench;
 use crate::tick::Span;
 use crate::transport::serve::{Note, Server};
+use anyhow::Context;
 use std::path::Path;
 
 pub use crate::transport::serve::Place;
@@ -19,13 +20,12 @@ pub const FILE_HELP: &str = concat!("A bench file, by example:\n\n", include_str
 pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
     let Some(file) = file else { return Ok(Bench::standard(registry)) };
     let path = file.display().to_string();
-    let text = files::read(file, files::TEXT).map_err(|error| {
-        Failure::new(Class::Data, "data.bench", format!("bench file {path}: {error}"))
-            .hint("the format is described in `antrieb simulate --help`")
-    })?;
-    Bench::from_toml(&path, &text, registry).map_err(|error| {
-        Failure::new(Class::Data, "data.bench", error.to_string())
-            .hint("the format is described in `antrieb simulate --help`")
+    let read = || -> anyhow::Result<Bench> {
+        let text = files::read(file, files::TEXT).with_context(|| format!("bench file {path}"))?;
+        Ok(Bench::from_toml(&path, &text, registry)?)
+    };
+    read().map_err(|error| {
+        Failure::caused(Class::Data, "data.bench", &error).hint("the format is described in `antrieb simulate --help`")
     })
 }
 

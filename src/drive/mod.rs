@@ -11,6 +11,7 @@ mod family;
 mod interrupt;
 mod line_check;
 pub mod motion;
+mod opening;
 mod pump;
 pub mod relocate;
 mod route;

@@ -361,9 +361,7 @@ impl Origin {
             Origin::Shipped { .. } => "",
             Origin::File { text, .. } => text,
         };
-        let before = text.get(..place.offset(text).unwrap_or(0)).unwrap_or("");
-        let line = before.matches('\n').count() + 1;
-        let column = before.len() - before.rfind('\n').map_or(0, |at| at + 1) + 1;
+        let (line, column) = super::text::place(text, place.offset(text).unwrap_or(0));
         CatalogueError { path: self.path().to_owned(), line, column, message }
     }
 

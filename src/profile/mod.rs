@@ -25,5 +25,5 @@ pub use motion::{
 };
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
-pub use text::{Lang, Text, fold};
+pub use text::{Lang, Text, fold, place};
 pub use value::format_value;

@@ -31,6 +31,12 @@ impl Lang {
     }
 }
 
+/// Line and column of a byte of a text, both from 1, the column in characters: what an editor shows.
+pub fn place(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or("");
+    (before.matches('\n').count() + 1, before.rsplit('\n').next().unwrap_or("").chars().count() + 1)
+}
+
 impl FromStr for Lang {
     type Err = String;
     fn from_str(text: &str) -> Result<Self, String> {

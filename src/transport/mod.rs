@@ -26,6 +26,7 @@ pub use rs485::{Rs485, Rs485Mode};
 pub use sim::witness;
 pub use trace::{Trace, TraceLine, read_trace};
 
+use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
 use crate::tick::Tick;
@@ -108,7 +109,7 @@ pub enum LinkError {
         message: String,
     },
     /// Something else was sent than the recording has.
-    #[error("recording {}, line {line}: recorded was {}, sent was {}", file.display(), hex(expected), hex(sent))]
+    #[error("recording {}, line {line}: recorded was {}, sent was {}", file.display(), Hex(expected), Hex(sent))]
     OffTape {
         /// The file.
         file: PathBuf,
@@ -119,12 +120,6 @@ pub enum LinkError {
         /// What was sent now.
         sent: Vec<u8>,
     },
-}
-
-/// `01 03 21`.
-fn hex(bytes: &[u8]) -> String {
-    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
-    digits.join(" ")
 }
 
 /// A way to the drives.

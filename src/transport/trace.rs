@@ -9,6 +9,7 @@
 //! The first line says what was recorded: line setting and protocol. The number is microseconds since the port was
 //! opened; `>` is what we sent, `<` what came. Lines that begin with `#` are remarks.
 
+use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
 use crate::tick::Tick;
 use std::fmt;
@@ -47,8 +48,7 @@ impl Trace {
     }
 
     fn line(&mut self, at: Tick, direction: char, bytes: &[u8]) {
-        let digits: String = bytes.iter().map(|byte| format!(" {byte:02X}")).collect();
-        self.write(&format!("{} {direction}{digits}", at.as_micros()));
+        self.write(&format!("{} {direction} {}", at.as_micros(), Hex(bytes)));
     }
 
     /// A disk that is full must not stop a drive from being stopped: the first error ends the recording only.

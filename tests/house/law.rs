@@ -31,7 +31,7 @@ pub const LAW: &[(&str, &[&str])] = &[
         "simulator::bench",
         &["simulator::judge", "simulator::line", "simulator::station", "simulator::totals", "protocol", "tick"],
     ),
-    ("transport", &["simulator", "files", "protocol::line", "tick"]),
+    ("transport", &["simulator", "files", "protocol::line", "protocol::Hex", "tick"]),
     (
         "drive",
         &["exchange", "transport", "profile", "gate", "failure", "files", "outcome", "tick", "simulator", "protocol"],
@@ -68,6 +68,7 @@ pub const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::decode::vabus",
             "drive::diag",
             "drive::family",
+            "drive::opening",
             "drive::relocate",
             "drive::relocate::journey",
             "drive::relocate::plot",

@@ -8,7 +8,7 @@ pub mod mbap;
 pub mod pdu;
 pub mod rtu;
 
-use std::fmt;
+pub use super::Hex;
 
 /// Station address for broadcasts: everybody obeys, nobody answers; writes only (CM-485 manual 6.1).
 pub const BROADCAST: u8 = 0;
@@ -100,18 +100,4 @@ pub enum FrameError {
         /// The offending character.
         byte: u8,
     },
-}
-
-/// Prints a byte string as the manuals do: `01 03 21 74`.
-#[derive(Clone, Copy, Debug)]
-pub struct Hex<'a>(pub &'a [u8]);
-
-impl fmt::Display for Hex<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, byte) in self.0.iter().enumerate() {
-            let gap = if index == 0 { "" } else { " " };
-            write!(f, "{gap}{byte:02X}")?;
-        }
-        Ok(())
-    }
 }

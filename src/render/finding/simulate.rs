@@ -3,24 +3,26 @@
 use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::Simulate;
+use crate::profile::Lang;
 use crate::render::clean;
 
 impl Finding for Simulate {
-    fn table(&self, _page: Page) -> String {
-        let mut text = format!(
-            "{}: {} clients, {} telegrams received, {} answered ({} exceptions), {} EEPROM writes, {} shafts turning, \
-             {} motors powered, {} remarks\n",
-            self.port,
-            self.clients,
-            self.received,
-            self.answered,
-            self.exceptions,
-            self.eeprom_writes,
-            self.turning,
-            self.energised,
-            self.remarks.len()
-        );
-        self.remarks.iter().for_each(|remark| text += &format!("remark: {}\n", clean(remark)));
+    fn table(&self, page: Page) -> String {
+        let Simulate { port, clients, received, answered, exceptions, eeprom_writes, turning, energised, .. } = self;
+        let remarks = self.remarks.len();
+        let mut text = match page.lang {
+            Lang::En => format!(
+                "{port}: {clients} clients, {received} telegrams received, {answered} answered ({exceptions} exceptions), \
+                 {eeprom_writes} EEPROM writes, {turning} shafts turning, {energised} motors powered, {remarks} remarks\n"
+            ),
+            Lang::De => format!(
+                "{port}: {clients} Clients, {received} Telegramme empfangen, {answered} beantwortet ({exceptions} \
+                 Exceptions), {eeprom_writes} EEPROM-Schreibzugriffe, {turning} Wellen drehen, {energised} Motoren unter \
+                 Strom, {remarks} Anmerkungen\n"
+            ),
+        };
+        let remark = page.lang.pick("remark", "Anmerkung");
+        self.remarks.iter().for_each(|told| text += &format!("{remark}: {}\n", clean(told)));
         text
     }
 

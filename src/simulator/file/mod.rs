@@ -85,7 +85,6 @@ fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError
 
 #[cfg(test)]
 mod tests {
-    use super::reader::span;
     use super::*;
     use crate::tick::Span;
 
@@ -152,10 +151,4 @@ mod tests {
         assert!(refused("").contains("at least one"));
     }
 
-    #[test]
-    fn times_need_a_unit() {
-        assert_eq!(span("1.5s"), Some(Span::from_millis(1_500)));
-        assert_eq!(span("750 us"), Some(Span::from_micros(750)));
-        assert_eq!(span("-1s").or(span("3")).or(span("s")), None);
-    }
 }

@@ -53,9 +53,7 @@ pub(crate) struct Reader<'a> {
 
 impl Reader<'_> {
     pub(crate) fn error(&self, span: Range<usize>, message: String) -> BenchError {
-        let before = self.text.get(..span.start).unwrap_or("");
-        let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+        let (line, column) = crate::profile::place(self.text, span.start);
         BenchError { path: self.path.to_owned(), line, column, message }
     }
 
@@ -70,7 +68,7 @@ impl Reader<'_> {
     }
 
     pub(crate) fn time(&self, key: &str, got: &Spanned<String>) -> Result<Span, BenchError> {
-        span(got.get_ref()).ok_or_else(|| {
+        got.get_ref().parse().map_err(|_| {
             let message = format!("{key} = \"{}\"; expected a time with unit, such as \"10ms\", \"2s\"", got.get_ref());
             self.error(got.span(), message)
         })
@@ -108,13 +106,4 @@ pub(crate) fn decimal(value: &Value, decimals: u8) -> Result<i64, String> {
         other => return Err(format!("{} given; expected a number", other.type_str())),
     };
     parse_decimal(&text, decimals).map_err(|error| error.to_string())
-}
-
-/// Reads `750us`, `10ms`, `1.5s`.
-pub(crate) fn span(text: &str) -> Option<Span> {
-    let text = text.trim();
-    let units = [("us", 0), ("ms", 3), ("s", 6)];
-    let (number, decimals) = units.iter().find_map(|(unit, decimals)| Some((text.strip_suffix(unit)?, *decimals)))?;
-    let micros = parse_decimal(number.trim(), decimals).ok()?;
-    Some(Span::from_micros(u64::try_from(micros).ok()?))
 }
