@@ -8,7 +8,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::Lang;
 use crate::render::{self, Console, Format, Manner, Stream, View};
-use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser};
+use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -16,28 +16,54 @@ use std::io::Write;
 ///
 /// Finds drives, says in plain words what they say, reads and writes their parameters in four data sets, and diagnoses
 /// the line. `--port sim` is a built-in bench with two drives: try everything there first.
-#[derive(Clone, Debug, Parser)]
+#[derive(Debug, Parser)]
 #[command(name = "antrieb", version, after_help = after_help(), max_term_width = 100, disable_help_subcommand = true)]
-#[command(subcommand_required = true, arg_required_else_help = true)]
-struct Root {
-    #[command(flatten)]
-    globals: Globals,
-}
-
-/// A command line that fits.
-#[derive(Debug)]
 pub(super) struct Line {
-    pub(super) globals: Globals,
+    #[command(subcommand)]
     pub(super) what: What,
+    #[command(flatten)]
+    pub(super) globals: Globals,
 }
 
-/// What it asks for.
+/// What a command line asks for.
 #[derive(Debug)]
 pub(super) enum What {
     /// The work of a verb.
     Work(&'static Entry, Box<dyn command::Typed>),
     /// Something that the program knows of itself.
     Print(&'static Printed, ArgMatches),
+}
+
+impl Subcommand for What {
+    fn augment_subcommands(root: clap::Command) -> clap::Command {
+        let verbs = VERBS.iter().map(|verb| (verb.command)());
+        root.subcommands(verbs).subcommands(PRINTED.iter().map(|printed| (printed.command)()))
+    }
+
+    fn augment_subcommands_for_update(root: clap::Command) -> clap::Command {
+        Self::augment_subcommands(root)
+    }
+
+    fn has_subcommand(name: &str) -> bool {
+        VERBS.iter().any(|verb| verb.name == name) || PRINTED.iter().any(|printed| printed.name == name)
+    }
+}
+
+impl FromArgMatches for What {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let missing = || clap::Error::new(clap::error::ErrorKind::MissingSubcommand);
+        let (name, own) = matches.subcommand().ok_or_else(missing)?;
+        if let Some(printed) = PRINTED.iter().find(|printed| printed.name == name) {
+            return Ok(What::Print(printed, own.clone()));
+        }
+        let verb = VERBS.iter().find(|verb| verb.name == name).ok_or_else(missing)?;
+        Ok(What::Work(verb, (verb.typed)(own)?))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 fn after_help() -> String {
@@ -50,14 +76,13 @@ fn after_help() -> String {
 
 /// The whole tree.
 pub(super) fn tree() -> clap::Command {
-    let verbs = VERBS.iter().map(|verb| (verb.command)());
-    Root::command().subcommands(verbs).subcommands(PRINTED.iter().map(|printed| (printed.command)()))
+    Line::command()
 }
 
 /// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
 /// is built where something is to be explained.
 pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
-    let read = |tree: clap::Command| line(&tree.try_get_matches_from(arguments)?);
+    let read = |tree: clap::Command| Line::from_arg_matches(&tree.try_get_matches_from(arguments)?);
     read(mentioned(arguments)).or_else(|_| read(tree()))
 }
 
@@ -69,17 +94,6 @@ fn mentioned(arguments: &[OsString]) -> clap::Command {
     let printed = PRINTED.iter().filter(|printed| stands(printed.name));
     let root = Globals::augment_args(root).subcommands(verbs.map(|verb| (verb.command)()));
     root.subcommands(printed.map(|printed| (printed.command)()))
-}
-
-fn line(matches: &ArgMatches) -> Result<Line, clap::Error> {
-    let globals = Globals::from_arg_matches(matches)?;
-    let missing = || clap::Error::new(clap::error::ErrorKind::MissingSubcommand);
-    let (name, own) = matches.subcommand().ok_or_else(missing)?;
-    if let Some(printed) = PRINTED.iter().find(|printed| printed.name == name) {
-        return Ok(Line { globals, what: What::Print(printed, own.clone()) });
-    }
-    let verb = VERBS.iter().find(|verb| verb.name == name).ok_or_else(missing)?;
-    Ok(Line { globals, what: What::Work(verb, (verb.typed)(own)?) })
 }
 
 /// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
@@ -148,7 +162,7 @@ mod tests {
         ] {
             let words: Vec<OsString> = typed.split(' ').map(Into::into).collect();
             let [few, all] = [mentioned(&words), tree()].map(|tree| tree.try_get_matches_from(&words));
-            let [few, all] = [few, all].map(|matches| line(&matches.unwrap()).unwrap());
+            let [few, all] = [few, all].map(|matches| Line::from_arg_matches(&matches.unwrap()).unwrap());
             assert_eq!(format!("{few:?}"), format!("{all:?}"), "{typed}");
         }
     }

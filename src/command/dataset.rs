@@ -2,13 +2,13 @@
 
 use super::read::select_failure;
 use super::verb::{Verb, Working};
-use super::write::{Job, Step, carry_out, permit, prepare};
+use super::write::permit;
 use super::{
     Context, Reader, addresses_to_read, addresses_to_write, connect, offline_family, plan, read_question,
-    role_questions, summary, target,
+    role_questions, summary, target, terms,
 };
-use crate::args::Settings;
-use crate::drive::{Session, Target};
+use crate::drive::job::{self, Job, Step};
+use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Dataset, DatasetRow, Document, OrWrite, Outcome, Value, Warning, WriteResult};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
@@ -103,10 +103,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = &args.action {
         // Names are checked before the port is opened.
-        Work { target: Target::new(address, offline_family(settings, registry)?), settings }.params(params)?;
+        Work { target: Target::new(address, offline_family(settings, registry)?), terms: terms(settings, registry)? }
+            .params(params)?;
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let mut work = Work { target: target(&mut session, settings, registry, address, false).await?, settings };
+    let mut work = Work {
+        target: target(&mut session, settings, registry, address, false).await?,
+        terms: terms(settings, registry)?,
+    };
     super::check_sets(&work.target.family, DataSets::All(Store::Eeprom), settings.lang)?;
     let session = &mut session;
     match &args.action {
@@ -128,7 +132,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Outcome, Failure> {
     let settings = context.settings;
     let target = Target::new(address, offline_family(settings, context.registry)?);
-    let work = Work { target, settings };
+    let work = Work { target, terms: terms(settings, context.registry)? };
     let (params, sets): (_, &[u8]) = match action {
         Action::Show { params } => (params, &[1, 2, 3, 4]),
         Action::Diff { a, b, params } => (params, &[*a, *b]),
@@ -138,7 +142,7 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
         }
         Action::Select { set, ram } => {
             let step = work.selection(*set, *ram)?;
-            return super::write::plan_only(settings, &[address], &work.target.family, &[step]);
+            return super::write::plan_only(&work.terms, &[address], &work.target.family, &[step]);
         }
         Action::Copy { .. } => {
             let message = "what a copy writes depends on what it reads, and a dry run opens nothing";
@@ -153,7 +157,7 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
 
 struct Work<'s> {
     target: Target,
-    settings: &'s Settings,
+    terms: Terms<'s>,
 }
 
 impl Work<'_> {
@@ -190,7 +194,7 @@ impl Work<'_> {
             let message = format!("nothing of {} exists in four data sets", texts.join(" "));
             return Err(Failure::new(Class::No, "no.switchable", message).hint("`read` shows what exists once"));
         }
-        params.iter().try_for_each(|param| super::check_number(family, param, self.settings.lang))?;
+        params.iter().try_for_each(|param| super::check_number(family, param, self.terms.lang()))?;
         Ok(params)
     }
 
@@ -205,7 +209,7 @@ impl Work<'_> {
         let named = !texts.is_empty();
         let mut missing = Vec::new();
         let params = self.params(texts)?;
-        let mut reader = Reader::new(session, &mut self.target, self.settings);
+        let mut reader = Reader::new(session, &mut self.target, self.terms.lang());
         for param in params {
             let mut values = Vec::new();
             for &set in sets {
@@ -224,7 +228,7 @@ impl Work<'_> {
             rows.push(DatasetRow {
                 param: param.id,
                 slug: param.slug.clone(),
-                name: param.name(self.settings.lang).to_owned(),
+                name: param.name(self.terms.lang()).to_owned(),
                 unit: param.unit.clone(),
                 equal,
                 values,
@@ -241,7 +245,7 @@ impl Work<'_> {
     }
 
     async fn header(&mut self, session: &mut Session<'_>) -> Result<(Option<i64>, Option<Value>), Failure> {
-        let mut reader = Reader::new(session, &mut self.target, self.settings);
+        let mut reader = Reader::new(session, &mut self.target, self.terms.lang());
         let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
         let selection = reader.vital_role("set-selection").await?;
         match reader.failures.pop() {
@@ -259,7 +263,7 @@ impl Work<'_> {
             selection,
             rows,
             written: Vec::new(),
-            dry_run: self.settings.dry_run,
+            dry_run: false,
         })
     }
 
@@ -271,11 +275,7 @@ impl Work<'_> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
         let report = self.report(session, rows).await?;
-        Ok(Outcome {
-            data: Some(Data::Dataset(report)),
-            warnings,
-            failure: summary(failures, good, self.settings.lang),
-        })
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good, self.terms.lang()) })
     }
 
     async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
@@ -324,15 +324,15 @@ impl Work<'_> {
         steps: Vec<Step>,
         ask: &mut dyn crate::gate::Ask,
     ) -> Result<Outcome, Failure> {
-        let rows = prepare(session, &mut self.target, self.settings, &steps, false).await?;
+        let rows = job::prepare(session, &mut self.target, &self.terms, &steps, false).await?;
         let target = Target::new(self.target.address, self.target.family.clone());
         let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
         let mut failures = Vec::new();
         let jobs = [job];
-        let permit = permit(session, ask, &jobs, self.settings.lang).await?;
+        let permit = permit(session, ask, &jobs, self.terms.lang()).await?;
         [job] = jobs;
         if let Some(permit) = permit {
-            carry_out(session, &mut job, self.settings, &permit, &mut failures).await;
+            job::carry_out(session, &mut job, &self.terms, &permit, &mut failures).await;
         }
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let mut report = self.report(session, Vec::new()).await?;
@@ -340,7 +340,7 @@ impl Work<'_> {
         Ok(Outcome {
             data: Some(Data::Dataset(report)),
             warnings: Vec::new(),
-            failure: summary(failures, good, self.settings.lang),
+            failure: summary(failures, good, self.terms.lang()),
         })
     }
 }

@@ -158,7 +158,7 @@ fn overwritten(lang: Lang) -> &'static str {
 }
 
 /// The parameters that show the entry of the fault memory, where the family has some.
-async fn memory(reader: &mut Reader<'_, '_, '_>, family: &Family) -> Result<Vec<Value>, Failure> {
+async fn memory(reader: &mut Reader<'_, '_>, family: &Family) -> Result<Vec<Value>, Failure> {
     let Some(ids) = family.group("faults") else { return Ok(Vec::new()) };
     let params: Vec<_> = ids.iter().filter_map(|&id| family.param(id).cloned()).collect();
     reader.lenient = true;
@@ -190,7 +190,7 @@ async fn diagnose(
         }
         _ => last_refusal(session, &mut target).await.map_err(failed)?,
     };
-    let mut reader = Reader::new(session, &mut target, settings);
+    let mut reader = Reader::new(session, &mut target, settings.lang);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     // Once for both: on some drives reading moves on to the entry before.

@@ -112,7 +112,7 @@ async fn identify(
     };
     let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
     let title = title.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
-    let mut reader = Reader::new(session, &mut target, settings);
+    let mut reader = Reader::new(session, &mut target, settings.lang);
     let mut values = Vec::new();
     for role in ROLES {
         match IN_FORCE.contains(&role) {
@@ -127,7 +127,7 @@ async fn identify(
 }
 
 /// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.
-async fn modules(reader: &mut Reader<'_, '_, '_>, lang: Lang) -> Result<Vec<Module>, Failure> {
+async fn modules(reader: &mut Reader<'_, '_>, lang: Lang) -> Result<Vec<Module>, Failure> {
     let mut probes = std::collections::BTreeMap::new();
     for param in reader.target.family.params.values().filter(|param| param.access.reads()) {
         if let Some(module) = &param.module {

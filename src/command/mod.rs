@@ -43,16 +43,15 @@ pub const VERBS: &[Entry] = &[
 ];
 
 use crate::args::{Addresses, Origin, Settings};
-use crate::drive::motion::working;
+use crate::drive::decode::Reader as Speech;
 use crate::drive::{
-    AccessError, Cell, Inquiry, Interrupt, Opening, Port, Reading, Recording, Session, Target, describe, open_port,
-    recognise,
+    Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, Target, Terms, is_over, open_port,
+    summary, who,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Data, Event, Outcome, Plan, Value, Warning};
-use crate::profile::{DataSets, Family, Lang, Param, Registry, Selector, Store, Type};
-use std::collections::BTreeMap;
+use crate::outcome::{Data, Event, Outcome, Plan, Warning};
+use crate::profile::{DataSets, Family, Lang, Param, Registry, Selector, Type};
 use std::rc::Rc;
 
 /// What every verb works with.
@@ -149,8 +148,14 @@ fn addresses_to_write(settings: &Settings) -> Result<Vec<u8>, Failure> {
     }
 }
 
-/// The drive at an address: of the family that was named, or asked. `shows_register`: the verb is going to read the error
-/// register, so asking must not lose it.
+/// What the settings say of the line and its drives.
+fn terms<'a>(settings: &Settings, registry: &'a Registry) -> Result<Terms<'a>, Failure> {
+    let named = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
+    let (word_order, line) = (settings.word_order, settings.line);
+    Ok(Terms { registry, named, word_order, line, speech: speech(settings) })
+}
+
+/// The drive at an address. `shows_register`: see [`Terms::target`].
 async fn target(
     session: &mut Session<'_>,
     settings: &Settings,
@@ -158,21 +163,7 @@ async fn target(
     address: u8,
     shows_register: bool,
 ) -> Result<Target, Failure> {
-    if let Some(name) = &settings.drive {
-        return Ok(Target::new(address, named_family(settings, registry, name)?).in_word_order(settings.word_order));
-    }
-    let presumed = registry.family("acu");
-    let finding = recognise(session, registry, address, settings.lang, shows_register)
-        .await
-        .map_err(|error| error.failure(address, presumed.as_deref(), settings.lang))?;
-    let target = finding.target(address, registry);
-    target.map(|target| target.in_word_order(settings.word_order)).ok_or_else(|| {
-        let told: Vec<_> =
-            finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
-        Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
-            .hint(format!("{}; name the family with --drive if you know better", told.join("; ")))
-            .with("address", address)
-    })
+    terms(settings, registry)?.target(session, address, shows_register).await
 }
 
 /// The family that `--drive` names.
@@ -264,21 +255,20 @@ fn role_questions(family: &Family, roles: &[&str]) -> Vec<Inquiry> {
     roles.iter().filter_map(|role| family.role(role)).map(|param| read_question(param, 0)).collect()
 }
 
-/// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
-fn who(address: u8, node: u8, drive: &str, lang: Lang) -> String {
-    let behind = if node == 0 { String::new() } else { format!(".{node}") };
-    format!("{} {address}{behind} ({drive})", lang.pick("drive", "Antrieb"))
-}
-
 fn read_question(param: &Param, set: u8) -> Inquiry {
     Inquiry::Read(Cell { number: param.id, set }, param.kind.unwrap_or(Type::Word))
 }
 
-fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> crate::drive::decode::Reader<'f> {
-    crate::drive::decode::Reader {
+fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> Speech<'f> {
+    Speech { family: Some(family), ..speech(settings) }
+}
+
+/// What is spoken, without names of parameters.
+fn speech(settings: &Settings) -> Speech<'static> {
+    Speech {
         protocol: settings.protocol,
         node: settings.node,
-        family: Some(family),
+        family: None,
         order: settings.word_order.unwrap_or_default(),
         lang: settings.lang,
     }
@@ -301,231 +291,6 @@ fn check_sets(family: &Family, sets: DataSets, lang: Lang) -> Result<(), Failure
     let text = lang.pick("this drive has no data sets", "dieser Antrieb hat keine Datensätze");
     let hint = lang.pick("name the parameter without @", "den Parameter ohne @ angeben");
     Err(Failure::new(Class::Data, "data.no_data_sets", text).hint(hint))
-}
-
-/// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
-struct Reader<'t, 's, 'o> {
-    session: &'t mut Session<'o>,
-    target: &'t mut Target,
-    settings: &'s Settings,
-    modes: BTreeMap<u32, i64>,
-    /// Values that came with their neighbours.
-    fetched: BTreeMap<u32, Reading>,
-    /// Not every drive has everything: what it does not know is a row with an error, but no failure of the verb.
-    lenient: bool,
-    /// Values that were read.
-    good: usize,
-    /// Refusals that are no failures, unless nothing else came.
-    forgiven: Vec<Failure>,
-    failures: Vec<Failure>,
-    warnings: Vec<Warning>,
-    asked_widths: Vec<u32>,
-}
-
-impl<'t, 's, 'o> Reader<'t, 's, 'o> {
-    fn new(session: &'t mut Session<'o>, target: &'t mut Target, settings: &'s Settings) -> Self {
-        Reader {
-            session,
-            target,
-            settings,
-            modes: BTreeMap::new(),
-            fetched: BTreeMap::new(),
-            lenient: false,
-            good: 0,
-            forgiven: Vec::new(),
-            failures: Vec::new(),
-            warnings: Vec::new(),
-            asked_widths: Vec::new(),
-        }
-    }
-
-    /// What failed. Refusals of single parameters are forgiven, but not if the drive refused everything.
-    fn into_failures(mut self) -> (Vec<Failure>, usize) {
-        for warning in self.warnings.drain(..) {
-            self.session.tell(Event::Note(warning.message));
-        }
-        if self.good == 0 && self.failures.is_empty() {
-            self.failures.extend(self.forgiven.into_iter().next());
-        }
-        (self.failures, self.good)
-    }
-
-    /// The parameter that plays a role, read in its own data set; `None` if the family has none.
-    async fn role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
-        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
-        self.lenient = true;
-        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
-    }
-
-    /// The parameter that plays a role as the drive works with it, and the stored one where that differs. A drive without
-    /// data sets has one value.
-    async fn in_force(&mut self, role: &str) -> Result<InForce, Failure> {
-        let Some(param) = self.target.family.role(role).cloned() else { return Ok(InForce::default()) };
-        self.lenient = true;
-        if !self.target.family.link.route.has_data_sets() || param.is_volatile() {
-            let value = self.rows(&param, DataSets::Unnamed).await?.into_iter().next();
-            return Ok(InForce { value, stored: None });
-        }
-        let set = self.target.working_set(self.session, &param).await;
-        let set =
-            set.map_err(|error| error.failure(self.target.address, Some(&self.target.family), self.settings.lang))?;
-        let forgiven = self.forgiven.len();
-        let working = self.rows(&param, DataSets::One(set, Store::Ram)).await?.into_iter().next();
-        let stored = self.rows(&param, DataSets::One(set, Store::Eeprom)).await?.into_iter().next();
-        let Some(working) = working.filter(|value| value.error.is_none()) else {
-            // It does not show its RAM: what it stores is all that there is to know.
-            self.forgiven.truncate(forgiven);
-            return Ok(InForce { value: stored, stored: None });
-        };
-        let stored = stored.filter(|stored| stored.error.is_none() && stored.raw != working.raw);
-        Ok(InForce { value: Some(working), stored })
-    }
-
-    /// Like [`Reader::role`], but a refusal is a failure: the verb is about this value.
-    async fn vital_role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
-        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
-        self.lenient = false;
-        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
-    }
-
-    /// Reads in few telegrams what lies next to each other; [`Reader::rows`] takes it from there.
-    async fn fetch(&mut self, params: &[Param]) -> Result<(), Failure> {
-        match self.target.neighbours(self.session, params).await {
-            Ok(readings) => {
-                self.fetched.extend(readings);
-                Ok(())
-            }
-            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family), self.settings.lang)),
-        }
-    }
-
-    /// One row per data set. Refusals are rows with an error; what ends the session is an error.
-    async fn rows(&mut self, param: &Param, sets: DataSets) -> Result<Vec<Value>, Failure> {
-        self.learn_modes(param).await?;
-        if let Some(reading) = self.fetched.remove(&param.id).filter(|_| sets == DataSets::Unnamed) {
-            return Ok(vec![self.row(param, 0, Ok(reading))?]);
-        }
-        let mut rows = Vec::new();
-        for (set, result) in self.target.read(self.session, param, sets).await {
-            rows.push(Value { node: self.session.node(), ..self.row(param, set, result)? });
-        }
-        Ok(rows)
-    }
-
-    fn row(&mut self, param: &Param, set: u8, result: Result<Reading, AccessError>) -> Result<Value, Failure> {
-        let (address, lang) = (self.target.address, self.settings.lang);
-        match result {
-            Ok(reading) => {
-                self.good += 1;
-                if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
-                    self.asked_widths.push(param.id);
-                    let bits = reading.kind.bits().unwrap_or(0);
-                    let found = match self.settings.lang {
-                        Lang::En => format!("parameter {}: {bits} bits wide, found out by asking", param.id),
-                        Lang::De => format!("Parameter {}: {bits} Bit breit, durch Fragen ermittelt", param.id),
-                    };
-                    self.session.tell(Event::Note(found));
-                }
-                if reading.corrected {
-                    self.warnings.push(Warning {
-                        code: "catalogue.width".to_owned(),
-                        message: format!(
-                            "parameter {}: the catalogue says {} (unconfirmed), drive {address} uses {}",
-                            param.id,
-                            param.kind.map_or("nothing", |kind| kind.name()),
-                            reading.kind.name()
-                        ),
-                    });
-                }
-                let lookup = |id: u32| self.modes.get(&id).copied();
-                let value = describe::value(address, &self.target.family, param, reading, lang, &lookup);
-                self.warnings.extend(implausible(&value, param, lang));
-                Ok(value)
-            }
-            Err(error) => {
-                let failure = error.failure(address, Some(&self.target.family), lang).with("param", param.id);
-                if error.is_fatal() {
-                    return Err(failure);
-                }
-                let row = describe::unread(address, &self.target.family, param, set, lang, &failure);
-                if failure.class == Class::Refused && self.lenient {
-                    self.forgiven.push(failure);
-                } else {
-                    self.failures.push(failure);
-                }
-                Ok(row)
-            }
-        }
-    }
-
-    /// Reads the parameters that decide what this one's bits are called.
-    async fn learn_modes(&mut self, param: &Param) -> Result<(), Failure> {
-        for when in &param.bits_when {
-            if self.modes.contains_key(&when.param) {
-                continue;
-            }
-            let deciding = self.target.family.param_or_unknown(when.param);
-            // What is in force decides, not what is stored.
-            if let Some(raw) = working(self.session, self.target, &deciding, self.settings.lang).await? {
-                self.modes.insert(when.param, raw);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The warning about a value that the catalogue says cannot be.
-fn implausible(value: &Value, param: &Param, lang: Lang) -> Option<Warning> {
-    let (expected, raw) = (value.expected.as_ref()?, value.raw?);
-    let (label, address) = (param.label(), value.address);
-    let message = match lang {
-        Lang::En => format!(
-            "drive {address}: {label} reads as {raw}, expected {expected}: two drives at one address, a disturbed reply, \
-             or a drive of another kind (--drive)?"
-        ),
-        Lang::De => format!(
-            "Antrieb {address}: {label} liest sich als {raw}, erwartet {expected}: zwei Antriebe mit einer Adresse, eine \
-             gestörte Antwort oder ein Antrieb anderer Art (--drive)?"
-        ),
-    };
-    Some(Warning { code: "value.implausible".to_owned(), message })
-}
-
-/// A setting as the drive works with it, and as it is stored where that is another value.
-#[derive(Debug, Default)]
-struct InForce {
-    value: Option<Value>,
-    stored: Option<Value>,
-}
-
-impl InForce {
-    /// One row, or two that differ; the second says that it is only stored.
-    fn rows(self, lang: Lang) -> impl Iterator<Item = Value> {
-        let only = lang.pick("stored, not in force", "gespeichert, nicht wirksam");
-        let stored = self.stored.map(|value| {
-            let text = value.text.into_iter().chain([only.to_owned()]).collect::<Vec<_>>().join("; ");
-            Value { text: Some(text), ..value }
-        });
-        self.value.into_iter().chain(stored)
-    }
-}
-
-/// What to say when some of many questions failed: nothing, the failure itself, or that it is partly done.
-fn summary(failures: Vec<Failure>, succeeded: usize, lang: Lang) -> Option<Failure> {
-    let count = failures.len();
-    if let Some(end) = failures.iter().find(|failure| is_over(failure)) {
-        return Some(end.clone());
-    }
-    let first = failures.into_iter().next()?;
-    if succeeded == 0 {
-        return Some(first);
-    }
-    let message = match lang {
-        Lang::En => format!("{count} of {} failed; the first: {}", count + succeeded, first.message),
-        Lang::De => format!("{count} von {} gescheitert; zuerst: {}", count + succeeded, first.message),
-    };
-    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
-    Some(failure)
 }
 
 /// The outcome of a verb that goes over several drives.
@@ -579,9 +344,4 @@ async fn each_drive<R>(
         }
     }
     Ok((rows, failures, succeeded))
-}
-
-/// Whether a failure ends the session: the port is gone, or somebody pressed Ctrl-C.
-fn is_over(failure: &Failure) -> bool {
-    matches!(failure.class, Class::Port | Class::Interrupted)
 }

@@ -87,7 +87,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }
-        let mut reader = Reader::new(&mut session, &mut target, settings);
+        let mut reader = Reader::new(&mut session, &mut target, settings.lang);
         let params: Vec<_> = selections.iter().map(|selection| selection.param.clone()).collect();
         let mut fetched = reader.fetch(&params).await;
         for selection in &selections {

@@ -353,7 +353,7 @@ async fn show(
 ) -> Result<Row<SetpointReport>, Failure> {
     let mut target = target(session, settings, registry, address, false).await?;
     let family = target.family.clone();
-    let mut reader = Reader::new(session, &mut target, settings);
+    let mut reader = Reader::new(session, &mut target, settings.lang);
     reader.lenient = true;
     let report = SetpointReport {
         address,
@@ -367,7 +367,7 @@ async fn show(
     Ok((report, failures, good))
 }
 
-async fn values(reader: &mut Reader<'_, '_, '_>, family: &Family, ids: &[u32]) -> Result<Vec<Value>, Failure> {
+async fn values(reader: &mut Reader<'_, '_>, family: &Family, ids: &[u32]) -> Result<Vec<Value>, Failure> {
     let params: Vec<_> = ids.iter().filter_map(|&id| family.param(id).cloned()).collect();
     reader.fetch(&params).await?;
     let mut values = Vec::new();

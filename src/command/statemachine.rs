@@ -406,7 +406,7 @@ async fn show(
 ) -> Result<Row<StateReport>, Failure> {
     let lang = settings.lang;
     let mut target = target(session, settings, registry, address, false).await?;
-    let mut reader = Reader::new(session, &mut target, settings);
+    let mut reader = Reader::new(session, &mut target, settings.lang);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let InForce { value: control_mode, stored: control_mode_stored } = reader.in_force("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);

@@ -2,15 +2,14 @@
 
 use super::read::select_failure;
 use super::verb::{Verb, Working};
-use super::{Context, Reader, addresses_to_write, connect, is_over, offline, summary, target};
-use crate::args::Settings;
-use crate::drive::{AccessError, Cell, Inquiry, Order, Session, Target, WriteFate, describe};
+use super::{Context, addresses_to_write, asking, connect, offline, target, terms};
+use crate::drive::job::{self, Job, Step};
+use crate::drive::{Session, Target, Terms, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Hazard, Permit, Question};
-use crate::outcome::{Data, Document, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
+use crate::gate::{Ask, Permit};
+use crate::outcome::{Data, Document, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Selector, Store, Type};
-use crate::tick::Span;
+use crate::profile::{Family, Lang, Param, Selector, Type};
 use clap::Args as ClapArgs;
 
 /// Writes parameters.
@@ -42,15 +41,6 @@ pub struct Args {
     pub force: bool,
 }
 
-/// A value for one parameter in one data set.
-#[derive(Clone, Debug)]
-pub(super) struct Step {
-    pub(super) param: Param,
-    pub(super) set: u8,
-    pub(super) raw: i64,
-    pub(super) kind: Option<Type>,
-}
-
 impl Verb for Args {
     const NAME: &'static str = "write";
     type Prints = Document<Write>;
@@ -65,9 +55,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let addresses = addresses_to_write(context.settings)?;
     let lang = context.settings.lang;
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
+    let terms = terms(context.settings, context.registry)?;
     let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family, lang))?;
     if context.settings.dry_run {
-        return plan_only(context.settings, &addresses, &family, &planned);
+        return plan_only(&terms, &addresses, &family, &planned);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
@@ -78,44 +69,38 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             _ => target(&mut session, settings, registry, address, false).await?,
         };
         let steps = steps(args, &target.family, settings.lang)?;
-        let rows = prepare(&mut session, &mut target, settings, &steps, args.force).await?;
+        let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
     let permit = match permit(&mut session, *ask, &jobs, settings.lang).await {
         Ok(Some(permit)) => permit,
-        Ok(None) => return Ok(done(jobs, Vec::new(), settings)),
+        Ok(None) => return Ok(job::done(jobs, Vec::new(), &terms)),
         Err(failure) if failure.class == Class::Port => {
-            let failure = leave(&mut jobs, failure, lang);
-            return Ok(done(jobs, vec![failure], settings));
+            let failure = job::leave(&mut jobs, failure, lang);
+            return Ok(job::done(jobs, vec![failure], &terms));
         }
         Err(failure) => return Err(failure),
     };
     let mut failures = Vec::new();
     for job in &mut jobs {
-        if carry_out(&mut session, job, settings, &permit, &mut failures).await {
+        if job::carry_out(&mut session, job, &terms, &permit, &mut failures).await {
             break;
         }
     }
-    Ok(done(jobs, failures, settings))
+    Ok(job::done(jobs, failures, &terms))
 }
 
-/// Leaves out what is planned: the port went away before anything was sent.
-fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
-    failure.message = format!("{}; {}", failure.message, lang.pick("nothing was begun", "es wurde nichts begonnen"));
-    let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
-    for row in planned {
-        row.result = WriteResult::Skipped;
-        row.error = Some(ErrorDoc::from(&failure));
+/// Asks for permission for everything that is left to do; `None` if that is nothing.
+pub(super) async fn permit(
+    session: &mut Session<'_>,
+    ask: &mut dyn Ask,
+    jobs: &[Job],
+    lang: Lang,
+) -> Result<Option<Permit>, Failure> {
+    match job::question(jobs, lang) {
+        Some(question) => asking::on_line(session, ask, &question, lang).await.map(Some),
+        None => Ok(None),
     }
-    failure
-}
-
-/// What is to be written to one drive.
-#[derive(Debug)]
-pub(super) struct Job {
-    pub(super) target: Target,
-    pub(super) steps: Vec<Step>,
-    pub(super) rows: Vec<Written>,
 }
 
 fn halves(text: &str) -> Result<(&str, &str), Failure> {
@@ -157,8 +142,8 @@ fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure>
 
 /// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.
 fn cutting_last(mut steps: Vec<Step>, lang: Lang) -> Result<Vec<Step>, Failure> {
-    steps.sort_by_key(|step| cuts(&step.param));
-    let mut cutting = steps.iter().rev().take_while(|step| cuts(&step.param)).map(|step| step.param.label());
+    steps.sort_by_key(|step| job::cuts(&step.param));
+    let mut cutting = steps.iter().rev().take_while(|step| job::cuts(&step.param)).map(|step| step.param.label());
     let (Some(last), Some(other)) = (cutting.next(), cutting.next()) else { return Ok(steps) };
     let message = match lang {
         Lang::En => format!("{other} and {last} both cut the line or restart the drive at once; write them one by one"),
@@ -207,7 +192,7 @@ fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: 
 
 /// Shows what would be sent, without opening anything.
 pub(super) fn plan_only(
-    settings: &Settings,
+    terms: &Terms<'_>,
     addresses: &[u8],
     family: &Family,
     steps: &[Step],
@@ -215,387 +200,24 @@ pub(super) fn plan_only(
     let mut values = Vec::new();
     for &address in addresses {
         for step in steps {
-            let kind = step.kind.ok_or_else(|| no_width(&step.param, settings.lang))?;
-            let row = describe::to_write(address, family, &step.param, step.set, step.raw, settings.lang);
-            let mut row = Written { node: settings.node, ..row };
-            tell(&mut row, telegram(settings, family, address, step, kind));
+            let kind = step.kind.ok_or_else(|| job::no_width(&step.param, terms.lang()))?;
+            let row = describe::to_write(address, family, &step.param, step.set, step.raw, terms.lang());
+            let mut row = Written { node: terms.speech.node, ..row };
+            job::tell(&mut row, job::telegram(terms, family, address, step, kind));
             values.push(row);
         }
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
-    let proves = settings.lang.pick(
+    let proves = terms.lang().pick(
         "before the first of these every old value is read, after each the new one; what the drive has already is not sent",
         "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet",
     );
     outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves.to_owned() });
-    if settings.drive.is_none() {
+    if terms.named.is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
             message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive),
         });
     }
     Ok(outcome)
-}
-
-/// The telegram of a step, taken apart.
-fn telegram(settings: &Settings, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
-    let at = Cell { number: step.param.id, set: step.set };
-    let bits = value::to_wire(step.raw, family.link.route.carried(kind)).ok()?;
-    let reader = super::telegram_reader(settings, family);
-    let proves = address != 0 && step.param.access.reads();
-    let both = proves.then(|| reader.question(address, Inquiry::WriteAndRead(at, kind, bits))).flatten();
-    both.or_else(|| reader.question(address, Inquiry::Write(at, kind, bits)))
-}
-
-/// Reads the old values and says what there is to do.
-pub(super) async fn prepare(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    settings: &Settings,
-    steps: &[Step],
-    force: bool,
-) -> Result<Vec<Written>, Failure> {
-    let mut rows = Vec::new();
-    for step in steps {
-        let (address, lang) = (target.address, settings.lang);
-        let row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
-        let mut row = Written { node: session.node(), ..row };
-        if let Some(kind) = step.kind {
-            target.set_width(step.param.id, kind);
-        }
-        if address != 0 && step.param.access.reads() {
-            let mut reader = Reader::new(session, target, settings);
-            let old = reader.rows(&step.param, wire_sets(step.set)).await?;
-            if let [old] = old.as_slice() {
-                (row.old_raw, row.old) = (old.raw, old.value);
-            }
-            let failures = reader.failures;
-            if let Some(failure) = failures.into_iter().find(|failure| forbids(failure, force)) {
-                return Err(nothing_sent(failure, lang));
-            }
-        }
-        check_found(step, target, lang)?;
-        if row.old_raw == Some(step.raw) && !force {
-            row.result = WriteResult::Unchanged;
-        }
-        let kind = step.kind.or(target.known_width(step.param.id));
-        tell(&mut row, kind.and_then(|kind| telegram(settings, &target.family, address, step, kind)));
-        rows.push(row);
-    }
-    Ok(rows)
-}
-
-/// Whether a parameter that cannot be read must not be written either: one that the drive does not have would end the
-/// run in the middle. Where the drive names another reason, such as that it can only be written, it may still be.
-fn forbids(failure: &Failure, force: bool) -> bool {
-    let names_another = failure.context.iter().any(|(key, code)| *key == "p11" && code != "0")
-        && !["refused.unknown_parameter", "refused.data_set_not_permitted"].contains(&failure.code.as_str());
-    failure.class != Class::Refused || !(force || names_another)
-}
-
-fn nothing_sent(failure: Failure, lang: Lang) -> Failure {
-    let text = lang.pick("nothing was written", "es wurde nichts geschrieben");
-    Failure { message: format!("{}; {text}", failure.message), ..failure }
-}
-
-/// The width that the drive has told, or that nobody tells, before anything is sent.
-fn check_found(step: &Step, target: &Target, lang: Lang) -> Result<(), Failure> {
-    let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param, lang)) };
-    value::check_width(step.raw, kind, step.param.decimals_or_zero()).map_err(|error| {
-        let message = format!("{} ({}): {error}", step.param.label(), step.param.slug);
-        nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id), lang)
-    })
-}
-
-fn no_width(param: &Param, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("parameter {}: no source tells its width, and nobody can be asked", param.id),
-        Lang::De => format!("Parameter {}: keine Quelle nennt seine Breite, und fragen lässt sich niemand", param.id),
-    };
-    Failure::new(Class::Data, "data.width", message)
-        .hint(lang.pick("name it with --type uint, int, word or long", "mit --type uint, int, word oder long angeben"))
-}
-
-fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
-    row.meaning = telegram.as_ref().map(|doc| doc.meaning.clone());
-    row.telegram = telegram.map(|doc| doc.hex);
-}
-
-fn wire_sets(set: u8) -> DataSets {
-    let (set, store) = describe::place(set);
-    DataSets::One(set, store)
-}
-
-/// Asks for permission for everything that is left to do; `None` if that is nothing.
-pub(super) async fn permit(
-    session: &mut Session<'_>,
-    ask: &mut dyn gate::Ask,
-    jobs: &[Job],
-    lang: Lang,
-) -> Result<Option<Permit>, Failure> {
-    let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows).map(move |pair| (job, pair)));
-    let todo: Vec<_> = todo.filter(|(_, (_, row))| row.result == WriteResult::Planned).collect();
-    if todo.is_empty() {
-        return Ok(None);
-    }
-    let mut hazards = vec![Hazard::Write];
-    let mut details = Vec::new();
-    for (job, (step, row)) in &todo {
-        hazards.extend(hazards_of(step, &job.target.family));
-        details.push(describe_step(step, row, &job.target.family, lang));
-    }
-    hazards.sort_unstable();
-    hazards.dedup();
-    if todo.len() > 1 && todo.iter().any(|(_, (step, _))| cuts(&step.param)) {
-        let last =
-            lang.pick("what cuts the line at once goes last", "was die Leitung sofort kappt, geht zuletzt hinaus");
-        details.push(last.to_owned());
-    }
-    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard, lang)).map(str::to_owned));
-    let title = match (todo.len(), lang) {
-        (1, Lang::En) => "write 1 value".to_owned(),
-        (1, Lang::De) => "1 Wert schreiben".to_owned(),
-        (count, Lang::En) => format!("write {count} values"),
-        (count, Lang::De) => format!("{count} Werte schreiben"),
-    };
-    super::asking::on_line(session, ask, &Question { hazards, title, details }, lang).await.map(Some)
-}
-
-fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
-    let (_, store) = describe::place(step.set);
-    let mut hazards = Vec::new();
-    if store == Store::Eeprom && !step.param.is_volatile() && family.link.route.has_data_sets() {
-        hazards.push(Hazard::Wear);
-    }
-    hazards.extend(step.param.hazard.map(|hazard| match hazard {
-        HazardKind::Motion => Hazard::Motion,
-        HazardKind::Line => Hazard::Line,
-        HazardKind::Reset => Hazard::Reset,
-    }));
-    hazards
-}
-
-fn consequence(hazard: Hazard, lang: Lang) -> Option<&'static str> {
-    let (en, de) = match hazard {
-        Hazard::Write => return None,
-        Hazard::Wear => (
-            "EEPROM: each of these writes wears it a little; @ram does not",
-            "EEPROM: jedes Schreiben nutzt es etwas ab; @ram nicht",
-        ),
-        Hazard::Motion => (
-            "MOTION: this can start the shaft or change how it turns",
-            "BEWEGUNG: das kann die Welle anlaufen lassen oder ihre Drehung ändern",
-        ),
-        Hazard::Line => (
-            "LINE: this can cut the line to the drive; the old setting is shown above",
-            "LEITUNG: das kann die Verbindung zum Antrieb kappen; die alte Einstellung steht oben",
-        ),
-        Hazard::Reset => (
-            "RESET: the drive restarts or its faults are reset",
-            "RESET: der Antrieb startet neu oder seine Störungen werden quittiert",
-        ),
-    };
-    Some(lang.pick(en, de))
-}
-
-fn describe_step(step: &Step, row: &Written, family: &Family, lang: Lang) -> String {
-    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
-    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = format_decimal(row.raw, row.value.decimals);
-    let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
-    let who = match row.address {
-        0 => lang.pick("every drive", "alle Antriebe").to_owned(),
-        address => super::who(address, row.node, &row.drive, lang),
-    };
-    let (label, store) = match family.link.route.has_data_sets() {
-        true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),
-        false => (step.param.label(), String::new()),
-    };
-    format!("{who}: {label} {}: {old} -> {new}{unit}{text}{store}", row.name)
-}
-
-/// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.
-pub(super) async fn carry_out(
-    session: &mut Session<'_>,
-    job: &mut Job,
-    settings: &Settings,
-    permit: &Permit,
-    failures: &mut Vec<Failure>,
-) -> bool {
-    let (address, lang) = (job.target.address, settings.lang);
-    let mut stopped = false;
-    let mut over = false;
-    for (step, row) in job.steps.iter().zip(&mut job.rows) {
-        if row.result != WriteResult::Planned {
-            continue;
-        }
-        if stopped {
-            row.result = WriteResult::Skipped;
-            continue;
-        }
-        let fate = match begin(session, &mut job.target, step).await {
-            Ok(kind) => {
-                tell(row, telegram(settings, &job.target.family, address, step, kind));
-                let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
-                let fate = job.target.write(session, &step.param, order, permit).await;
-                let fate = proven_there(session, &job.target, step, fate).await;
-                fate.map_err(|error| (error, WriteResult::Unknown))
-            }
-            Err(error) => Err((error, WriteResult::Skipped)),
-        };
-        let failure = match fate {
-            Ok(fate) => {
-                row.result = result(&fate);
-                unproven(&fate, &job.target, row, settings)
-            }
-            Err((error, otherwise)) => {
-                row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
-                let mut failure = error.failure(address, Some(&job.target.family), lang);
-                if row.result == WriteResult::Skipped {
-                    failure.message = match lang {
-                        Lang::En => format!("{}; P.{} was not begun", failure.message, row.param),
-                        Lang::De => format!("{}; P.{} wurde nicht begonnen", failure.message, row.param),
-                    };
-                }
-                Some(failure)
-            }
-        };
-        if let Some(failure) = failure {
-            let failure = failure.with("param", step.param.id);
-            row.error = Some(ErrorDoc::from(&failure));
-            over = is_over(&failure);
-            stopped = true;
-            failures.push(failure);
-        }
-    }
-    over
-}
-
-/// What became of a write behind which the drive has another address at once: there it is asked.
-async fn proven_there(
-    session: &mut Session<'_>,
-    target: &Target,
-    step: &Step,
-    fate: Result<WriteFate, AccessError>,
-) -> Result<WriteFate, AccessError> {
-    let role = if session.protocol().name() == "vabus" { "node-id" } else { "address" };
-    let family = &target.family;
-    let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param);
-    let moves = at_once && family.role(role).is_some_and(|param| param.id == step.param.id);
-    let (Ok(new), true) = (u8::try_from(step.raw), moves && target.address != 0) else { return fate };
-    if !matches!(fate, Ok(WriteFate::Written | WriteFate::Unknown(_))) {
-        return fate;
-    }
-    let mut there = Target::new(new, target.family.clone());
-    match there.read_set(session, &step.param, step.set).await {
-        Ok(reading) if reading.raw == step.raw => Ok(WriteFate::Verified),
-        Ok(reading) => Ok(WriteFate::Differs(reading.raw)),
-        Err(error) if error.is_fatal() => Err(error),
-        Err(error) => Ok(WriteFate::Unknown(error)),
-    }
-}
-
-/// How wide the value goes out, with a look at the line: at the question somebody may have unplugged the adapter or pressed
-/// Ctrl-C. Nothing that fails here has changed anything.
-async fn begin(session: &mut Session<'_>, target: &mut Target, step: &Step) -> Result<Type, AccessError> {
-    session.rest(Span::ZERO).await?;
-    target.width(session, &step.param, step.set).await
-}
-
-/// Whether reading back proves anything: not where the line or the drive is gone at once.
-fn reads_back(param: &Param) -> bool {
-    param.access.reads() && !cuts(param)
-}
-
-/// Whether the line or the drive is gone at once behind a write.
-fn cuts(param: &Param) -> bool {
-    match param.hazard {
-        Some(HazardKind::Line) => param.effective == Effective::AtOnce,
-        Some(HazardKind::Reset) => true,
-        Some(HazardKind::Motion) | None => false,
-    }
-}
-
-fn result(fate: &WriteFate) -> WriteResult {
-    match fate {
-        WriteFate::Verified => WriteResult::Verified,
-        WriteFate::Written => WriteResult::Written,
-        WriteFate::Differs(_) => WriteResult::Differs,
-        WriteFate::Unknown(_) => WriteResult::Unknown,
-        WriteFate::Broadcast => WriteResult::Broadcast,
-    }
-}
-
-fn unproven(fate: &WriteFate, target: &Target, row: &Written, settings: &Settings) -> Option<Failure> {
-    let address = target.address;
-    match fate {
-        WriteFate::Verified | WriteFate::Written | WriteFate::Broadcast => None,
-        WriteFate::Differs(raw) => {
-            let read = format_decimal(*raw, row.value.decimals);
-            let message = format!("drive {address} took the telegram, but P.{} reads back as {read}", row.param);
-            Some(
-                Failure::new(Class::Refused, "refused.reads_back_differently", message)
-                    .hint("the drive limits the value, or something else writes it too"),
-            )
-        }
-        WriteFate::Unknown(error) => {
-            let mut failure = error.failure(address, Some(&target.family), settings.lang);
-            failure.message = format!("whether P.{} was written is unknown: {}", row.param, failure.message);
-            Some(failure)
-        }
-    }
-}
-
-/// Puts the rows of all drives together.
-fn done(jobs: Vec<Job>, failures: Vec<Failure>, settings: &Settings) -> Outcome {
-    let mut warnings = Vec::new();
-    for job in &jobs {
-        for (step, row) in job.steps.iter().zip(&job.rows) {
-            warnings.extend(way_back(step, row, &job.target.family, settings));
-        }
-    }
-    let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
-    if values.iter().any(|row| row.address == 0 && row.result == WriteResult::Broadcast) {
-        let message = settings.lang.pick(
-            "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
-            "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen",
-        );
-        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned() });
-    }
-    let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
-    let failure = summary(failures, succeeded, settings.lang);
-    Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
-}
-
-/// How to get back to a drive whose line settings were changed.
-fn way_back(step: &Step, row: &Written, family: &Family, settings: &Settings) -> Option<Warning> {
-    let sent = matches!(row.result, WriteResult::Verified | WriteResult::Written | WriteResult::Unknown);
-    if !sent || step.param.hazard != Some(HazardKind::Line) {
-        return None;
-    }
-    let lang = settings.lang;
-    let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
-    let when = match (step.param.effective, is_address, family.link.line.address) {
-        (Effective::Reset, ..) => lang.pick("after the next reset", "nach dem nächsten Reset"),
-        (_, true, Holds::Unsaid) => lang.pick(
-            "from now on or after the next power-on, which its manual does not say,",
-            "ab jetzt oder nach dem nächsten Einschalten, was die Anleitung nicht sagt,",
-        ),
-        _ => lang.pick("from now on", "ab jetzt"),
-    };
-    let unknown = || lang.pick("its old value", "den alten Wert").to_owned();
-    let old = row.old.map_or_else(unknown, |old| format_decimal(old.raw, old.decimals));
-    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
-    let (label, address, line, protocol) = (step.param.label(), row.address, settings.line, settings.protocol.name());
-    let message = match lang {
-        Lang::En => format!(
-            "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
-             back is to write {old} with the new setting"
-        ),
-        Lang::De => format!(
-            "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
-             zurück führt, mit der neuen Einstellung {old} zu schreiben"
-        ),
-    };
-    Some(Warning { code: "line.changed".to_owned(), message })
 }

@@ -77,6 +77,7 @@ pub const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::scan::order",
             "drive::session",
             "drive::sniff",
+            "drive::terms",
             "drive::transfer",
             "drive::trouble",
         ],

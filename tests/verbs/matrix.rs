@@ -1,8 +1,19 @@
-//! Every verb x {fine, silence, refused, partial} x {table en, table de, JSON, NDJSON, CSV}.
+//! Every verb of the list x {fine, silence, refused, partial, interrupted} x {table en, table de, JSON, NDJSON, CSV}.
 //!
-//! Both tables and the JSON document are snapshots; NDJSON and CSV are held against the JSON document.
+//! Both tables and the JSON document are snapshots; NDJSON and CSV are held against the JSON document, and that against the
+//! schema of the verb. What is interrupted is cut short after some telegrams, in [`interrupted`].
+//! [`every_verb_has_its_rows`] walks the list: a verb without a row fails it.
 
+use crate::agreeable::Agreeable;
 use crate::run::{Run, antrieb, check_document};
+use antrieb::args::{Environment, Globals, Settings};
+use antrieb::command::{Context, Entry, VERBS};
+use antrieb::drive::Interrupt;
+use antrieb::failure::Class;
+use antrieb::outcome::{Event, Outcome};
+use antrieb::profile::{Lang, Registry};
+use antrieb::render::{self, Console, Format};
+use clap::{Args, FromArgMatches};
 use serde_json::{Map, Value};
 
 /// An ACU with a fault and a warning, an ACT whose data sets differ, and a device that is no drive.
@@ -26,12 +37,22 @@ address = 9
 registers = { \"0\" = 17 }
 ";
 
+/// What was heard while somebody else asked.
+const TAPE: &str = "# antrieb trace 1, 19200 8E1, rtu
+1000 < 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8
+30000 < 03 06 41 78 00 0F 5C 09
+36000 < 03 06 41 78 00 0F 5C 09
+60000 < 01 83 02 C0 F1
+";
+
 /// Runs a line in every form; it must end with this code in each.
 #[track_caller]
 fn case(name: &str, code: u8, line: &str) {
+    if name.starts_with("monitor") || name.starts_with("sniff") {
+        return stream(name, code, line);
+    }
     let run = |options: &str| -> Run { antrieb(&format!("{line} {options}")).on(BENCH) };
-    let tables = [run("--lang en"), run("--lang de")].map(|run| run.exits(code).page());
-    insta::assert_snapshot!(format!("{name}_table"), tables.join("\n"));
+    tables(name, code, run);
 
     let document = run("").json().exits(code).value;
     insta::assert_snapshot!(format!("{name}_json"), format!("{:#}\n", shortened(document.clone())));
@@ -55,18 +76,113 @@ fn case(name: &str, code: u8, line: &str) {
     let head: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     let records: Vec<_> = reader.records().map(Result::unwrap).collect();
     assert_eq!(records.len(), rows.len(), "CSV has the rows of the document");
+    assert_eq!(head, rows.first().map_or_else(Vec::new, |row| row.keys().cloned().collect()));
     for (record, row) in records.iter().zip(&rows) {
-        let cell_of = |(key, text): (&String, &str)| if key == "port" { "(port)".to_owned() } else { text.to_owned() };
+        let is_place = |key: &str| ["port", "way_back"].contains(&key);
+        let cell_of = |(key, text): (&String, &str)| if is_place(key) { "(port)".to_owned() } else { text.to_owned() };
         let cells: Vec<(&String, String)> = head.iter().zip(record).map(|pair| (pair.0, cell_of(pair))).collect();
-        let expected: Vec<(&String, String)> = row.iter().map(|(key, value)| (key, cell(value))).collect();
+        // A row of another kind, such as a drive that failed among values, has those cells that it has.
+        let expected: Vec<(&String, String)> =
+            head.iter().map(|key| (key, row.get(key).map_or_else(String::new, cell))).collect();
         assert_eq!(cells, expected);
     }
 }
 
+/// Both tables. A server of the moment has another port each time.
+#[track_caller]
+fn tables(name: &str, code: u8, run: impl Fn(&str) -> Run) {
+    let tables = ["--lang en", "--lang de"].map(|lang| run(lang).exits(code).page());
+    insta::with_settings!({ filters => vec![(r"127\.0\.0\.1:\d+", "(port)")] }, {
+        insta::assert_snapshot!(format!("{name}_table"), tables.join("\n"));
+    });
+}
+
+/// The same for what streams: its records come one by one, and the last one is the end.
+#[track_caller]
+fn stream(name: &str, code: u8, line: &str) {
+    let run = |options: &str| -> Run {
+        match name {
+            "sniff_fine" => antrieb(&format!("-p tape:{{dir}}/heard {line} {options}")).file("heard", TAPE),
+            _ => antrieb(&format!("{line} {options}")).on(BENCH),
+        }
+    };
+    tables(name, code, run);
+    let lines = |out: &str| -> Vec<Value> { out.lines().map(|line| serde_json::from_str(line).unwrap()).collect() };
+    let records = lines(&run("--format ndjson").exits(code).out);
+    let end = records.last().unwrap();
+    assert_eq!((&end["type"], &end["ok"]), (&"end".into(), &Value::Bool(code == 0)));
+    if name.starts_with("monitor") {
+        let validator = jsonschema::validator_for(&(entry("monitor").schema)()).unwrap();
+        let json = lines(&run("--json").exits(code).out);
+        assert!(json.iter().chain(&records).all(|record| validator.is_valid(record)), "{json:#?}");
+    } else {
+        let document = run("").json().exits(code).value;
+        assert_eq!(rows(&document).len(), records.len() - 1);
+    }
+    let csv = run("--format csv").exits(code).out;
+    assert!(csv::Reader::from_reader(csv.as_bytes()).records().all(|record| record.is_ok()), "{csv}");
+}
+
+fn entry(name: &str) -> &'static Entry {
+    VERBS.iter().find(|verb| verb.name == name).unwrap()
+}
+
+/// What comes of a verb that is interrupted after so many telegrams, in every form; with the code that it ends with.
+#[track_caller]
+fn interrupted(after: usize, code: u8, line: &str) {
+    let directory = tempfile::tempdir().unwrap();
+    for (name, text) in [("bench.toml", BENCH), ("heard", TAPE)] {
+        std::fs::write(directory.path().join(name), text).unwrap();
+    }
+    let (kind, file) = if line.contains("sniff") { ("tape", "heard") } else { ("sim", "bench.toml") };
+    let port = format!("{kind}:{}/{file}", directory.path().display());
+    let words = ["antrieb", "-p", &port].into_iter().chain(line.split_whitespace());
+    let verbs = VERBS.iter().map(|verb| (verb.command)());
+    let tree = Globals::augment_args(clap::Command::new("antrieb")).subcommands(verbs);
+    let matches = tree.try_get_matches_from(words).unwrap();
+    let (name, own) = matches.subcommand().unwrap();
+    let (entry, verb) = (entry(name), (entry(name).typed)(own).unwrap());
+    let globals = Globals::from_arg_matches(&matches).unwrap();
+    let settings = Settings::resolve(&globals, &Environment::default()).unwrap();
+    let settings = Settings { verbose: true, ..settings };
+    let (registry, interrupt) = (Registry::open(&[]).unwrap(), Interrupt::default());
+    let (pressed, mut heard) = (interrupt.clone(), 0);
+    let mut observe = |event: Event| {
+        heard += usize::from(matches!(event, Event::Telegram { .. } | Event::Record(_)));
+        if heard >= after {
+            pressed.raise();
+        }
+    };
+    let mut ask = Agreeable;
+    let mut context =
+        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
+    let class = outcome.failure.as_ref().map(|failure| failure.class);
+    assert_eq!(class.map_or(0, Class::exit), code, "{line}: {:?}", outcome.failure);
+    let printed = |format: Format, lang: Lang| {
+        let (mut out, console) = (Vec::new(), Console::new(Box::new(std::io::sink()), true, false));
+        render::print(&outcome, entry.name, format, lang, None, &mut out, &console).unwrap();
+        String::from_utf8(out).unwrap()
+    };
+    let tables = [Lang::En, Lang::De].map(|lang| printed(Format::Table, lang));
+    assert_eq!(tables[0].is_empty(), tables[1].is_empty());
+    if entry.name != "monitor" {
+        check_document(&serde_json::from_str(&printed(Format::Json, Lang::En)).unwrap(), code);
+    }
+    let ndjson = printed(Format::Ndjson, Lang::En);
+    let end: Value = serde_json::from_str(ndjson.lines().last().unwrap()).unwrap();
+    assert_eq!(end["type"], "end");
+    let csv = printed(Format::Csv, Lang::En);
+    assert!(csv::Reader::from_reader(csv.as_bytes()).records().all(|record| record.is_ok()), "{csv}");
+}
+
 /// A row without the place of the bench, which is another one in every run.
 fn anywhere(mut row: Map<String, Value>) -> Map<String, Value> {
-    if let Some(port) = row.get_mut("port") {
-        *port = "(port)".into();
+    for place in ["port", "way_back"] {
+        if let Some(place) = row.get_mut(place) {
+            *place = "(port)".into();
+        }
     }
     row
 }
@@ -101,6 +217,9 @@ fn rows(document: &Value) -> Vec<Map<String, Value>> {
         _ if data.is_null() => Vec::new(),
         "scan" | "identify" | "diag" | "statemachine" => list(&data["drives"]),
         "read" | "write" => list(&data["values"]),
+        "protocol" | "line" if data["values"].is_array() => list(&data["values"]),
+        "protocol" | "line" | "simulate" => vec![data.clone()],
+        "sniff" => list(&data["telegrams"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
         "decode" => vec![data.clone()],
@@ -131,7 +250,7 @@ fn shortened(mut value: Value) -> Value {
             for (key, field) in fields.iter_mut() {
                 match (key.as_str(), &field) {
                     ("bits" | "counters", Value::Array(list)) => *field = format!("({} rows)", list.len()).into(),
-                    ("port", Value::String(_)) => *field = "(port)".into(),
+                    ("port" | "way_back", Value::String(_)) => *field = "(port)".into(),
                     _ => *field = shortened(field.take()),
                 }
             }
@@ -143,12 +262,56 @@ fn shortened(mut value: Value) -> Value {
 }
 
 macro_rules! cases {
-    ($($name:ident: $code:literal, $line:literal;)*) => {$(
-        #[test]
-        fn $name() {
-            case(stringify!($name), $code, $line);
+    ($($name:ident: $code:literal, $line:literal;)*) => {
+        /// The names of all cases: a verb and a situation.
+        const CASES: &[&str] = &[$(stringify!($name)),*];
+
+        $(
+            #[test]
+            fn $name() {
+                case(stringify!($name), $code, $line);
+            }
+        )*
+    };
+}
+
+/// Where the interrupt comes after so many telegrams.
+macro_rules! cuts {
+    ($($name:ident: $after:literal, $code:literal, $line:literal;)*) => {
+        const CUTS: &[&str] = &[$(stringify!($name)),*];
+
+        $(
+            #[test]
+            fn $name() {
+                interrupted($after, $code, $line);
+            }
+        )*
+    };
+}
+
+/// What cannot happen to a verb, and why.
+const NEVER: &[(&str, &[&str], &str)] = &[
+    ("scan", &["refused"], "a refusal is an answer: somebody is there"),
+    ("scan", &["partial"], "only an interrupt leaves addresses out"),
+    ("sniff", &["refused", "partial"], "it asks nobody, and hears what there is"),
+    ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
+];
+
+#[test]
+fn every_verb_has_its_rows() {
+    for verb in VERBS {
+        for situation in ["fine", "silence", "refused", "partial", "interrupted"] {
+            let name = format!("{}_{situation}", verb.name);
+            let has_row = CASES.iter().chain(CUTS).any(|case| *case == name);
+            let never = NEVER.iter().any(|row| row.0 == verb.name && row.1.contains(&situation));
+            assert_ne!(has_row, never, "{name}: expected a row among the cases, or one that says why it never happens");
         }
-    )*};
+    }
+    for (verb, ..) in NEVER {
+        assert!(VERBS.iter().any(|known| known.name == *verb), "{verb} is no verb");
+    }
 }
 
 cases! {
@@ -157,6 +320,7 @@ cases! {
 
     identify_fine: 0, "-a 2 identify";
     identify_unknown: 0, "-a 9 identify";
+    identify_refused: 6, "-a 9 --drive acu identify";
     identify_silence: 4, "-a 7 identify";
     identify_partial: 9, "-a 1,7 identify";
 
@@ -179,7 +343,7 @@ cases! {
     write_partial: 9, "-a 1 --yes write 480@1=6 376@2=0 481@1=7";
     write_bad: 7, "-a 1 --yes write 480@1=1000";
 
-    dataset_show: 0, "-a 1 dataset show 372 376 480";
+    dataset_fine: 0, "-a 1 dataset show 372 376 480";
     dataset_active: 0, "-a 1 dataset active";
     dataset_diff: 1, "-a 1 dataset diff 1 2";
     dataset_copy: 0, "-a 1 --yes dataset copy 2 3 372 376";
@@ -204,10 +368,14 @@ cases! {
     sollwert_silence: 4, "-a 7 sollwert";
     sollwert_refused: 6, "-a 9 --drive acu sollwert";
 
+    sollwert_partial: 9, "-a 1,7 sollwert";
+
+    params_fine: 0, "params 413";
     params_one: 0, "params 412";
     params_several: 0, "params rated";
     params_none: 1, "params nonsense";
 
+    decode_fine: 0, "decode fault F0500";
     decode_telegram: 0, "decode telegram 01 65 21 77 00 00 03 E8 46 C5";
     decode_garbage: 5, "decode telegram 01 02 03";
     decode_status: 0, "decode status 0x0237";
@@ -215,4 +383,46 @@ cases! {
     decode_warnings: 0, "decode warnings 0x8083";
     decode_fault: 0, "decode fault F2105";
     decode_error: 0, "decode error 11";
+
+    diag_line: 0, "-a 2 diag line --count 20";
+    diag_line_partial: 9, "-a 2,7 diag line --count 20";
+
+    protocol_fine: 0, "-a 1 protocol show";
+    protocol_unchanged: 0, "-a 1 --yes protocol set rtu";
+    protocol_moved: 0, "-a 1 --yes protocol set ascii";
+    protocol_silence: 4, "-a 7 protocol show";
+    protocol_refused: 6, "-a 9 --drive acu protocol show";
+    protocol_partial: 9, "-a 1,7 protocol show";
+
+    line_fine: 0, "-a 1 line show";
+    line_moved: 0, "-a 1 --yes line set --baud 9600";
+    line_silence: 4, "-a 7 line show";
+    line_refused: 6, "-a 9 --drive acu line show";
+    line_partial: 9, "-a 1,7 line show";
+
+    simulate_fine: 0, "simulate --for 1ms --tcp 127.0.0.1:0";
+
+    monitor_fine: 0, "-a 1,2 monitor --count 2";
+    monitor_silence: 4, "-a 7 monitor 411 --count 1";
+    monitor_refused: 6, "-a 1 monitor 1600 --count 1";
+    monitor_partial: 9, "-a 1,7 monitor 411 --count 1";
+
+    sniff_fine: 0, "sniff --count 4";
+    sniff_silence: 4, "sniff --for 1s";
+}
+
+cuts! {
+    scan_interrupted: 40, 130, "scan";
+    identify_interrupted: 6, 130, "-a 1,2 identify";
+    read_interrupted: 8, 130, "-a 1,2 read 372 480@all 411";
+    write_interrupted: 7, 130, "-a 1,2 --yes write 376@4=1.5kW 480@2ram=-12,5";
+    dataset_interrupted: 12, 130, "-a 1 dataset show 372 376 480";
+    diag_interrupted: 8, 130, "-a 1,2 diag";
+    statemachine_interrupted: 8, 130, "-a 1,2 statemachine";
+    sollwert_interrupted: 8, 130, "-a 1,2 sollwert";
+    protocol_interrupted: 8, 130, "-a 1,2 protocol show";
+    line_interrupted: 8, 130, "-a 1,2 line show";
+    monitor_interrupted: 6, 0, "-a 1,2 monitor --count 50";
+    sniff_interrupted: 2, 0, "sniff";
+    simulate_interrupted: 0, 0, "simulate --tcp 127.0.0.1:0";
 }

@@ -1,0 +1,328 @@
+//! Writing values, with proof: what there is to do, the question, the writes, what became of them.
+//!
+//! A job is first prepared (old values are read, nothing is sent), then asked for as a whole, then carried out drive by
+//! drive; the first failure leaves out the rest of its drive.
+
+mod asked;
+
+pub use asked::question;
+
+use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
+use crate::failure::{Class, Failure};
+use crate::gate::Permit;
+use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
+use crate::profile::value::{self, format_decimal};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Type};
+use crate::tick::Span;
+
+/// A value for one parameter in one data set.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The parameter.
+    pub param: Param,
+    /// Data set as on the wire, 0-9.
+    pub set: u8,
+    /// The value without its decimal point.
+    pub raw: i64,
+    /// Its type; `None` to find it out by asking.
+    pub kind: Option<Type>,
+}
+
+/// Leaves out what is planned: the port went away before anything was sent.
+pub fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
+    failure.message = format!("{}; {}", failure.message, lang.pick("nothing was begun", "es wurde nichts begonnen"));
+    let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
+    for row in planned {
+        row.result = WriteResult::Skipped;
+        row.error = Some(ErrorDoc::from(&failure));
+    }
+    failure
+}
+
+/// What is to be written to one drive.
+#[derive(Debug)]
+pub struct Job {
+    /// The drive.
+    pub target: Target,
+    /// What is to be written.
+    pub steps: Vec<Step>,
+    /// What becomes of it, a row for each step.
+    pub rows: Vec<Written>,
+}
+
+/// The telegram of a step, taken apart.
+pub fn telegram(terms: &Terms<'_>, family: &Family, address: u8, step: &Step, kind: Type) -> Option<TelegramDoc> {
+    let at = Cell { number: step.param.id, set: step.set };
+    let bits = value::to_wire(step.raw, family.link.route.carried(kind)).ok()?;
+    let reader = terms.telegrams(family);
+    let proves = address != 0 && step.param.access.reads();
+    let both = proves.then(|| reader.question(address, Inquiry::WriteAndRead(at, kind, bits))).flatten();
+    both.or_else(|| reader.question(address, Inquiry::Write(at, kind, bits)))
+}
+
+/// Reads the old values and says what there is to do.
+pub async fn prepare(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    terms: &Terms<'_>,
+    steps: &[Step],
+    force: bool,
+) -> Result<Vec<Written>, Failure> {
+    let mut rows = Vec::new();
+    for step in steps {
+        let (address, lang) = (target.address, terms.lang());
+        let row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
+        let mut row = Written { node: session.node(), ..row };
+        if let Some(kind) = step.kind {
+            target.set_width(step.param.id, kind);
+        }
+        if address != 0 && step.param.access.reads() {
+            let mut reader = Reader::new(session, target, lang);
+            let old = reader.rows(&step.param, wire_sets(step.set)).await?;
+            if let [old] = old.as_slice() {
+                (row.old_raw, row.old) = (old.raw, old.value);
+            }
+            let failures = reader.failures;
+            if let Some(failure) = failures.into_iter().find(|failure| forbids(failure, force)) {
+                return Err(nothing_sent(failure, lang));
+            }
+        }
+        check_found(step, target, lang)?;
+        if row.old_raw == Some(step.raw) && !force {
+            row.result = WriteResult::Unchanged;
+        }
+        let kind = step.kind.or(target.known_width(step.param.id));
+        tell(&mut row, kind.and_then(|kind| telegram(terms, &target.family, address, step, kind)));
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// Whether a parameter that cannot be read must not be written either: one that the drive does not have would end the
+/// run in the middle. Where the drive names another reason, such as that it can only be written, it may still be.
+fn forbids(failure: &Failure, force: bool) -> bool {
+    let names_another = failure.context.iter().any(|(key, code)| *key == "p11" && code != "0")
+        && !["refused.unknown_parameter", "refused.data_set_not_permitted"].contains(&failure.code.as_str());
+    failure.class != Class::Refused || !(force || names_another)
+}
+
+fn nothing_sent(failure: Failure, lang: Lang) -> Failure {
+    let text = lang.pick("nothing was written", "es wurde nichts geschrieben");
+    Failure { message: format!("{}; {text}", failure.message), ..failure }
+}
+
+/// The width that the drive has told, or that nobody tells, before anything is sent.
+fn check_found(step: &Step, target: &Target, lang: Lang) -> Result<(), Failure> {
+    let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param, lang)) };
+    value::check_width(step.raw, kind, step.param.decimals_or_zero()).map_err(|error| {
+        let message = format!("{} ({}): {error}", step.param.label(), step.param.slug);
+        nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id), lang)
+    })
+}
+
+/// The failure of a value whose width nobody tells.
+pub fn no_width(param: &Param, lang: Lang) -> Failure {
+    let message = match lang {
+        Lang::En => format!("parameter {}: no source tells its width, and nobody can be asked", param.id),
+        Lang::De => format!("Parameter {}: keine Quelle nennt seine Breite, und fragen lässt sich niemand", param.id),
+    };
+    Failure::new(Class::Data, "data.width", message)
+        .hint(lang.pick("name it with --type uint, int, word or long", "mit --type uint, int, word oder long angeben"))
+}
+
+/// Says in a row what is sent for it.
+pub fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
+    row.meaning = telegram.as_ref().map(|doc| doc.meaning.clone());
+    row.telegram = telegram.map(|doc| doc.hex);
+}
+
+fn wire_sets(set: u8) -> DataSets {
+    let (set, store) = describe::place(set);
+    DataSets::One(set, store)
+}
+
+/// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.
+pub async fn carry_out(
+    session: &mut Session<'_>,
+    job: &mut Job,
+    terms: &Terms<'_>,
+    permit: &Permit,
+    failures: &mut Vec<Failure>,
+) -> bool {
+    let (address, lang) = (job.target.address, terms.lang());
+    let mut stopped = false;
+    let mut over = false;
+    for (step, row) in job.steps.iter().zip(&mut job.rows) {
+        if row.result != WriteResult::Planned {
+            continue;
+        }
+        if stopped {
+            row.result = WriteResult::Skipped;
+            continue;
+        }
+        let fate = match begin(session, &mut job.target, step).await {
+            Ok(kind) => {
+                tell(row, telegram(terms, &job.target.family, address, step, kind));
+                let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
+                let fate = job.target.write(session, &step.param, order, permit).await;
+                let fate = proven_there(session, &job.target, step, fate).await;
+                fate.map_err(|error| (error, WriteResult::Unknown))
+            }
+            Err(error) => Err((error, WriteResult::Skipped)),
+        };
+        let failure = match fate {
+            Ok(fate) => {
+                row.result = result(&fate);
+                unproven(&fate, &job.target, row, lang)
+            }
+            Err((error, otherwise)) => {
+                row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
+                let mut failure = error.failure(address, Some(&job.target.family), lang);
+                if row.result == WriteResult::Skipped {
+                    failure.message = match lang {
+                        Lang::En => format!("{}; P.{} was not begun", failure.message, row.param),
+                        Lang::De => format!("{}; P.{} wurde nicht begonnen", failure.message, row.param),
+                    };
+                }
+                Some(failure)
+            }
+        };
+        if let Some(failure) = failure {
+            let failure = failure.with("param", step.param.id);
+            row.error = Some(ErrorDoc::from(&failure));
+            over = is_over(&failure);
+            stopped = true;
+            failures.push(failure);
+        }
+    }
+    over
+}
+
+/// What became of a write behind which the drive has another address at once: there it is asked.
+async fn proven_there(
+    session: &mut Session<'_>,
+    target: &Target,
+    step: &Step,
+    fate: Result<WriteFate, AccessError>,
+) -> Result<WriteFate, AccessError> {
+    let role = if session.protocol().name() == "vabus" { "node-id" } else { "address" };
+    let family = &target.family;
+    let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param);
+    let moves = at_once && family.role(role).is_some_and(|param| param.id == step.param.id);
+    let (Ok(new), true) = (u8::try_from(step.raw), moves && target.address != 0) else { return fate };
+    if !matches!(fate, Ok(WriteFate::Written | WriteFate::Unknown(_))) {
+        return fate;
+    }
+    let mut there = Target::new(new, target.family.clone());
+    match there.read_set(session, &step.param, step.set).await {
+        Ok(reading) if reading.raw == step.raw => Ok(WriteFate::Verified),
+        Ok(reading) => Ok(WriteFate::Differs(reading.raw)),
+        Err(error) if error.is_fatal() => Err(error),
+        Err(error) => Ok(WriteFate::Unknown(error)),
+    }
+}
+
+/// How wide the value goes out, with a look at the line: at the question somebody may have unplugged the adapter or pressed
+/// Ctrl-C. Nothing that fails here has changed anything.
+async fn begin(session: &mut Session<'_>, target: &mut Target, step: &Step) -> Result<Type, AccessError> {
+    session.rest(Span::ZERO).await?;
+    target.width(session, &step.param, step.set).await
+}
+
+/// Whether reading back proves anything: not where the line or the drive is gone at once.
+fn reads_back(param: &Param) -> bool {
+    param.access.reads() && !cuts(param)
+}
+
+/// Whether the line or the drive is gone at once behind a write.
+pub fn cuts(param: &Param) -> bool {
+    match param.hazard {
+        Some(HazardKind::Line) => param.effective == Effective::AtOnce,
+        Some(HazardKind::Reset) => true,
+        Some(HazardKind::Motion) | None => false,
+    }
+}
+
+fn result(fate: &WriteFate) -> WriteResult {
+    match fate {
+        WriteFate::Verified => WriteResult::Verified,
+        WriteFate::Written => WriteResult::Written,
+        WriteFate::Differs(_) => WriteResult::Differs,
+        WriteFate::Unknown(_) => WriteResult::Unknown,
+        WriteFate::Broadcast => WriteResult::Broadcast,
+    }
+}
+
+fn unproven(fate: &WriteFate, target: &Target, row: &Written, lang: Lang) -> Option<Failure> {
+    let address = target.address;
+    match fate {
+        WriteFate::Verified | WriteFate::Written | WriteFate::Broadcast => None,
+        WriteFate::Differs(raw) => {
+            let read = format_decimal(*raw, row.value.decimals);
+            let message = format!("drive {address} took the telegram, but P.{} reads back as {read}", row.param);
+            Some(
+                Failure::new(Class::Refused, "refused.reads_back_differently", message)
+                    .hint("the drive limits the value, or something else writes it too"),
+            )
+        }
+        WriteFate::Unknown(error) => {
+            let mut failure = error.failure(address, Some(&target.family), lang);
+            failure.message = format!("whether P.{} was written is unknown: {}", row.param, failure.message);
+            Some(failure)
+        }
+    }
+}
+
+/// Puts the rows of all drives together.
+pub fn done(jobs: Vec<Job>, failures: Vec<Failure>, terms: &Terms<'_>) -> Outcome {
+    let mut warnings = Vec::new();
+    for job in &jobs {
+        for (step, row) in job.steps.iter().zip(&job.rows) {
+            warnings.extend(way_back(step, row, &job.target.family, terms));
+        }
+    }
+    let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
+    if values.iter().any(|row| row.address == 0 && row.result == WriteResult::Broadcast) {
+        let message = terms.lang().pick(
+            "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
+            "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen",
+        );
+        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned() });
+    }
+    let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
+    let failure = summary(failures, succeeded, terms.lang());
+    Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
+}
+
+/// How to get back to a drive whose line settings were changed.
+fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> Option<Warning> {
+    let sent = matches!(row.result, WriteResult::Verified | WriteResult::Written | WriteResult::Unknown);
+    if !sent || step.param.hazard != Some(HazardKind::Line) {
+        return None;
+    }
+    let lang = terms.lang();
+    let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
+    let when = match (step.param.effective, is_address, family.link.line.address) {
+        (Effective::Reset, ..) => lang.pick("after the next reset", "nach dem nächsten Reset"),
+        (_, true, Holds::Unsaid) => lang.pick(
+            "from now on or after the next power-on, which its manual does not say,",
+            "ab jetzt oder nach dem nächsten Einschalten, was die Anleitung nicht sagt,",
+        ),
+        _ => lang.pick("from now on", "ab jetzt"),
+    };
+    let unknown = || lang.pick("its old value", "den alten Wert").to_owned();
+    let old = row.old.map_or_else(unknown, |old| format_decimal(old.raw, old.decimals));
+    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
+    let (label, address, line, protocol) = (step.param.label(), row.address, terms.line, terms.speech.protocol.name());
+    let message = match lang {
+        Lang::En => format!(
+            "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
+             back is to write {old} with the new setting"
+        ),
+        Lang::De => format!(
+            "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
+             zurück führt, mit der neuen Einstellung {old} zu schreiben"
+        ),
+    };
+    Some(Warning { code: "line.changed".to_owned(), message })
+}

@@ -1,0 +1,223 @@
+//! Reading the parameters of one drive into rows, whatever a verb wants of them.
+
+use super::motion::working;
+use super::{AccessError, Reading, Session, Target, describe};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Event, Value, Warning};
+use crate::profile::{DataSets, Lang, Param, Store};
+use std::collections::BTreeMap;
+
+/// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
+#[derive(Debug)]
+pub struct Reader<'t, 'o> {
+    /// The line.
+    pub session: &'t mut Session<'o>,
+    /// The drive.
+    pub target: &'t mut Target,
+    lang: Lang,
+    modes: BTreeMap<u32, i64>,
+    /// Values that came with their neighbours.
+    fetched: BTreeMap<u32, Reading>,
+    /// Not every drive has everything: what it does not know is a row with an error, but no failure of the verb.
+    pub lenient: bool,
+    /// Values that were read.
+    good: usize,
+    /// Refusals that are no failures, unless nothing else came.
+    pub forgiven: Vec<Failure>,
+    /// Why values are missing.
+    pub failures: Vec<Failure>,
+    /// What is odd about values that were read.
+    pub warnings: Vec<Warning>,
+    /// Parameters whose width was found out by asking, and told.
+    pub asked_widths: Vec<u32>,
+}
+
+impl<'t, 'o> Reader<'t, 'o> {
+    /// Reads from this drive.
+    pub fn new(session: &'t mut Session<'o>, target: &'t mut Target, lang: Lang) -> Self {
+        Reader {
+            session,
+            target,
+            lang,
+            modes: BTreeMap::new(),
+            fetched: BTreeMap::new(),
+            lenient: false,
+            good: 0,
+            forgiven: Vec::new(),
+            failures: Vec::new(),
+            warnings: Vec::new(),
+            asked_widths: Vec::new(),
+        }
+    }
+
+    /// What failed. Refusals of single parameters are forgiven, but not if the drive refused everything.
+    pub fn into_failures(mut self) -> (Vec<Failure>, usize) {
+        for warning in self.warnings.drain(..) {
+            self.session.tell(Event::Note(warning.message));
+        }
+        if self.good == 0 && self.failures.is_empty() {
+            self.failures.extend(self.forgiven.into_iter().next());
+        }
+        (self.failures, self.good)
+    }
+
+    /// The parameter that plays a role, read in its own data set; `None` if the family has none.
+    pub async fn role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
+        self.lenient = true;
+        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
+    }
+
+    /// The parameter that plays a role as the drive works with it, and the stored one where that differs. A drive without
+    /// data sets has one value.
+    pub async fn in_force(&mut self, role: &str) -> Result<InForce, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(InForce::default()) };
+        self.lenient = true;
+        if !self.target.family.link.route.has_data_sets() || param.is_volatile() {
+            let value = self.rows(&param, DataSets::Unnamed).await?.into_iter().next();
+            return Ok(InForce { value, stored: None });
+        }
+        let set = self.target.working_set(self.session, &param).await;
+        let set = set.map_err(|error| error.failure(self.target.address, Some(&self.target.family), self.lang))?;
+        let forgiven = self.forgiven.len();
+        let working = self.rows(&param, DataSets::One(set, Store::Ram)).await?.into_iter().next();
+        let stored = self.rows(&param, DataSets::One(set, Store::Eeprom)).await?.into_iter().next();
+        let Some(working) = working.filter(|value| value.error.is_none()) else {
+            // It does not show its RAM: what it stores is all that there is to know.
+            self.forgiven.truncate(forgiven);
+            return Ok(InForce { value: stored, stored: None });
+        };
+        let stored = stored.filter(|stored| stored.error.is_none() && stored.raw != working.raw);
+        Ok(InForce { value: Some(working), stored })
+    }
+
+    /// Like [`Reader::role`], but a refusal is a failure: the verb is about this value.
+    pub async fn vital_role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+        let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
+        self.lenient = false;
+        Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
+    }
+
+    /// Reads in few telegrams what lies next to each other; [`Reader::rows`] takes it from there.
+    pub async fn fetch(&mut self, params: &[Param]) -> Result<(), Failure> {
+        match self.target.neighbours(self.session, params).await {
+            Ok(readings) => {
+                self.fetched.extend(readings);
+                Ok(())
+            }
+            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family), self.lang)),
+        }
+    }
+
+    /// One row per data set. Refusals are rows with an error; what ends the session is an error.
+    pub async fn rows(&mut self, param: &Param, sets: DataSets) -> Result<Vec<Value>, Failure> {
+        self.learn_modes(param).await?;
+        if let Some(reading) = self.fetched.remove(&param.id).filter(|_| sets == DataSets::Unnamed) {
+            return Ok(vec![self.row(param, 0, Ok(reading))?]);
+        }
+        let mut rows = Vec::new();
+        for (set, result) in self.target.read(self.session, param, sets).await {
+            rows.push(Value { node: self.session.node(), ..self.row(param, set, result)? });
+        }
+        Ok(rows)
+    }
+
+    fn row(&mut self, param: &Param, set: u8, result: Result<Reading, AccessError>) -> Result<Value, Failure> {
+        let (address, lang) = (self.target.address, self.lang);
+        match result {
+            Ok(reading) => {
+                self.good += 1;
+                if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
+                    self.asked_widths.push(param.id);
+                    let bits = reading.kind.bits().unwrap_or(0);
+                    let found = match self.lang {
+                        Lang::En => format!("parameter {}: {bits} bits wide, found out by asking", param.id),
+                        Lang::De => format!("Parameter {}: {bits} Bit breit, durch Fragen ermittelt", param.id),
+                    };
+                    self.session.tell(Event::Note(found));
+                }
+                if reading.corrected {
+                    self.warnings.push(Warning {
+                        code: "catalogue.width".to_owned(),
+                        message: format!(
+                            "parameter {}: the catalogue says {} (unconfirmed), drive {address} uses {}",
+                            param.id,
+                            param.kind.map_or("nothing", |kind| kind.name()),
+                            reading.kind.name()
+                        ),
+                    });
+                }
+                let lookup = |id: u32| self.modes.get(&id).copied();
+                let value = describe::value(address, &self.target.family, param, reading, lang, &lookup);
+                self.warnings.extend(implausible(&value, param, lang));
+                Ok(value)
+            }
+            Err(error) => {
+                let failure = error.failure(address, Some(&self.target.family), lang).with("param", param.id);
+                if error.is_fatal() {
+                    return Err(failure);
+                }
+                let row = describe::unread(address, &self.target.family, param, set, lang, &failure);
+                if failure.class == Class::Refused && self.lenient {
+                    self.forgiven.push(failure);
+                } else {
+                    self.failures.push(failure);
+                }
+                Ok(row)
+            }
+        }
+    }
+
+    /// Reads the parameters that decide what this one's bits are called.
+    async fn learn_modes(&mut self, param: &Param) -> Result<(), Failure> {
+        for when in &param.bits_when {
+            if self.modes.contains_key(&when.param) {
+                continue;
+            }
+            let deciding = self.target.family.param_or_unknown(when.param);
+            // What is in force decides, not what is stored.
+            if let Some(raw) = working(self.session, self.target, &deciding, self.lang).await? {
+                self.modes.insert(when.param, raw);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The warning about a value that the catalogue says cannot be.
+fn implausible(value: &Value, param: &Param, lang: Lang) -> Option<Warning> {
+    let (expected, raw) = (value.expected.as_ref()?, value.raw?);
+    let (label, address) = (param.label(), value.address);
+    let message = match lang {
+        Lang::En => format!(
+            "drive {address}: {label} reads as {raw}, expected {expected}: two drives at one address, a disturbed reply, \
+             or a drive of another kind (--drive)?"
+        ),
+        Lang::De => format!(
+            "Antrieb {address}: {label} liest sich als {raw}, erwartet {expected}: zwei Antriebe mit einer Adresse, eine \
+             gestörte Antwort oder ein Antrieb anderer Art (--drive)?"
+        ),
+    };
+    Some(Warning { code: "value.implausible".to_owned(), message })
+}
+
+/// A setting as the drive works with it, and as it is stored where that is another value.
+#[derive(Debug, Default)]
+pub struct InForce {
+    /// As the drive works with it.
+    pub value: Option<Value>,
+    /// As it is stored, where that is another value.
+    pub stored: Option<Value>,
+}
+
+impl InForce {
+    /// One row, or two that differ; the second says that it is only stored.
+    pub fn rows(self, lang: Lang) -> impl Iterator<Item = Value> {
+        let only = lang.pick("stored, not in force", "gespeichert, nicht wirksam");
+        let stored = self.stored.map(|value| {
+            let text = value.text.into_iter().chain([only.to_owned()]).collect::<Vec<_>>().join("; ");
+            Value { text: Some(text), ..value }
+        });
+        self.value.into_iter().chain(stored)
+    }
+}

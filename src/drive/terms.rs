@@ -1,0 +1,75 @@
+//! What is known of a line and its drives without asking, because somebody said it.
+
+use super::{Session, Target, decode, recognise};
+use crate::failure::{Class, Failure};
+use crate::profile::{Family, Lang, Registry};
+use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::pdu::WordOrder;
+use std::rc::Rc;
+
+/// What somebody said.
+#[derive(Clone, Debug)]
+pub struct Terms<'a> {
+    /// Catalogues.
+    pub registry: &'a Registry,
+    /// The family of the drives; `None` to ask them.
+    pub named: Option<Rc<Family>>,
+    /// Which half of a value in two registers goes first; `None` to ask the drive.
+    pub word_order: Option<WordOrder>,
+    /// Speed and format of the line.
+    pub line: LineSetting,
+    /// What is spoken, and in which language it is told.
+    pub speech: decode::Reader<'static>,
+}
+
+impl Terms<'_> {
+    /// Language of what is told.
+    pub fn lang(&self) -> Lang {
+        self.speech.lang
+    }
+
+    /// Takes telegrams of this family apart.
+    pub fn telegrams<'f>(&self, family: &'f Family) -> decode::Reader<'f> {
+        decode::Reader { family: Some(family), ..self.speech }
+    }
+
+    /// The family that was named, or the one with the larger catalogue.
+    pub fn usual(&self) -> Option<Rc<Family>> {
+        self.named.clone().or_else(|| self.registry.family("acu"))
+    }
+
+    /// The drive at an address: of the family that was named, or asked. `shows_register`: the error register is going to be
+    /// read, so asking must not lose it.
+    ///
+    /// # Errors
+    /// Nobody answers, or who answers is no drive that we know.
+    pub async fn target(
+        &self,
+        session: &mut Session<'_>,
+        address: u8,
+        shows_register: bool,
+    ) -> Result<Target, Failure> {
+        let lang = self.lang();
+        if let Some(family) = &self.named {
+            return Ok(Target::new(address, family.clone()).in_word_order(self.word_order));
+        }
+        let presumed = self.registry.family("acu");
+        let finding = recognise(session, self.registry, address, lang, shows_register)
+            .await
+            .map_err(|error| error.failure(address, presumed.as_deref(), lang))?;
+        let target = finding.target(address, self.registry);
+        target.map(|target| target.in_word_order(self.word_order)).ok_or_else(|| {
+            let told: Vec<_> =
+                finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
+            Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
+                .hint(format!("{}; name the family with --drive if you know better", told.join("; ")))
+                .with("address", address)
+        })
+    }
+}
+
+/// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
+pub fn who(address: u8, node: u8, drive: &str, lang: Lang) -> String {
+    let behind = if node == 0 { String::new() } else { format!(".{node}") };
+    format!("{} {address}{behind} ({drive})", lang.pick("drive", "Antrieb"))
+}
