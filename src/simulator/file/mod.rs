@@ -86,7 +86,6 @@ fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tick::Span;
 
     fn bench(text: &str) -> Result<Bench, BenchError> {
         read("bench.toml", text, &Registry::open(&[]).unwrap())
@@ -150,5 +149,4 @@ mod tests {
         assert!(drive("[[disturb]]\nevery = 1\nkind = \"twin\"\nfor = \"1s\"").contains("only with kind = \"babble\""));
         assert!(refused("").contains("at least one"));
     }
-
 }
