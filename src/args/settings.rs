@@ -102,11 +102,7 @@ impl Settings {
         };
         let drive = low.said(|drive| drive.drive.clone(), |file| file.drive.clone());
         let drive = low.pick("drive", globals.drive.clone(), drive, Ok)?.filter(|drive| drive != AUTO);
-        let timeout = low.said(|_| None, |file| file.timeout.clone());
-        let timeout = low.pick("timeout", globals.timeout, timeout, |text| parse_span(&text))?;
-        if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
-            return Err(bad_setting("timeout", "expected at least 1ms; drives answer not before 10 ms"));
-        }
+        let timeout = timeout(&mut low)?;
         let retries = low.said(|_| None, |file| file.retries);
         let retries = low.pick("retries", globals.retries, retries, Ok)?;
         let format = globals.format.or(globals.json.then_some(Format::Json));
@@ -206,6 +202,16 @@ impl Settings {
 pub fn user_config_directory() -> Option<PathBuf> {
     use etcetera::BaseStrategy;
     etcetera::choose_base_strategy().ok().map(|strategy| strategy.config_dir().join("antrieb"))
+}
+
+/// How long a reply is waited for.
+fn timeout(low: &mut Low<'_>) -> Result<Option<Span>, Failure> {
+    let said = low.said(|_| None, |file| file.timeout.clone());
+    let timeout = low.pick("timeout", low.flags.timeout, said, |text| parse_span(&text))?;
+    if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
+        return Err(bad_setting("timeout", "expected at least 1ms; drives answer not before 10 ms"));
+    }
+    Ok(timeout)
 }
 
 /// Every port that was named.

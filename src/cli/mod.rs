@@ -65,7 +65,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
 
 /// Prints what the program knows of itself.
 fn print(page: &Printed, matches: &ArgMatches, json: bool, out: &mut dyn Write, console: &Console) -> u8 {
-    match (page.print)(matches, out) {
+    match (page.print)(matches, typed::tree, out) {
         Ok(None) => 0,
         Ok(Some(failure)) if json => {
             let code = failure.class.exit();

@@ -1,6 +1,5 @@
 //! What the program tells of itself, without settings and without a line: schemas, completions, man pages.
 
-use super::typed::tree;
 use crate::command::VERBS;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
@@ -15,8 +14,11 @@ pub(super) struct Printed {
     /// Its arguments and its help.
     pub(super) command: fn() -> clap::Command,
     /// Prints it, or says why there is none.
-    pub(super) print: fn(&ArgMatches, &mut dyn Write) -> io::Result<Option<Failure>>,
+    pub(super) print: fn(&ArgMatches, Tree, &mut dyn Write) -> io::Result<Option<Failure>>,
 }
+
+/// The whole tree of arguments, built where it is needed.
+type Tree = fn() -> clap::Command;
 
 /// All of them.
 pub(super) const PRINTED: &[Printed] = &[
@@ -27,16 +29,16 @@ pub(super) const PRINTED: &[Printed] = &[
 
 trait Page: Args {
     const NAME: &'static str;
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>>;
+    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>>;
 }
 
 fn command<P: Page>() -> clap::Command {
     P::augment_args(clap::Command::new(P::NAME))
 }
 
-fn print<P: Page>(matches: &ArgMatches, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+fn print<P: Page>(matches: &ArgMatches, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     match P::from_arg_matches(matches) {
-        Ok(page) => page.print(out),
+        Ok(page) => page.print(tree, out),
         Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", error.to_string()))),
     }
 }
@@ -51,7 +53,7 @@ struct Schema {
 impl Page for Schema {
     const NAME: &'static str = "schema";
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, _tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let schema = match self.verb.as_deref() {
             None => schemars::schema_for!(Document<Data>).to_value(),
             Some(typed) => match VERBS.iter().find(|verb| verb.name == typed || verb.alias == Some(typed)) {
@@ -79,7 +81,7 @@ struct Completions {
 impl Page for Completions {
     const NAME: &'static str = "completions";
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut tree(), "antrieb", &mut script);
         out.write_all(&script)?;
@@ -98,7 +100,7 @@ struct Man {
 impl Page for Man {
     const NAME: &'static str = "man";
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut root = tree();
         root.build();
         let page = match self.verb.as_deref() {

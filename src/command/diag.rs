@@ -3,7 +3,9 @@
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::Settings;
-use crate::drive::{AccessError, Inquiry, Session, clear_counters, counters, describe, last_refusal, link_test};
+use crate::drive::{
+    AccessError, Inquiry, Session, Target, clear_counters, counters, describe, last_refusal, link_test,
+};
 use crate::failure::{Class, Failure};
 use crate::gate::{Hazard, Permit, Question};
 use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value};
@@ -170,6 +172,15 @@ async fn memory(reader: &mut Reader<'_, '_>, family: &Family) -> Result<Vec<Valu
     Ok(memory)
 }
 
+/// Why the drive refused something last, if this command has not made it refuse something itself.
+async fn kept_refusal(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Option<u16>, AccessError> {
+    if matches!(target.family.link.cause, Cause::Diagnostics(_)) && target.refused_on_the_way {
+        session.tell(Event::Note(overwritten(lang).to_owned()));
+        return Ok(None);
+    }
+    last_refusal(session, target).await
+}
+
 async fn diagnose(
     session: &mut Session<'_>,
     settings: &Settings,
@@ -183,13 +194,7 @@ async fn diagnose(
     let family = target.family.clone();
     let failed = |error: AccessError| error.failure(address, Some(&family), lang);
     // First of all: any refused question would overwrite it.
-    let refusal = match family.link.cause {
-        Cause::Diagnostics(_) if target.refused_on_the_way => {
-            session.tell(Event::Note(overwritten(lang).to_owned()));
-            None
-        }
-        _ => last_refusal(session, &mut target).await.map_err(failed)?,
-    };
+    let refusal = kept_refusal(session, &mut target, lang).await.map_err(failed)?;
     let mut reader = Reader::new(session, &mut target, settings.lang);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
@@ -205,10 +210,7 @@ async fn diagnose(
     let (mut failures, good) = reader.into_failures();
     let present = status.as_ref().zip(fault).map(|(word, code)| family.present_fault(word.raw, code as u32));
     let code = present.map(|code| code.unwrap_or(0));
-    let warns = match (family.role("warnings"), &warnings) {
-        (Some(_), word) => word.as_ref().is_none_or(|word| word.raw != 0),
-        (None, _) => false,
-    };
+    let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
     let mut report = Diagnosis {
         drive: family.drive.clone(),
         healthy: code == Some(0) && !warns,

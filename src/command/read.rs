@@ -7,7 +7,7 @@ use super::{
 };
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value};
+use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Lang, Selection, Selector, Type};
 use clap::Args as ClapArgs;
 
@@ -63,20 +63,15 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let (family, _) = named()?;
     let shows_register = shows_register(&selectors, &family, args, settings.lang)?;
     let mut session = session?;
-    let (mut values, mut failures, mut warnings, mut succeeded) = (Vec::new(), Vec::new(), Vec::new(), 0);
+    let mut haul = Haul::default();
     for address in addresses {
         let mut target = match target(&mut session, settings, registry, address, shows_register).await {
             Ok(target) => target,
             Err(failure) => {
                 let over = is_over(&failure);
-                values.extend(unreachable(
-                    address,
-                    &select(&selectors, &family, args, settings.lang)?,
-                    &family,
-                    settings.lang,
-                    &failure,
-                ));
-                failures.push(failure);
+                let selections = select(&selectors, &family, args, settings.lang)?;
+                haul.values.extend(unreachable(address, &selections, &family, settings.lang, &failure));
+                haul.failures.push(failure);
                 if over {
                     break;
                 }
@@ -87,37 +82,50 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }
-        let mut reader = Reader::new(&mut session, &mut target, settings.lang);
+        let reader = Reader::new(&mut session, &mut target, settings.lang);
+        if !haul.take(reader, &selections, settings.lang).await {
+            break;
+        }
+    }
+    let Haul { values, failures, warnings } = haul;
+    let succeeded = values.iter().filter(|value| value.error.is_none()).count();
+    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings, settings.lang))
+}
+
+/// What was read so far, and what came of the rest.
+#[derive(Debug, Default)]
+struct Haul {
+    values: Vec<Value>,
+    failures: Vec<Failure>,
+    warnings: Vec<Warning>,
+}
+
+impl Haul {
+    /// Reads one drive; `false` if the session is over.
+    async fn take(&mut self, mut reader: Reader<'_, '_>, selections: &[Selection], lang: Lang) -> bool {
         let params: Vec<_> = selections.iter().map(|selection| selection.param.clone()).collect();
         let mut fetched = reader.fetch(&params).await;
-        for selection in &selections {
-            reader.lenient = selection.of_group;
+        for Selection { param, sets, of_group } in selections {
+            reader.lenient = *of_group;
             let rows = match std::mem::replace(&mut fetched, Ok(())) {
-                Ok(()) => reader.rows(&selection.param, selection.sets).await,
+                Ok(()) => reader.rows(param, *sets).await,
                 Err(failure) => Err(failure),
             };
             match rows {
-                Ok(rows) => values.extend(rows),
+                Ok(rows) => self.values.extend(rows),
                 Err(failure) => {
-                    values.push(describe::unread(
-                        address,
-                        &reader.target.family,
-                        &selection.param,
-                        selection.sets.wire().first().copied().unwrap_or(0),
-                        settings.lang,
-                        &failure,
-                    ));
-                    failures.push(failure);
-                    let read = values.iter().filter(|value: &&Value| value.error.is_none()).count();
-                    return Ok(finish(Data::Read(Read { values }), failures, read, warnings, settings.lang));
+                    let (address, set) = (reader.target.address, sets.wire().first().copied().unwrap_or(0));
+                    let family = &reader.target.family;
+                    self.values.push(describe::unread(address, family, param, set, lang, &failure));
+                    self.failures.push(failure);
+                    return false;
                 }
             }
         }
-        warnings.append(&mut reader.warnings);
-        failures.extend(reader.into_failures().0);
+        self.warnings.append(&mut reader.warnings);
+        self.failures.extend(reader.into_failures().0);
+        true
     }
-    succeeded += values.iter().filter(|value| value.error.is_none()).count();
-    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings, settings.lang))
 }
 
 /// Reads what the user typed; without anything, the group of actual values.

@@ -3,7 +3,7 @@
 use super::Context;
 use super::verb::{Verb, Working};
 use crate::args::{Addresses, Settings, parse_addresses};
-use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Unknown, open_port, scan};
+use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
@@ -242,14 +242,7 @@ fn report(
             addresses += searched.total;
             asked += searched.asked.len();
             complete &= searched.is_complete();
-            let search = Search {
-                port: port.to_string(),
-                line: searched.tuning.line.to_string(),
-                protocol: searched.tuning.protocol.name().to_owned(),
-                asked: ranges(&searched.asked),
-                complete: searched.is_complete(),
-                garbled: searched.garbled.iter().copied().collect(),
-            };
+            let search = search(port, searched);
             searches.retain(|old: &Search| {
                 (&old.port, &old.line, &old.protocol) != (&search.port, &search.line, &search.protocol)
             });
@@ -275,6 +268,18 @@ fn report(
         searches,
     };
     Outcome { data: Some(Data::Scan(data)), warnings, failure }
+}
+
+/// What was asked at one setting.
+fn search(port: &Port, searched: &Searched) -> Search {
+    Search {
+        port: port.to_string(),
+        line: searched.tuning.line.to_string(),
+        protocol: searched.tuning.protocol.name().to_owned(),
+        asked: ranges(&searched.asked),
+        complete: searched.is_complete(),
+        garbled: searched.garbled.iter().copied().collect(),
+    }
 }
 
 /// Why it is not all that was asked for: interrupted, a port that failed, or nobody there.

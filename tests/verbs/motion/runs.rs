@@ -7,9 +7,7 @@ use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::gate::{Hazard, Permit};
 use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
-use antrieb::protocol::line::{LineSetting, Parity};
-use antrieb::protocol::modbus::Framing;
-use antrieb::transport::{Port, Rs485};
+use antrieb::transport::Port;
 use serde_json::json;
 
 /// A drive that obeys the control word, with everything that it needs to run.
@@ -222,17 +220,7 @@ pub(crate) fn with_motor(
     let registry = Registry::open(&[]).unwrap();
     let port = Port::Sim(Some(file));
     let mut observe = |_: Event| {};
-    let opening = Opening {
-        port: &port,
-        line: LineSetting::rtu(19_200, Parity::Even),
-        rs485: Rs485::default(),
-        protocol: Framing::Rtu.into(),
-        timeout: None,
-        retries: None,
-        trace: None,
-        verbose: false,
-        lang: Lang::En,
-    };
+    let opening = Opening::at(&port);
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe);
     let mut session = runtime.block_on(opened).unwrap();

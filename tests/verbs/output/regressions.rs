@@ -3,10 +3,8 @@
 use crate::run::antrieb;
 use antrieb::drive::{AccessError, Interrupt, Opening, ScanPlan, Session, Target, recognise, scan};
 use antrieb::profile::{DataSets, Lang, Registry};
-use antrieb::protocol::line::{LineSetting, Parity};
-use antrieb::protocol::modbus::Framing;
 use antrieb::protocol::modbus::pdu::Request;
-use antrieb::transport::{Port, Rs485};
+use antrieb::transport::Port;
 use serde_json::Value;
 
 /// A device that refuses whatever a drive would know.
@@ -111,17 +109,8 @@ fn the_hint_for_bench_files_leads_to_their_format() {
 /// Leaves a cause in the error register of the drive at 1, does something, and reads the register.
 fn cause_after(work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> i64 {
     let registry = Registry::open(&[]).unwrap();
-    let opening = Opening {
-        port: &Port::Sim(None),
-        line: LineSetting::rtu(19_200, Parity::Even),
-        rs485: Rs485::default(),
-        protocol: Framing::Rtu.into(),
-        timeout: None,
-        retries: None,
-        trace: None,
-        verbose: false,
-        lang: Lang::En,
-    };
+    let port = Port::Sim(None);
+    let opening = Opening::at(&port);
     let mut observe = |_| {};
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     runtime.block_on(async {

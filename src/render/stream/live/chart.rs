@@ -1,34 +1,16 @@
 //! What is drawn of a drive over the last minutes.
 
+use super::past::{Drive, Past, float};
 use super::screen::Screen;
-use crate::outcome::{Column, Decimal, Sample, WatchedDrive};
 use crate::render::clean;
-use crate::render::stream::cells::{Board, GAP, find, is_number, number};
+use crate::render::stream::cells::{Board, GAP, find, number};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Color;
 use ratatui::symbols::Marker;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Axis, Chart, Dataset, GraphType, Paragraph};
-use std::collections::VecDeque;
 
-/// What is known of a drive, and what was.
-pub(super) struct Drive {
-    pub(super) about: WatchedDrive,
-    /// Indices of the columns that are drawn: setpoint and actual value, or the first numbers of one unit.
-    pub(super) drawn: Vec<usize>,
-    pub(super) last: Option<Sample>,
-    pub(super) past: VecDeque<Past>,
-}
-
-/// A sample as far as it is drawn.
-pub(super) struct Past {
-    pub(super) t: f64,
-    pub(super) values: Vec<Option<f64>>,
-}
-
-/// Most samples of a drive that are kept.
-const KEPT: usize = 2_000;
 /// Fewest seconds that the chart spans; with long intervals it is more.
 const SPAN: f64 = 60.0;
 
@@ -86,34 +68,6 @@ impl Screen {
     }
 }
 
-impl Drive {
-    pub(super) fn new(about: WatchedDrive) -> Self {
-        let role = |roles: &[&str]| {
-            let found = |column: &Column| column.scaled && column.role.is_some_and(|role| roles.contains(&role));
-            about.columns.iter().position(found)
-        };
-        let setpoint = role(&["setpoint-ramp", "setpoint-bus"]);
-        let actual = role(&["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"]);
-        let mut drawn: Vec<usize> = setpoint.into_iter().chain(actual).collect();
-        if drawn.is_empty() {
-            let numbers = about.columns.iter().enumerate().filter(|(_, column)| is_number(column));
-            let first = numbers.clone().next().and_then(|(_, column)| column.unit.clone());
-            drawn = numbers.filter(|(_, column)| column.unit == first).map(|(index, _)| index).take(2).collect();
-        }
-        Drive { about, drawn, last: None, past: VecDeque::new() }
-    }
-
-    pub(super) fn take(&mut self, sample: &Sample) {
-        let value = |index: &usize| find(self.about.columns.get(*index)?, sample)?.value.map(float);
-        let values = self.drawn.iter().map(value).collect();
-        if self.past.len() == KEPT {
-            self.past.pop_front();
-        }
-        self.past.push_back(Past { t: float(sample.t), values });
-        self.last = Some(sample.clone());
-    }
-}
-
 /// Marks for the times from which there is no value: from the last good sample before to the first one after.
 fn holes(seen: &[&Past], step: f64) -> Vec<f64> {
     let is_gap = |past: &&Past| past.values.iter().all(Option::is_none);
@@ -127,10 +81,6 @@ fn holes(seen: &[&Past], step: f64) -> Vec<f64> {
         }
     }
     marks
-}
-
-fn float(decimal: Decimal) -> f64 {
-    decimal.raw as f64 / 10f64.powi(decimal.decimals.into())
 }
 
 /// Bounds of an axis that hold all values, and zero, at round numbers.

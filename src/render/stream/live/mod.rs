@@ -5,6 +5,7 @@
 
 mod chart;
 mod keys;
+mod past;
 mod screen;
 #[cfg(test)]
 mod tests;

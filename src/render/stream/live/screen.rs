@@ -1,6 +1,6 @@
 //! The live view without a terminal: a line for every drive, and the values of one of them.
 
-use super::chart::Drive;
+use super::past::Drive;
 use crate::outcome::{Column, Decimal, Record, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
