@@ -3,7 +3,7 @@
 //! States come from the status word ([`super::StateRow`]); commands and numbered transitions from the catalogue. The
 //! planner finds the commands from the present state to a goal, or says what stands in the way.
 
-use super::family::CatalogueRow;
+use super::row::CatalogueRow;
 use super::text::Lang;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

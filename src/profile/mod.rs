@@ -10,13 +10,14 @@ mod link;
 mod machine;
 mod motion;
 mod param;
+mod row;
 mod select;
 pub mod setpoint;
 mod text;
 pub mod value;
 
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
-pub use family::{BitRow, CounterRow, ErrorRow, Family, FaultCodes, FaultRow, LookupError, StateRow, WordBit};
+pub use family::{Family, LookupError, WordBit};
 pub use link::{Cause, Holds, LineTable, Link, Route};
 pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
 pub use motion::{
@@ -24,6 +25,7 @@ pub use motion::{
     Source, Start, Stator, StopRow,
 };
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
+pub use row::{BitRow, CounterRow, ErrorRow, FaultCodes, FaultRow, StateRow};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use text::{Lang, Text, fold, place};
 pub use value::format_value;

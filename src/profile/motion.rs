@@ -1,8 +1,8 @@
 //! How a family is moved: who obeys the control word, what must be given before it runs, how it is stopped, and in which
 //! operating modes it takes which setpoints. The `[motion]` and `[[modes]]` tables of a catalogue.
 
-use super::family::CatalogueRow;
 use super::machine::{Need, Takes};
+use super::row::CatalogueRow;
 use super::text::{Lang, Text};
 use serde::Deserialize;
 

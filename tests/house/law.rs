@@ -1,7 +1,7 @@
 //! The law itself. Paths are those of modules; a path holds for everything below it.
 
 /// Room or part of one, and what it may name outside itself. The longest path that fits a file is its row.
-pub const LAW: &[(&str, &[&str])] = &[
+pub(crate) const LAW: &[(&str, &[&str])] = &[
     ("tick", &[]),
     ("failure", &[]),
     ("files", &[]),
@@ -56,7 +56,7 @@ pub const LAW: &[(&str, &[&str])] = &[
 ];
 
 /// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.
-pub const TELEGRAMS: &[(&str, &[&str])] = &[
+pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
     (
         "protocol",
         &[
@@ -86,7 +86,7 @@ pub const TELEGRAMS: &[(&str, &[&str])] = &[
 ];
 
 /// Rooms whose parts do not name each other, but for some that all of them may name.
-pub const SIBLINGS: &[(&str, &[&str])] = &[(
+pub(crate) const SIBLINGS: &[(&str, &[&str])] = &[(
     "simulator::device",
     &[
         "simulator::device::cia402",
@@ -99,18 +99,15 @@ pub const SIBLINGS: &[(&str, &[&str])] = &[(
 )];
 
 /// Rooms in which not even a module and what lies inside it name each other.
-pub const STRICT: &[&str] = &["simulator"];
+pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
 
 /// Arrows that close a circle of files, and are still to go: from, to. The list only becomes shorter.
-pub const CIRCLES: &[(&str, &str)] = &[
+pub(crate) const CIRCLES: &[(&str, &str)] = &[
     ("args::address", "args::low"),
     ("command::sollwert::wanted", "command::sollwert::zero"),
     ("drive::motion::relief", "drive::motion::shout"),
     ("drive::session", "drive::family"),
     ("drive::session", "drive::trouble"),
     ("exchange::job", "exchange::master"),
-    ("profile::family", "profile::machine"),
-    ("profile::family", "profile::motion"),
     ("render::console", "render::ask"),
-    ("transport::ioctl", "transport::tty"),
 ];

@@ -9,12 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Path of a module below the crate, as its names.
-pub type Module = Vec<String>;
+pub(crate) type Module = Vec<String>;
 
 /// A file of the library.
-pub struct Source {
-    pub module: Module,
-    pub file: PathBuf,
+pub(crate) struct Source {
+    pub(crate) module: Module,
+    pub(crate) file: PathBuf,
     tokens: Vec<Token>,
     /// What it imports: the name that it has here, and its path from the crate on.
     imports: BTreeMap<String, Module>,
@@ -25,18 +25,18 @@ pub struct Source {
 }
 
 /// All files of the library, as `mod` leads to them from `lib.rs`: no tests.
-pub struct Sources(BTreeMap<Module, Source>);
+pub(crate) struct Sources(BTreeMap<Module, Source>);
 
 /// One file names something in another.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Arrow {
-    pub from: Module,
-    pub to: Module,
-    pub name: String,
+pub(crate) struct Arrow {
+    pub(crate) from: Module,
+    pub(crate) to: Module,
+    pub(crate) name: String,
 }
 
 impl Sources {
-    pub fn of(src: &Path) -> Self {
+    pub(crate) fn of(src: &Path) -> Self {
         let mut sources = BTreeMap::new();
         let mut todo = vec![(Module::new(), src.join("lib.rs"), src.to_owned())];
         while let Some((module, file, directory)) = todo.pop() {
@@ -63,7 +63,7 @@ impl Sources {
         sources
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = &Source> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Source> {
         self.0.values()
     }
 
@@ -104,7 +104,7 @@ impl Sources {
     }
 
     /// Every path that a file spells, from the crate on.
-    pub fn spelt(&self, source: &Source) -> BTreeSet<Module> {
+    pub(crate) fn spelt(&self, source: &Source) -> BTreeSet<Module> {
         let imported = source.imports.values().chain(&source.globs).cloned();
         let written = paths(&source.tokens).into_iter().filter_map(|path| self.from_crate(&source.module, &path));
         imported.chain(written).collect()
@@ -130,7 +130,7 @@ impl Sources {
     }
 
     /// Who names whom.
-    pub fn arrows(&self) -> BTreeSet<Arrow> {
+    pub(crate) fn arrows(&self) -> BTreeSet<Arrow> {
         let mut arrows = BTreeSet::new();
         for source in self.iter() {
             for path in self.spelt(source) {

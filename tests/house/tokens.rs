@@ -1,10 +1,10 @@
 //! The words of a source file: comments, texts and everything behind `#[cfg(test)]` left out.
 
 /// An identifier, `::`, or one other character.
-pub type Token = String;
+pub(crate) type Token = String;
 
 /// All words of `text` that the shipped program is made of.
-pub fn code(text: &str) -> Vec<Token> {
+pub(crate) fn code(text: &str) -> Vec<Token> {
     without_inline(without_tests(&split(text)))
 }
 

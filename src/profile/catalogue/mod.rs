@@ -1,0 +1,272 @@
+//! The one catalogue format, for what we ship and for what users bring: TOML, one inline table per parameter.
+//!
+//! A catalogue is refused as a whole, with file, line and column, if it has unknown keys, duplicate ids, control
+//! characters, dangling references or limits that do not fit its decimals.
+
+mod format;
+mod merge;
+mod place;
+
+pub use place::CatalogueError;
+
+use super::family::Family;
+use super::text::Text;
+use format::{Body, Head, SCHEMA};
+use place::{Origin, Place, shorten};
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Largest catalogue that is read at all.
+const MAX_FILE: usize = 4 << 20;
+/// The catalogues that we ship: family, and `data/*.toml` as two lines of JSON, which are read in a tenth of the time:
+/// the keys of [`Head`], then everything. `UPDATE=1 cargo test --test generated` writes them.
+const BUILT_IN: &[(&str, &str)] =
+    &[("active", include_str!("../data/active.ndjson")), ("lexium05", include_str!("../data/lexium05.ndjson"))];
+
+/// A catalogue of the user: where it stands and what is in it.
+#[derive(Clone, Debug)]
+pub struct CatalogueFile {
+    /// Shown in errors and as the origin of rows.
+    pub path: String,
+    /// TOML.
+    pub text: String,
+}
+
+/// Every drive that the catalogues describe.
+#[derive(Debug)]
+pub struct Registry {
+    files: Vec<Catalogue>,
+    /// Families that were asked for.
+    families: RefCell<BTreeMap<String, Rc<Family>>>,
+}
+
+/// A drive's id and title.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DriveTitle {
+    /// Word for `--drive` and JSON: `act`.
+    pub id: String,
+    /// For people.
+    pub title: Text,
+}
+
+impl Registry {
+    /// Reads the shipped catalogues and those of the user, in this order; later files may replace rows of earlier ones.
+    pub fn open(user: &[CatalogueFile]) -> Result<Self, CatalogueError> {
+        let mut files = Vec::new();
+        for (family, text) in BUILT_IN {
+            files.push(Catalogue::shipped(family, text)?);
+        }
+        for file in user {
+            let catalogue = Catalogue::read(&file.path, &file.text)?;
+            if !files.iter().any(|known: &Catalogue| known.head.family == catalogue.head.family) {
+                let known: Vec<_> = BUILT_IN.iter().map(|row| row.0).collect();
+                let message = format!("unknown family '{}' (expected: {})", catalogue.head.family, known.join(", "));
+                return Err(catalogue.origin.error(Place::File, message));
+            }
+            if catalogue.rows()?.belongs_to_us() {
+                let message = "[link], [motion] and fault_codes belong to the shipped catalogues".to_owned();
+                return Err(catalogue.origin.error(Place::File, message));
+            }
+            files.push(catalogue);
+        }
+        let registry = Registry { files, families: RefCell::default() };
+        // The shipped catalogues are proved by our tests; what users bring must be proved now.
+        if !user.is_empty() {
+            for drive in registry.drives() {
+                registry.load(&drive.id)?;
+            }
+        }
+        Ok(registry)
+    }
+
+    /// Id and title of every drive, in the order of the catalogues.
+    pub fn drives(&self) -> Vec<DriveTitle> {
+        let rows = self.files.iter().flat_map(|file| &file.head.drives);
+        rows.map(|row| DriveTitle { id: row.id.clone(), title: Text { en: row.en.clone(), de: row.de.clone() } })
+            .collect()
+    }
+
+    /// Every drive, in the order of the catalogues.
+    pub fn families(&self) -> Vec<Rc<Family>> {
+        self.drives().iter().filter_map(|drive| self.family(&drive.id)).collect()
+    }
+
+    /// What a drive is; `None` if no catalogue describes it.
+    pub fn family(&self, drive: &str) -> Option<Rc<Family>> {
+        if let Some(known) = self.families.borrow().get(drive) {
+            return Some(known.clone());
+        }
+        let family = Rc::new(self.load(drive).ok().flatten()?);
+        self.families.borrow_mut().insert(drive.to_owned(), family.clone());
+        Some(family)
+    }
+
+    fn load(&self, drive: &str) -> Result<Option<Family>, CatalogueError> {
+        let Some(home) = self.files.iter().find(|file| file.head.drives.iter().any(|row| row.id == drive)) else {
+            return Ok(None);
+        };
+        let mut family = Family::empty(&home.head.family, drive, home.head.title.clone().unwrap_or_default());
+        family.siblings = home.head.drives.iter().map(|row| row.id.clone()).collect();
+        for file in self.files.iter().filter(|file| file.head.family == home.head.family) {
+            file.origin.pour(file.rows()?.into_owned(), &mut family)?;
+        }
+        family.motion.keep(drive);
+        Ok(Some(family))
+    }
+}
+
+/// One catalogue file.
+#[derive(Debug)]
+struct Catalogue {
+    origin: Origin,
+    head: Head,
+    rows: Rows,
+}
+
+/// The rows of a catalogue.
+#[derive(Debug)]
+enum Rows {
+    /// JSON that is read when the family is asked for.
+    Shipped(&'static str),
+    Read(Box<Body>),
+}
+
+impl Catalogue {
+    /// A catalogue of ours; its rows are left for later.
+    fn shipped(family: &str, text: &'static str) -> Result<Self, CatalogueError> {
+        let origin = Origin::Shipped { path: format!("built-in {family}.toml") };
+        let (head, rows) = text.split_once('\n').unwrap_or((text, ""));
+        let head = origin.parse(head)?;
+        Ok(Catalogue { origin, head, rows: Rows::Shipped(rows) })
+    }
+
+    fn read(path: &str, text: &str) -> Result<Self, CatalogueError> {
+        let origin = Origin::File { path: path.to_owned(), text: text.to_owned() };
+        if text.len() > MAX_FILE {
+            let message = format!("{} bytes; a catalogue has at most {MAX_FILE}", text.len());
+            return Err(origin.error(Place::File, message));
+        }
+        let body: Body = toml::from_str(text).map_err(|error| {
+            origin.error(Place::Offset(error.span().map_or(0, |span| span.start)), shorten(error.message()))
+        })?;
+        if body.schema != SCHEMA {
+            let message = format!("schema {}; this program reads schema {SCHEMA}", body.schema);
+            return Err(origin.error(Place::File, message));
+        }
+        let (family, title, drives) = (body.family.clone(), body.title.clone(), body.drives.clone());
+        let head = Head { family, title, drives };
+        Ok(Catalogue { origin, head, rows: Rows::Read(Box::new(body)) })
+    }
+
+    fn rows(&self) -> Result<Cow<'_, Body>, CatalogueError> {
+        match &self.rows {
+            Rows::Shipped(json) => self.origin.parse(json).map(Cow::Owned),
+            Rows::Read(body) => Ok(Cow::Borrowed(body)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn open(text: &str) -> Result<Registry, CatalogueError> {
+        Registry::open(&[CatalogueFile { path: "mine.toml".to_owned(), text: text.to_owned() }])
+    }
+
+    fn refused(text: &str) -> String {
+        open(text).unwrap_err().to_string()
+    }
+
+    const HEAD: &str = "schema = 1\nfamily = \"active\"\n";
+
+    /// What we ship goes through everything that a user's catalogue goes through, and its JSON says the same.
+    #[test]
+    fn shipped_catalogues_are_proved() {
+        let shipped = Registry::open(&[]).unwrap();
+        for text in [include_str!("../data/active.toml"), include_str!("../data/lexium05.toml")] {
+            let mut read = Catalogue::read("mine.toml", text).unwrap();
+            if let Origin::File { path, .. } = &mut read.origin {
+                *path = format!("built-in {}.toml", read.head.family);
+            }
+            let registry = Registry { files: vec![read], families: RefCell::default() };
+            for drive in registry.drives() {
+                let [read, shipped] = [&registry, &shipped].map(|registry| registry.load(&drive.id).unwrap().unwrap());
+                assert!(
+                    format!("{read:?}") == format!("{shipped:?}"),
+                    "{}: UPDATE=1 cargo test --test generated",
+                    drive.id
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_row_of_the_user_joins_the_family() {
+        let registry = open(&format!(
+            "{HEAD}params = [\n  {{ id = 1500, de = \"Förderhöhe\", en = \"Head\", unit = \"m\", decimals = 2, min = -999.99, access = \"rw\" }},\n]\n"
+        ));
+        let family = registry.unwrap().family("acu").unwrap();
+        let param = family.param(1500).unwrap();
+        assert_eq!((param.slug.as_str(), param.min, param.origin.as_str()), ("head", Some(-99_999), "mine.toml"));
+    }
+
+    #[test]
+    fn errors_name_file_line_and_column() {
+        let row = |rest: &str| {
+            format!("{HEAD}params = [\n  {{ id = 1500, de = \"x\", en = \"x\", access = \"r\"{rest} }},\n]\n")
+        };
+        assert!(refused(&row(", colour = 1")).starts_with("mine.toml:4:"), "{}", refused(&row(", colour = 1")));
+        assert!(refused(&row(", min = 2, max = 1")).starts_with("mine.toml:4:3: parameter 1500: min is above max"));
+        assert!(refused(&row(", enum = \"no\"")).contains("there is no table [enums.no]"));
+        assert!(refused(&row(", decimals = 1, min = 0.25")).contains("more decimals"));
+        assert!(refused(&row(", decimals = 40")).contains("at most 9"));
+        assert!(refused("schema = 1\nfamily = \"x").starts_with("mine.toml:2:"));
+        assert!(refused("schema = 2\nfamily = \"active\"").contains("reads schema 1"));
+        assert!(refused("schema = 1\nfamily = \"toaster\"").contains("unknown family 'toaster' (expected: active"));
+    }
+
+    #[test]
+    fn duplicates_are_refused_unless_they_replace() {
+        let row = |rest: &str| {
+            format!(
+                "{HEAD}params = [{{ id = 372, slug = \"rated-speed\", de = \"x\", en = \"x\", access = \"r\"{rest} }}]"
+            )
+        };
+        assert!(refused(&row("")).contains("already in built-in active.toml; add replace = true"));
+        assert_eq!(open(&row(", replace = true")).unwrap().family("act").unwrap().param(372).unwrap().name.en, "x");
+        let twice = format!(
+            "{HEAD}params = [\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }},\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }}]"
+        );
+        assert!(refused(&twice).starts_with("mine.toml:5:1: parameter 1501 stands twice"));
+    }
+
+    #[test]
+    fn rows_of_other_tables_must_replace_openly_too() {
+        let fault = |rest: &str| {
+            format!(
+                "{HEAD}faults = [\n  {{ code = 0x0500, key = \"F0500\", en = \"x\", de = \"x\", cause = {{ en = \"x\", de = \"x\" }}, remedy = {{ en = \"x\", de = \"x\" }}{rest} }}]"
+            )
+        };
+        assert!(
+            refused(&fault("")).starts_with("mine.toml:4:3: fault 0x0500 is there already"),
+            "{}",
+            refused(&fault(""))
+        );
+        assert_eq!(open(&fault(", replace = true")).unwrap().family("act").unwrap().fault(0x500).unwrap().en, "x");
+        let value = format!("{HEAD}[enums.modbus-parity]\n0 = {{ en = \"x\", de = \"x\" }}\n");
+        assert!(refused(&value).starts_with("mine.toml:4:5: table 'modbus-parity', 0 is there already"));
+        let bit = format!("{HEAD}[bits.mine]\n0 = {{ slug = \"x\", en = \"\\u001b\", de = \"x\" }}\n");
+        assert!(refused(&bit).starts_with("mine.toml:4:5: control character"));
+    }
+
+    #[test]
+    fn hostile_texts_are_refused() {
+        let row = |name: &str| format!("{HEAD}params = [{{ id = 1500, de = \"x\", en = \"{name}\", access = \"r\" }}]");
+        assert!(refused(&row("\\u001b[31m")).contains("control character U+001B"));
+        assert!(refused(&row(&"a".repeat(1 << 20))).contains("at most 2000"));
+        assert!(refused(&"#".repeat(MAX_FILE + 1)).contains("at most"));
+    }
+}

@@ -1,0 +1,101 @@
+//! Where a catalogue comes from, and where in it something is wrong.
+
+use crate::profile::row::CatalogueRow;
+use serde::de::DeserializeOwned;
+use toml::de::DeTable;
+
+/// Longest name, text or remark.
+pub(super) const MAX_TEXT: usize = 2_000;
+
+/// Why a catalogue is refused, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{path}:{line}:{column}: {message}")]
+pub struct CatalogueError {
+    /// File, or `built-in active.toml`.
+    pub path: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column, from 1.
+    pub column: usize,
+    /// What is wrong and what would be right.
+    pub message: String,
+}
+
+/// Where a catalogue comes from.
+#[derive(Debug)]
+pub(super) enum Origin {
+    /// It is ours, and proved by our tests.
+    Shipped { path: String },
+    /// It was read, and its text is kept to say where something stands that is wrong.
+    File { path: String, text: String },
+}
+
+/// Where something stands in a catalogue.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place<'a> {
+    /// At its beginning.
+    File,
+    /// At this offset.
+    Offset(usize),
+    /// A row of a list.
+    Row(&'a str, usize),
+    /// A row of a table of tables: `[enums.protocol]` has the row `0`.
+    Entry(&'a str, &'a str, &'a str),
+}
+
+impl Origin {
+    pub(super) fn path(&self) -> &str {
+        match self {
+            Origin::Shipped { path } | Origin::File { path, .. } => path,
+        }
+    }
+
+    pub(super) fn parse<T: DeserializeOwned>(&self, json: &str) -> Result<T, CatalogueError> {
+        serde_json::from_str(json).map_err(|error| self.error(Place::File, error.to_string()))
+    }
+
+    pub(super) fn error(&self, place: Place<'_>, message: String) -> CatalogueError {
+        let text = match self {
+            Origin::Shipped { .. } => "",
+            Origin::File { text, .. } => text,
+        };
+        let (line, column) = crate::profile::text::place(text, place.offset(text).unwrap_or(0));
+        CatalogueError { path: self.path().to_owned(), line, column, message }
+    }
+
+    pub(super) fn check_texts<T: CatalogueRow>(&self, at: Place<'_>, row: &T) -> Result<(), CatalogueError> {
+        row.texts().into_iter().try_for_each(|text| self.check_text(at, text))
+    }
+
+    pub(super) fn check_text(&self, at: Place<'_>, text: &str) -> Result<(), CatalogueError> {
+        if matches!(self, Origin::Shipped { .. }) {
+            return Ok(());
+        }
+        if text.len() > MAX_TEXT {
+            return Err(self.error(at, format!("a text of {} bytes; at most {MAX_TEXT} are allowed", text.len())));
+        }
+        match text.chars().find(|c| c.is_control()) {
+            Some(bad) => Err(self.error(at, format!("control character U+{:04X} in a text", u32::from(bad)))),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Place<'_> {
+    /// Offset in the text of the catalogue, which is parsed once more for it: only errors ask.
+    pub(super) fn offset(self, text: &str) -> Option<usize> {
+        let table = |name: &str| Some(DeTable::parse(text).ok()?.get_ref().get(name)?.get_ref().clone());
+        match self {
+            Place::File => None,
+            Place::Offset(at) => Some(at),
+            Place::Row(list, index) => Some(table(list)?.get(index)?.span().start),
+            Place::Entry(tables, name, key) => Some(table(tables)?.get(name)?.get_ref().get(key)?.span().start),
+        }
+    }
+}
+
+/// A message that may quote the file, without its control characters and not longer than a few lines.
+pub(super) fn shorten(message: &str) -> String {
+    let printable = message.chars().map(|c| if c.is_control() { ' ' } else { c });
+    printable.take(300).collect()
+}

@@ -1,0 +1,196 @@
+//! Rows of a catalogue that carry texts: states, faults, errors, counters, bits; and what makes two rows the same.
+
+use super::text::{Lang, Text};
+use serde::Deserialize;
+
+/// A state of the drive's state machine.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StateRow {
+    /// Stable name.
+    pub slug: String,
+    /// Bits that decide.
+    pub mask: u32,
+    /// Their value in this state.
+    pub value: u32,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// How the family numbers its faults.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultCodes {
+    /// Letter before the hexadecimal number, as the drive displays it.
+    pub letter: String,
+    /// The parameter with the role `fault` is an entry of the fault memory: it tells of the present only while the drive
+    /// is in a fault state.
+    #[serde(default)]
+    pub memory: bool,
+}
+
+/// Faults with the same high byte.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultGroup {
+    /// High byte of the fault code.
+    pub high: u32,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A fault.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FaultRow {
+    /// Value of the fault parameter.
+    pub code: u32,
+    /// Last value, if a whole range means the same and its low byte is a node id.
+    pub last: Option<u32>,
+    /// As the drive displays it: `F0100`.
+    pub key: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What causes it.
+    pub cause: Text,
+    /// What to do.
+    pub remedy: Text,
+    /// Where the facts come from.
+    pub source: Option<String>,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A code of the error register (P.11).
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorRow {
+    /// Value of the register.
+    pub code: u32,
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What to do.
+    pub hint: Text,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A diagnostic counter.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CounterRow {
+    /// Sub-function of code 8 that returns it.
+    pub sub: u16,
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What it counts and what a high value means.
+    pub help: Text,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A bit of a word.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BitRow {
+    /// Stable name.
+    pub slug: String,
+    /// English.
+    pub en: String,
+    /// German.
+    pub de: String,
+    /// What it means and what to do.
+    pub help: Option<Text>,
+    /// Takes the place of the same row of an earlier catalogue.
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A value of an enumeration in a catalogue.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EnumRow {
+    pub(super) en: String,
+    pub(super) de: String,
+    #[serde(default)]
+    pub(super) replace: bool,
+}
+
+/// A row of a catalogue that another catalogue may only replace openly.
+pub(super) trait CatalogueRow: Clone {
+    /// What makes two rows the same, as it is shown in errors; empty if the table's key does.
+    fn key(&self) -> String;
+    /// Takes the place of the same row of an earlier catalogue.
+    fn replaces(&self) -> bool;
+    /// Every text of the row.
+    fn texts(&self) -> Vec<&str>;
+}
+
+macro_rules! catalogue_rows {
+    ($($row:ident, |$this:ident| $key:expr, $texts:expr;)*) => {$(
+        impl CatalogueRow for $row {
+            fn key(&self) -> String {
+                let $this = self;
+                $key
+            }
+            fn replaces(&self) -> bool {
+                self.replace
+            }
+            fn texts(&self) -> Vec<&str> {
+                let $this = self;
+                let mut texts = vec![$this.en.as_str(), $this.de.as_str()];
+                texts.extend($texts);
+                texts
+            }
+        }
+    )*};
+}
+catalogue_rows! {
+    EnumRow, |_row| String::new(), None::<&str>;
+    StateRow, |row| format!("state {}", row.slug), [row.slug.as_str()];
+    FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
+    FaultRow, |row| format!("fault 0x{:04X}", row.code),
+        [&row.key, &row.cause.en, &row.cause.de, &row.remedy.en, &row.remedy.de].map(String::as_str);
+    ErrorRow, |row| format!("error {}", row.code), [&row.slug, &row.hint.en, &row.hint.de].map(String::as_str);
+    CounterRow, |row| format!("counter 0x{:02X}", row.sub), [&row.slug, &row.help.en, &row.help.de].map(String::as_str);
+    BitRow, |row| { let _ = row; String::new() },
+        row.help.iter().flat_map(|help| help.both()).chain([row.slug.as_str()]).collect::<Vec<_>>();
+}
+
+macro_rules! two_languages {
+    ($($row:ident),*) => {$(
+        impl $row {
+            /// The name in `lang`.
+            pub fn name(&self, lang: Lang) -> &str {
+                match lang {
+                    Lang::En => &self.en,
+                    Lang::De => &self.de,
+                }
+            }
+        }
+    )*};
+}
+two_languages!(StateRow, FaultGroup, FaultRow, ErrorRow, CounterRow, BitRow);
