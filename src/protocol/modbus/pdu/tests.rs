@@ -2,6 +2,7 @@
 
 use super::identification::{BASIC, Object, SINGLE};
 use super::*;
+use crate::protocol::modbus::MAX_PDU;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
