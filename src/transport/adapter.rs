@@ -1,9 +1,9 @@
 //! What is known of the adapter behind a serial port, and what is asked of its driver for as long as the port is open:
 //! low latency, and the direction of an RS-485 line.
 
+use super::door::SideDoor;
 use super::ioctl::{self, KernelRs485};
 use super::rs485::{Rs485, Rs485Mode};
-use super::tty::SideDoor;
 use crate::tick::Span;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -87,7 +87,7 @@ pub(super) struct Counters {
 
 #[cfg(target_os = "linux")]
 mod linux {
-    use super::super::tty::SideDoor;
+    use super::super::door::SideDoor;
     use super::{Counters, KernelRs485, Serial};
     use rustix::ioctl::{Getter, Opcode, Setter, Updater, ioctl};
     use std::io;
@@ -150,7 +150,7 @@ mod linux {
 
 #[cfg(not(target_os = "linux"))]
 mod elsewhere {
-    use super::super::tty::SideDoor;
+    use super::super::door::SideDoor;
     use super::{Counters, KernelRs485, Serial};
     use std::io;
 

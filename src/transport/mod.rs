@@ -6,6 +6,7 @@
 
 mod adapter;
 mod clock;
+mod door;
 mod ioctl;
 mod net;
 mod port;

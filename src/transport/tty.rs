@@ -5,20 +5,18 @@
 #[cfg(test)]
 pub(super) use unix::is_exclusive;
 #[cfg(unix)]
-pub(super) use unix::{SideDoor, claim, exclude, finish, open};
+pub(super) use unix::{claim, exclude, finish, open};
 
 #[cfg(not(unix))]
-pub(super) use elsewhere::{SideDoor, claim, exclude, finish, open};
+pub(super) use elsewhere::{claim, exclude, finish, open};
 
 #[cfg(unix)]
 mod unix {
+    use super::super::door::SideDoor;
     use super::super::ioctl;
     use crate::protocol::line::{LineSetting, Parity};
     use rustix::fs::{FlockOperation, Mode, OFlags, flock};
     use rustix::termios::{ControlModes, InputModes, OptionalActions, tcgetattr, tcsetattr};
-    use std::os::fd::OwnedFd;
-
-    pub(in super::super) type SideDoor = OwnedFd;
 
     pub(in super::super) fn open(name: &str) -> rustix::io::Result<SideDoor> {
         rustix::fs::open(name, OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty())
@@ -79,10 +77,8 @@ mod unix {
 
 #[cfg(not(unix))]
 mod elsewhere {
+    use super::super::door::SideDoor;
     use crate::protocol::line::LineSetting;
-
-    #[derive(Debug)]
-    pub(in super::super) struct SideDoor;
 
     pub(in super::super) fn open(_name: &str) -> std::io::Result<SideDoor> {
         Err(std::io::ErrorKind::Unsupported.into())
