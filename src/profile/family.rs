@@ -1,10 +1,10 @@
 //! One drive as its catalogues describe it, and decoding by it.
 
 use super::link::Link;
-use super::machine::Machine;
-use super::motion::{Mode, Motion};
+use super::machine::StateMachine;
+use super::motion::{Mode, MotionRules};
 use super::param::Param;
-use super::row::{BitRow, CounterRow, ErrorRow, FaultCodes, FaultGroup, FaultRow, StateRow};
+use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
 use super::text::{Text, fold, same, starts};
 use std::collections::BTreeMap;
 
@@ -22,15 +22,15 @@ pub struct Family {
     /// How its parameters are reached.
     pub link: Link,
     /// What moving it needs.
-    pub motion: Motion,
+    pub motion: MotionRules,
     /// Kinds of setpoints that it takes; the first is the usual one.
     pub modes: Vec<Mode>,
     /// Parameters by number.
     pub params: BTreeMap<u32, Param>,
     /// States of the status word; the first that fits counts.
-    pub states: Vec<StateRow>,
+    pub states: Vec<DriveState>,
     /// Commands and transitions of the state machine.
-    pub machine: Machine,
+    pub machine: StateMachine,
     /// Fault groups by the high byte of the fault code.
     pub fault_groups: Vec<FaultGroup>,
     /// How faults are numbered.
@@ -87,11 +87,11 @@ impl Family {
             siblings: Vec::new(),
             title,
             link: Link::default(),
-            motion: Motion::default(),
+            motion: MotionRules::default(),
             modes: Vec::new(),
             params: BTreeMap::new(),
             states: Vec::new(),
-            machine: Machine::default(),
+            machine: StateMachine::default(),
             fault_groups: Vec::new(),
             fault_codes: FaultCodes::default(),
             faults: Vec::new(),
@@ -200,7 +200,7 @@ impl Family {
     }
 
     /// The state that a status word stands for.
-    pub fn state(&self, status: u32) -> Option<&StateRow> {
+    pub fn state(&self, status: u32) -> Option<&DriveState> {
         self.states.iter().find(|state| status & state.mask == state.value)
     }
 

@@ -1,6 +1,6 @@
 //! State machines as data, and the pure planner on them.
 //!
-//! States come from the status word ([`super::StateRow`]); commands and numbered transitions from the catalogue. The
+//! States come from the status word ([`super::DriveState`]); commands and numbered transitions from the catalogue. The
 //! planner finds the commands from the present state to a goal, or says what stands in the way.
 
 use super::row::CatalogueRow;
@@ -133,14 +133,14 @@ pub enum NoPlan {
 
 /// Commands and transitions of a drive.
 #[derive(Clone, Debug, Default)]
-pub struct Machine {
+pub struct StateMachine {
     /// Commands.
     pub commands: Vec<Command>,
     /// Transitions.
     pub transitions: Vec<Transition>,
 }
 
-impl Machine {
+impl StateMachine {
     /// The command with this slug.
     pub fn command(&self, slug: &str) -> Option<&Command> {
         self.commands.iter().find(|command| command.slug == slug)
@@ -220,7 +220,7 @@ mod tests {
         "fault",
     ];
 
-    fn machine(drive: &str) -> Machine {
+    fn machine(drive: &str) -> StateMachine {
         Registry::open(&[]).unwrap().family(drive).unwrap().machine.clone()
     }
 

@@ -19,13 +19,13 @@ pub mod value;
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{Family, LookupError, WordBit};
 pub use link::{Cause, Holds, LineTable, Link, Route};
-pub use machine::{Command, Facts, Machine, Need, NoPlan, Takes, Transition};
+pub use machine::{Command, Facts, Need, NoPlan, StateMachine, Takes, Transition};
 pub use motion::{
-    Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, Motion, Movement, Part, Preset, Rest, Setting, Show,
-    Source, Start, Stator, StopRow,
+    Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, MotionRules, Movement, Part, Preset, Rest, Setting,
+    Show, Source, Start, Stator, StopRow,
 };
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
-pub use row::{BitRow, CounterRow, ErrorRow, FaultCodes, FaultRow, StateRow};
+pub use row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultRow};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use text::{Lang, Text, fold, place};
 pub use value::format_value;

@@ -9,7 +9,7 @@ use serde::Deserialize;
 /// What moving a drive of this family needs besides its state machine.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Motion {
+pub struct MotionRules {
     /// The parameter that says who controls the drive; without one it always obeys the control word.
     pub control: Option<Control>,
     /// Command that is sent before the drive is walked up, so that no bit of an earlier run stands.
@@ -207,7 +207,7 @@ pub struct StopRow {
     pub takes: Option<Takes>,
 }
 
-impl Motion {
+impl MotionRules {
     /// What a need is that the catalogue explains.
     pub fn interlock(&self, need: Need) -> Option<&Interlock> {
         self.interlocks.iter().find(|row| row.need == need)

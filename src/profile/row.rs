@@ -6,7 +6,7 @@ use serde::Deserialize;
 /// A state of the drive's state machine.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct StateRow {
+pub struct DriveState {
     /// Stable name.
     pub slug: String,
     /// Bits that decide.
@@ -170,7 +170,7 @@ macro_rules! catalogue_rows {
 }
 catalogue_rows! {
     EnumRow, |_row| String::new(), None::<&str>;
-    StateRow, |row| format!("state {}", row.slug), [row.slug.as_str()];
+    DriveState, |row| format!("state {}", row.slug), [row.slug.as_str()];
     FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
     FaultRow, |row| format!("fault 0x{:04X}", row.code),
         [&row.key, &row.cause.en, &row.cause.de, &row.remedy.en, &row.remedy.de].map(String::as_str);
@@ -193,4 +193,4 @@ macro_rules! two_languages {
         }
     )*};
 }
-two_languages!(StateRow, FaultGroup, FaultRow, ErrorRow, CounterRow, BitRow);
+two_languages!(DriveState, FaultGroup, FaultRow, ErrorRow, CounterRow, BitRow);

@@ -1,6 +1,6 @@
 //! A bus with drives, and its judge: what is on the wire, who hears it, who answers.
 
-use super::judge::{Judge, Remark, Sin, Spelt, Telegram, wrong_format};
+use super::judge::{Judge, MasterTelegram, Remark, Sin, Spelt, wrong_format};
 use super::line::disturb::{Disturber, Outgoing};
 use super::line::speech::Spoken;
 use super::line::wire::{Sender, Slot, Wire, fits};
@@ -223,7 +223,7 @@ impl Bench {
     }
 
     /// Says what will become of a telegram of the master that is over.
-    fn classify(&mut self, telegram: &Telegram) {
+    fn classify(&mut self, telegram: &MasterTelegram) {
         match telegram.spelt() {
             Spelt::Modbus(adu) => self.classify_modbus(telegram, adu),
             Spelt::Vabus(Ok(None)) => self.judge.ends_exchange(),
@@ -236,7 +236,7 @@ impl Bench {
         }
     }
 
-    fn classify_vabus(&mut self, telegram: &Telegram, request: &bus::Request) {
+    fn classify_vabus(&mut self, telegram: &MasterTelegram, request: &bus::Request) {
         self.totals.received += 1;
         self.judge.weigh_request(telegram.start, request);
         if telegram.torn {
@@ -254,13 +254,13 @@ impl Bench {
         }
     }
 
-    fn read_by_broadcast(&mut self, telegram: &Telegram) {
+    fn read_by_broadcast(&mut self, telegram: &MasterTelegram) {
         self.totals.ignored.broadcast_reads += 1;
         let text = "a broadcast can only write, nobody answers it".to_owned();
         self.judge.remark(telegram.start, Sin::BroadcastRead, text);
     }
 
-    fn classify_modbus(&mut self, telegram: &Telegram, adu: Result<Adu, FrameError>) {
+    fn classify_modbus(&mut self, telegram: &MasterTelegram, adu: Result<Adu, FrameError>) {
         self.totals.received += 1;
         let adu = match adu {
             Ok(adu) => adu,
@@ -297,7 +297,7 @@ impl Bench {
     }
 
     /// Whether a drive answers; if none does, the best reason is counted.
-    fn who_takes(&mut self, telegram: &Telegram, station: u8) -> bool {
+    fn who_takes(&mut self, telegram: &MasterTelegram, station: u8) -> bool {
         let ignored = &mut self.totals.ignored;
         let mut reason = &mut ignored.no_station;
         for drive in self.drives.iter().filter(|drive| drive.address() == station) {

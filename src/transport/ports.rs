@@ -72,22 +72,22 @@ pub(super) enum Whereabouts {
 
 /// The serial ports of this machine, USB adapters first.
 pub fn list_ports() -> Vec<PortInfo> {
-    Machine::default().ports()
+    Host::default().ports()
 }
 
 /// A machine with serial ports.
 #[derive(Clone, Debug)]
-pub(super) struct Machine {
+pub(super) struct Host {
     root: PathBuf,
 }
 
-impl Default for Machine {
+impl Default for Host {
     fn default() -> Self {
-        Machine { root: "/".into() }
+        Host { root: "/".into() }
     }
 }
 
-impl Machine {
+impl Host {
     /// The serial ports, USB adapters first.
     pub(super) fn ports(&self) -> Vec<PortInfo> {
         let mut ports = system::ports(&self.root);
@@ -260,8 +260,8 @@ pub(super) mod fake {
             Desk { dir }
         }
 
-        pub(in super::super) fn machine(&self) -> Machine {
-            Machine { root: self.dir.path().to_owned() }
+        pub(in super::super) fn machine(&self) -> Host {
+            Host { root: self.dir.path().to_owned() }
         }
 
         /// Path of a port by its name.

@@ -3,7 +3,7 @@
 
 use super::adapter::{AdapterInfo, Tuned};
 use super::clock::Clock;
-use super::ports::{Identity, Machine, Whereabouts};
+use super::ports::{Host, Identity, Whereabouts};
 use super::rs485::{Rs485, Rs485Mode};
 use super::{Ends, LinkError, Wake, tty};
 use crate::protocol::line::{LineSetting, Parity};
@@ -15,7 +15,7 @@ use tokio_serial::{ClearBuffer, DataBits, SerialPort, SerialPortBuilderExt, Seri
 #[derive(Debug)]
 pub(super) struct SerialLink {
     name: String,
-    machine: Machine,
+    machine: Host,
     /// The adapter, whatever its port is called next time; `None` of what is no USB adapter.
     identity: Option<Identity>,
     /// What was sent is on the wire by then.
@@ -43,11 +43,11 @@ const LINGER: Span = Span::from_millis(100);
 
 impl SerialLink {
     pub(super) fn open(name: &str, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
-        Self::open_on(Machine::default(), name, line, rs485)
+        Self::open_on(Host::default(), name, line, rs485)
     }
 
     /// Opens a port of a machine.
-    fn open_on(machine: Machine, name: &str, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
+    fn open_on(machine: Host, name: &str, line: LineSetting, rs485: Rs485) -> Result<Self, LinkError> {
         let (port, deviations) = connect(name, line, rs485)?;
         let (identity, name, port) = (machine.identity(name), name.to_owned(), Ends::Open(port));
         let (clock, sent_by) = (Clock::start(), Tick::ZERO);

@@ -2,9 +2,9 @@
 
 use crate::profile::link::Link;
 use crate::profile::machine::{Command, Transition};
-use crate::profile::motion::{Mode, Motion};
+use crate::profile::motion::{Mode, MotionRules};
 use crate::profile::param::{Access, BitsWhen, Effective, HazardKind, Sets, Type};
-use crate::profile::row::{BitRow, CounterRow, EnumRow, ErrorRow, FaultCodes, FaultGroup, FaultRow, StateRow};
+use crate::profile::row::{BitRow, CounterRow, DriveState, EnumRow, ErrorRow, FaultCodes, FaultGroup, FaultRow};
 use crate::profile::text::Text;
 use serde::de;
 use serde::{Deserialize, Deserializer};
@@ -30,7 +30,7 @@ pub(super) struct Body {
     pub(super) title: Option<Text>,
     pub(super) fault_codes: Option<FaultCodes>,
     pub(super) link: Option<Link>,
-    pub(super) motion: Option<Motion>,
+    pub(super) motion: Option<MotionRules>,
     #[serde(default)]
     pub(super) modes: Vec<Mode>,
     #[serde(default)]
@@ -38,7 +38,7 @@ pub(super) struct Body {
     #[serde(default)]
     pub(super) params: Vec<ParamRow>,
     #[serde(default)]
-    pub(super) states: Vec<StateRow>,
+    pub(super) states: Vec<DriveState>,
     #[serde(default)]
     pub(super) commands: Vec<Command>,
     #[serde(default)]

@@ -1,7 +1,7 @@
 //! How the rows of a catalogue join those that are there already: each row proved, none replaced unasked.
 
 use super::format::{Body, Number, ParamRow};
-use super::place::{CatalogueError, Origin, Place, shorten};
+use super::place::{CatalogueError, Origin, Position, shorten};
 use crate::profile::family::Family;
 use crate::profile::machine::Transition;
 use crate::profile::motion::Mode;
@@ -39,7 +39,7 @@ impl Origin {
         for id in body.roles.values().chain(body.groups.values().flatten()) {
             if !family.params.contains_key(id) && !anywhere.contains(id) {
                 let message = format!("a role or group names parameter {id}, which has no row");
-                return Err(self.error(Place::File, message));
+                return Err(self.error(Position::File, message));
             }
         }
         family.roles.extend(body.roles);
@@ -74,7 +74,7 @@ impl Origin {
         for (index, row) in rows.iter().enumerate() {
             if row.last.is_some_and(|last| last < row.code) {
                 let message = format!("fault {}: last is below code", row.key);
-                return Err(self.error(Place::Row("faults", index), message));
+                return Err(self.error(Position::Row("faults", index), message));
             }
         }
         self.join("faults", rows, &mut family.faults)
@@ -87,7 +87,7 @@ impl Origin {
             }
             if row.command.as_ref().is_some_and(|slug| family.machine.command(slug).is_none()) {
                 let message = format!("transition {}: there is no such command", row.number);
-                return Err(self.error(Place::Row("transitions", index), message));
+                return Err(self.error(Position::Row("transitions", index), message));
             }
             family.machine.transitions.push(row);
         }
@@ -98,7 +98,7 @@ impl Origin {
         for (index, row) in rows.iter().enumerate() {
             if let Some(id) = row.params().find(|id| !family.params.contains_key(id)) {
                 let message = format!("mode '{}' names parameter {id}, which has no row", row.slug);
-                return Err(self.error(Place::Row("modes", index), message));
+                return Err(self.error(Position::Row("modes", index), message));
             }
         }
         self.join("modes", rows, &mut family.modes)
@@ -109,7 +109,7 @@ impl Origin {
         let mut slugs: BTreeMap<String, u32> =
             family.params.values().map(|param| (param.slug.clone(), param.id)).collect();
         for (index, row) in rows.into_iter().enumerate() {
-            let at = Place::Row("params", index);
+            let at = Position::Row("params", index);
             if let Some(unknown) = row.drives.iter().flatten().find(|drive| !family.siblings.contains(drive)) {
                 let known = family.siblings.join(", ");
                 let message = format!("parameter {}: unknown drive '{unknown}' (expected: {known})", row.id);
@@ -143,7 +143,7 @@ impl Origin {
         Ok(())
     }
 
-    fn param(&self, at: Place<'_>, row: ParamRow, family: &Family) -> Result<Param, CatalogueError> {
+    fn param(&self, at: Position<'_>, row: ParamRow, family: &Family) -> Result<Param, CatalogueError> {
         let texts =
             [&row.de, &row.en].into_iter().chain(&row.slug).chain(&row.short).chain(&row.unit).chain(&row.source);
         for text in texts.chain(row.note.iter().flat_map(|note| [&note.en, &note.de])) {
@@ -180,7 +180,7 @@ impl Origin {
     }
 
     /// Smallest, largest and factory value, raw.
-    fn limits(&self, at: Place<'_>, row: &ParamRow) -> Result<[Option<i64>; 3], CatalogueError> {
+    fn limits(&self, at: Position<'_>, row: &ParamRow) -> Result<[Option<i64>; 3], CatalogueError> {
         let decimals = row.decimals.unwrap_or(0);
         if decimals > MOST_DECIMALS {
             let message = format!("parameter {}: {decimals} decimals; expected at most {MOST_DECIMALS}", row.id);
@@ -200,7 +200,7 @@ impl Origin {
     }
 
     /// Tables that a parameter names must be there.
-    fn references(&self, at: Place<'_>, row: &ParamRow, family: &Family) -> Result<(), CatalogueError> {
+    fn references(&self, at: Position<'_>, row: &ParamRow, family: &Family) -> Result<(), CatalogueError> {
         let dangling =
             |kind: &str, name: &str| self.error(at, format!("parameter {}: there is no table [{kind}.{name}]", row.id));
         if let Some(name) = row.enumeration.as_ref().filter(|name| !family.enums.contains_key(*name)) {
@@ -217,7 +217,7 @@ impl Origin {
     fn join<T: CatalogueRow>(&self, list: &str, rows: Vec<T>, into: &mut Vec<T>) -> Result<(), CatalogueError> {
         let mut known: BTreeMap<String, usize> = into.iter().map(T::key).zip(0..).collect();
         for (index, row) in rows.into_iter().enumerate() {
-            let at = Place::Row(list, index);
+            let at = Position::Row(list, index);
             self.check_texts(at, &row)?;
             match known.entry(row.key()) {
                 Entry::Occupied(old) if row.replaces() => {
@@ -244,7 +244,7 @@ impl Origin {
     ) -> Result<Vec<(i64, T)>, CatalogueError> {
         let mut rows = Vec::with_capacity(table.len());
         for (key, row) in table {
-            let at = Place::Entry(tables, name, &key);
+            let at = Position::Entry(tables, name, &key);
             self.check_texts(at, &row)?;
             let number = match key.strip_prefix("0x") {
                 Some(hex) => i64::from_str_radix(hex, 16).ok(),

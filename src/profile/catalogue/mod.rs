@@ -12,7 +12,7 @@ pub use place::CatalogueError;
 use super::family::Family;
 use super::text::Text;
 use format::{Body, Head, SCHEMA};
-use place::{Origin, Place, shorten};
+use place::{Origin, Position, shorten};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -63,11 +63,11 @@ impl Registry {
             if !files.iter().any(|known: &Catalogue| known.head.family == catalogue.head.family) {
                 let known: Vec<_> = BUILT_IN.iter().map(|row| row.0).collect();
                 let message = format!("unknown family '{}' (expected: {})", catalogue.head.family, known.join(", "));
-                return Err(catalogue.origin.error(Place::File, message));
+                return Err(catalogue.origin.error(Position::File, message));
             }
             if catalogue.rows()?.belongs_to_us() {
                 let message = "[link], [motion] and fault_codes belong to the shipped catalogues".to_owned();
-                return Err(catalogue.origin.error(Place::File, message));
+                return Err(catalogue.origin.error(Position::File, message));
             }
             files.push(catalogue);
         }
@@ -146,14 +146,14 @@ impl Catalogue {
         let origin = Origin::File { path: path.to_owned(), text: text.to_owned() };
         if text.len() > MAX_FILE {
             let message = format!("{} bytes; a catalogue has at most {MAX_FILE}", text.len());
-            return Err(origin.error(Place::File, message));
+            return Err(origin.error(Position::File, message));
         }
         let body: Body = toml::from_str(text).map_err(|error| {
-            origin.error(Place::Offset(error.span().map_or(0, |span| span.start)), shorten(error.message()))
+            origin.error(Position::Offset(error.span().map_or(0, |span| span.start)), shorten(error.message()))
         })?;
         if body.schema != SCHEMA {
             let message = format!("schema {}; this program reads schema {SCHEMA}", body.schema);
-            return Err(origin.error(Place::File, message));
+            return Err(origin.error(Position::File, message));
         }
         let (family, title, drives) = (body.family.clone(), body.title.clone(), body.drives.clone());
         let head = Head { family, title, drives };

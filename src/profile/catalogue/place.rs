@@ -32,7 +32,7 @@ pub(super) enum Origin {
 
 /// Where something stands in a catalogue.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place<'a> {
+pub(super) enum Position<'a> {
     /// At its beginning.
     File,
     /// At this offset.
@@ -51,10 +51,10 @@ impl Origin {
     }
 
     pub(super) fn parse<T: DeserializeOwned>(&self, json: &str) -> Result<T, CatalogueError> {
-        serde_json::from_str(json).map_err(|error| self.error(Place::File, error.to_string()))
+        serde_json::from_str(json).map_err(|error| self.error(Position::File, error.to_string()))
     }
 
-    pub(super) fn error(&self, place: Place<'_>, message: String) -> CatalogueError {
+    pub(super) fn error(&self, place: Position<'_>, message: String) -> CatalogueError {
         let text = match self {
             Origin::Shipped { .. } => "",
             Origin::File { text, .. } => text,
@@ -63,11 +63,11 @@ impl Origin {
         CatalogueError { path: self.path().to_owned(), line, column, message }
     }
 
-    pub(super) fn check_texts<T: CatalogueRow>(&self, at: Place<'_>, row: &T) -> Result<(), CatalogueError> {
+    pub(super) fn check_texts<T: CatalogueRow>(&self, at: Position<'_>, row: &T) -> Result<(), CatalogueError> {
         row.texts().into_iter().try_for_each(|text| self.check_text(at, text))
     }
 
-    pub(super) fn check_text(&self, at: Place<'_>, text: &str) -> Result<(), CatalogueError> {
+    pub(super) fn check_text(&self, at: Position<'_>, text: &str) -> Result<(), CatalogueError> {
         if matches!(self, Origin::Shipped { .. }) {
             return Ok(());
         }
@@ -81,15 +81,15 @@ impl Origin {
     }
 }
 
-impl Place<'_> {
+impl Position<'_> {
     /// Offset in the text of the catalogue, which is parsed once more for it: only errors ask.
     pub(super) fn offset(self, text: &str) -> Option<usize> {
         let table = |name: &str| Some(DeTable::parse(text).ok()?.get_ref().get(name)?.get_ref().clone());
         match self {
-            Place::File => None,
-            Place::Offset(at) => Some(at),
-            Place::Row(list, index) => Some(table(list)?.get(index)?.span().start),
-            Place::Entry(tables, name, key) => Some(table(tables)?.get(name)?.get_ref().get(key)?.span().start),
+            Position::File => None,
+            Position::Offset(at) => Some(at),
+            Position::Row(list, index) => Some(table(list)?.get(index)?.span().start),
+            Position::Entry(tables, name, key) => Some(table(tables)?.get(name)?.get_ref().get(key)?.span().start),
         }
     }
 }

@@ -46,12 +46,12 @@ pub(crate) trait Device: fmt::Debug + Send + CloneDevice {
     fn act(&mut self, _now: Tick, _action: Action) {}
 
     /// Where it stands on the line after power-on, if it stood at `before`.
-    fn place_at_power_on(&mut self, before: Place) -> Place {
+    fn setting_at_power_on(&mut self, before: NodeSetting) -> NodeSetting {
         before
     }
 
     /// Where it stands on the line once a write was answered.
-    fn place_after_write(&mut self, before: Place) -> Place {
+    fn setting_after_write(&mut self, before: NodeSetting) -> NodeSetting {
         before
     }
 
@@ -137,7 +137,7 @@ pub(crate) trait Device: fmt::Debug + Send + CloneDevice {
 /// A slave of Modbus, whatever frames its telegrams.
 pub(crate) trait AskedByModbus {
     /// Executes a request; `None` if it is not answered.
-    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Answer<ModbusReply>>;
+    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Response<ModbusReply>>;
 
     /// The PDU of a reply.
     fn encode(&self, reply: &ModbusReply) -> Vec<u8> {
@@ -148,27 +148,27 @@ pub(crate) trait AskedByModbus {
 /// A slave of VABus.
 pub(crate) trait AskedByVabus {
     /// Executes a request to this drive; `None` is silence.
-    fn answer(&mut self, now: Tick, request: &Request) -> Option<Answer<VabusReply>>;
+    fn answer(&mut self, now: Tick, request: &Request) -> Option<Response<VabusReply>>;
 
     /// Obeys a broadcast.
     fn obey(&mut self, now: Tick, request: &Request) -> Effect;
 
     /// What a telegram with a wrong check character gets.
-    fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Answer<VabusReply>>;
+    fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Response<VabusReply>>;
 }
 
 /// What a request gets.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Answer<R> {
+pub(crate) struct Response<R> {
     pub(crate) reply: R,
     pub(crate) effect: Effect,
     pub(crate) goes: Goes,
 }
 
-impl<R> Answer<R> {
+impl<R> Response<R> {
     /// A reply that changes nothing.
     pub(crate) fn plain(reply: R) -> Self {
-        Answer { reply, effect: Effect::None, goes: Goes::AsItStands }
+        Response { reply, effect: Effect::None, goes: Goes::AsItStands }
     }
 }
 
@@ -193,7 +193,7 @@ pub(crate) enum Goes {
 
 /// Where a station stands on its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct NodeSetting {
     /// Address in the protocol that it speaks.
     pub(crate) address: u8,
     pub(crate) spoken: Spoken,

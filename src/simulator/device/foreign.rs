@@ -2,7 +2,7 @@
 //! (MODBUS Application Protocol V1.1b3, 6.3, 6.6, 6.8).
 
 use crate::protocol::modbus::pdu::{Exception, PduError, Reply, Request};
-use crate::simulator::device::contract::{Answer, AskedByModbus, Device};
+use crate::simulator::device::contract::{AskedByModbus, Device, Response};
 use crate::simulator::device::counters::Counters;
 use crate::tick::Tick;
 use std::collections::BTreeMap;
@@ -74,8 +74,8 @@ impl Device for Foreign {
 }
 
 impl AskedByModbus for Foreign {
-    fn answer(&mut self, _counters: &mut Counters, _now: Tick, pdu: &[u8]) -> Option<Answer<Reply>> {
-        Some(Answer::plain(Foreign::answer(self, pdu)))
+    fn answer(&mut self, _counters: &mut Counters, _now: Tick, pdu: &[u8]) -> Option<Response<Reply>> {
+        Some(Response::plain(Foreign::answer(self, pdu)))
     }
 }
 

@@ -8,28 +8,28 @@ use std::marker::PhantomData;
 /// The readings of a maker's manuals that differ from the standard bench.
 pub(crate) trait Reading: Copy + 'static {
     /// All questions.
-    const QUESTIONS: &'static [Question<Self>];
+    const QUESTIONS: &'static [OpenQuestion<Self>];
 
     /// A number of its own, below 64.
     fn bit(self) -> u32;
 
     /// The question with this key.
-    fn question(key: &str) -> Option<&'static Question<Self>> {
+    fn question(key: &str) -> Option<&'static OpenQuestion<Self>> {
         Self::QUESTIONS.iter().find(|row| row.key == key)
     }
 }
 
 /// An open question.
 #[derive(Debug)]
-pub(crate) struct Question<R: 'static> {
+pub(crate) struct OpenQuestion<R: 'static> {
     pub(crate) key: &'static str,
     /// Word, and what it changes; the first is the standard bench.
     pub(crate) words: &'static [(&'static str, Option<R>)],
 }
 
 /// A row of a table of questions.
-pub(crate) const fn row<R>(key: &'static str, words: &'static [(&'static str, Option<R>)]) -> Question<R> {
-    Question { key, words }
+pub(crate) const fn row<R>(key: &'static str, words: &'static [(&'static str, Option<R>)]) -> OpenQuestion<R> {
+    OpenQuestion { key, words }
 }
 
 /// The readings of one drive.

@@ -1,6 +1,6 @@
 //! What a bench file says of an ACT or ACU, and of a foreign slave.
 
-use super::reader::{BenchError, Model, PARITIES, Reader, decimal};
+use super::reader::{BenchError, BenchFile, Model, PARITIES, decimal};
 use super::tables::{DriveTable, EventTable, NodeTable, RampTable};
 use crate::profile::value::check_width;
 use crate::profile::{Family, Sets, Type};
@@ -9,7 +9,7 @@ use crate::protocol::vabus::{Data, SystemNode};
 use crate::simulator::device::active::line::BAUD_RATES;
 use crate::simulator::device::active::setup::Setup;
 use crate::simulator::device::active::{Active, Node};
-use crate::simulator::device::contract::{Action, Fault, Place};
+use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::shaft::Ramps;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
@@ -21,7 +21,7 @@ const STEEPEST: i64 = 999_999;
 /// Heaviest load, percent of the rated torque.
 const HEAVIEST: i64 = 1_000;
 
-impl Reader<'_> {
+impl BenchFile<'_> {
     /// An ACT or ACU without its line.
     pub(crate) fn active(&self, row: &DriveTable, model: Model, family: Option<&Family>) -> Result<Setup, BenchError> {
         let mut setup = Setup::plain(model == Model::Acu);
@@ -88,7 +88,7 @@ impl Reader<'_> {
         let family = self.registry.family(model.name());
         let mut setup = Setup::plain(model == Model::Acu);
         self.equip(&row.modules, &row.set, family.as_deref(), &mut setup)?;
-        let place = Place { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
+        let place = NodeSetting { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
         Ok(Node::new(id, Active::new(&setup, place, family.as_deref())))
     }
 

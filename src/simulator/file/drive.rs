@@ -1,10 +1,10 @@
 //! A `[[drive]]` of a bench file: which device stands at which place.
 
-use super::reader::{BenchError, Model, Reader, own_seed};
+use super::reader::{BenchError, BenchFile, Model, own_seed};
 use super::tables::DriveTable;
 use crate::protocol::vabus::Address;
 use crate::simulator::device::active;
-use crate::simulator::device::contract::{Device, Place};
+use crate::simulator::device::contract::{Device, NodeSetting};
 use crate::simulator::device::foreign::Foreign;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::Drive;
@@ -13,7 +13,7 @@ use crate::tick::Span;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-impl Reader<'_> {
+impl BenchFile<'_> {
     /// What stands there.
     pub(crate) fn drive(&self, table: &Spanned<DriveTable>, seed: u64) -> Result<Drive, BenchError> {
         let row = table.get_ref();
@@ -40,7 +40,7 @@ impl Reader<'_> {
         if model != Model::Foreign && !row.registers.is_empty() {
             return Err(self.error(table.span(), "registers are for model foreign; expected set".to_owned()));
         }
-        let place = Place { address, spoken, line: self.line(row, spoken)? };
+        let place = NodeSetting { address, spoken, line: self.line(row, spoken)? };
         let mut station = Setup::plain(place);
         station.delay = self.delay(row)?;
         station.jitter = self.time_or("jitter", row.jitter.as_ref(), Span::ZERO)?;

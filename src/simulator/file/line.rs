@@ -1,6 +1,6 @@
 //! What a bench file says of the line: disturbances, and who speaks unasked.
 
-use super::reader::{BenchError, Reader};
+use super::reader::{BenchError, BenchFile};
 use super::tables::DisturbTable;
 use crate::simulator::line::babble::{Babbler, Pattern};
 use crate::simulator::line::disturb::{Kind, Rule, When};
@@ -8,7 +8,7 @@ use crate::simulator::line::speech::Spoken;
 use crate::tick::{Span, Tick};
 use toml::Spanned;
 
-impl Reader<'_> {
+impl BenchFile<'_> {
     /// Somebody who speaks unasked; `None` if the table is about replies.
     pub(crate) fn babbler(&self, table: &Spanned<DisturbTable>, spoken: Spoken) -> Result<Option<Babbler>, BenchError> {
         let row = table.get_ref();

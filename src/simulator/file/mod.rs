@@ -20,12 +20,12 @@ use crate::profile::Registry;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::bench::Bench;
 use crate::simulator::device;
-use crate::simulator::device::contract::Place;
+use crate::simulator::device::contract::NodeSetting;
 use crate::simulator::line::disturb::Disturber;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::Drive;
 use crate::simulator::station::setup::Setup;
-use reader::{Model, Reader};
+use reader::{BenchFile, Model};
 use tables::File;
 
 /// Longest bench file that is read.
@@ -37,7 +37,7 @@ impl Bench {
         let drive = |model: Model, address, modules: &[&str]| {
             let mut setup = device::active::setup::Setup::plain(model == Model::Acu);
             setup.modules = modules.iter().map(|&module| module.to_owned()).collect();
-            let place = Place { address, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
+            let place = NodeSetting { address, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
             let family = registry.family(model.name());
             let device = device::active::Drive::new(&setup, place, Vec::new(), family.as_deref());
             Drive::new(Setup::plain(place), Box::new(device))
@@ -59,7 +59,7 @@ impl Bench {
 }
 
 fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
-    let reader = Reader { path, text, registry };
+    let reader = BenchFile { path, text, registry };
     if text.len() > MAX_FILE {
         return Err(reader.error(0..0, format!("{} bytes; a bench file has at most {MAX_FILE}", text.len())));
     }

@@ -45,13 +45,13 @@ impl Model {
 
 /// A bench file, and what its rows mean.
 #[derive(Debug)]
-pub(crate) struct Reader<'a> {
+pub(crate) struct BenchFile<'a> {
     pub(crate) path: &'a str,
     pub(crate) text: &'a str,
     pub(crate) registry: &'a Registry,
 }
 
-impl Reader<'_> {
+impl BenchFile<'_> {
     pub(crate) fn error(&self, span: Range<usize>, message: String) -> BenchError {
         let (line, column) = crate::profile::place(self.text, span.start);
         BenchError { path: self.path.to_owned(), line, column, message }

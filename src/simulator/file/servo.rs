@@ -1,9 +1,9 @@
 //! An LXM05 in a bench file.
 
-use super::reader::{BenchError, Model, PARITIES, Reader, decimal};
+use super::reader::{BenchError, BenchFile, Model, PARITIES, decimal};
 use super::tables::{DriveTable, EventTable, ServoTable};
 use crate::protocol::line::{LineSetting, Parity};
-use crate::simulator::device::contract::{Action, Fault, Place};
+use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::lexium::Lexium;
 use crate::simulator::device::lexium::params::{BAUD_RATES, named};
 use crate::simulator::device::lexium::setup::Setup;
@@ -22,7 +22,7 @@ const MOST_WAVER: i64 = 1_000_000;
 /// Longest text of an object of code 43.
 const MOST_TEXT: usize = 60;
 
-impl Reader<'_> {
+impl BenchFile<'_> {
     pub(crate) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, BenchError> {
         let row = table.get_ref();
         if let Some(key) = foreign_key(row) {
@@ -31,7 +31,7 @@ impl Reader<'_> {
         if let Some(protocol) = row.protocol.as_ref().filter(|protocol| protocol.get_ref() != "rtu") {
             return Err(self.error(protocol.span(), "an LXM05 speaks rtu only".to_owned()));
         }
-        let place = Place { address, spoken: Spoken::RTU, line: self.servo_line(row)? };
+        let place = NodeSetting { address, spoken: Spoken::RTU, line: self.servo_line(row)? };
         let mut station = setup::Setup::plain(place);
         station.delay = match (&row.slow, &row.load, &row.reply_delay) {
             (None, None, None) => REPLY_DELAY,

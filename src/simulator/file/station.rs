@@ -1,6 +1,6 @@
 //! What a bench file says of a station, whatever stands behind it: its times, its script, the readings of its manuals.
 
-use super::reader::{BenchError, Model, Reader};
+use super::reader::{BenchError, BenchFile, Model};
 use super::tables::{DriveTable, EventTable};
 use crate::profile::value::parse_decimal;
 use crate::simulator::device::readings::{Reading, Readings};
@@ -11,7 +11,7 @@ use toml::Spanned;
 
 /// Reply time under high load: any time above 500 ms (CM-485 manual 6.8).
 const SLOW: Span = Span::from_millis(700);
-impl Reader<'_> {
+impl BenchFile<'_> {
     pub(crate) fn delay(&self, row: &DriveTable) -> Result<Span, BenchError> {
         if let Some(slow) = &row.slow {
             return self.time("slow", slow);

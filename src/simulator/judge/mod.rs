@@ -9,7 +9,7 @@ mod vabus;
 
 pub use gaps::Gaps;
 pub use sin::{Remark, Sin};
-pub(crate) use telegram::{Spelt, Telegram, wrong_format};
+pub(crate) use telegram::{MasterTelegram, Spelt, wrong_format};
 
 use crate::protocol::line::LineSetting;
 use crate::protocol::vabus::{Address, EOT, Request};
@@ -37,7 +37,7 @@ struct Asked {
 pub(crate) struct Judge {
     remarks: Vec<Remark>,
     count: u64,
-    open: Option<Telegram>,
+    open: Option<MasterTelegram>,
     /// End of the last whole telegram, and the silence that must follow it.
     last: Option<(Tick, Span)>,
     asked: Option<Asked>,
@@ -70,7 +70,7 @@ impl Judge {
 
     /// The telegram that is over because the master starts to send `bytes` at `at`; with another setting, or behind an EOT
     /// that they do not continue, they are another telegram.
-    pub(crate) fn before(&mut self, at: Tick, line: LineSetting, bytes: &[u8]) -> Option<Telegram> {
+    pub(crate) fn before(&mut self, at: Tick, line: LineSetting, bytes: &[u8]) -> Option<MasterTelegram> {
         let open = self.open.as_ref()?;
         let continues = bytes.first().is_some_and(|&byte| byte == EOT || Address::from_character(byte).is_ok());
         let parted = open.line != line || (open.is_end() && !continues);
@@ -79,13 +79,13 @@ impl Judge {
     }
 
     /// The telegram that is over because nothing came until `now`.
-    pub(crate) fn settle(&mut self, now: Tick) -> Option<Telegram> {
+    pub(crate) fn settle(&mut self, now: Tick) -> Option<MasterTelegram> {
         let open = self.open.as_ref()?;
         let complete = open.spoken() != Spoken::RTU && open.complete() && now >= open.end;
         (complete || (now >= open.end && now.since(open.end) >= open.limits().1)).then(|| self.close()).flatten()
     }
 
-    fn close(&mut self) -> Option<Telegram> {
+    fn close(&mut self) -> Option<MasterTelegram> {
         let telegram = self.open.take()?;
         let rest = if telegram.spoken() == Spoken::RTU { telegram.line.t35() } else { Span::ZERO };
         self.last = Some((telegram.end, rest));
@@ -110,7 +110,7 @@ impl Judge {
         }
         self.weigh_start(at);
         self.asked = None;
-        self.open = Some(Telegram::begin(at, line, bytes));
+        self.open = Some(MasterTelegram::begin(at, line, bytes));
     }
 
     /// Holds the start of a telegram against everything that was on the wire before.

@@ -11,7 +11,7 @@ const MOST_BYTES: usize = 1_024;
 
 /// A telegram of the master, whole or not.
 #[derive(Clone, Debug)]
-pub(crate) struct Telegram {
+pub(crate) struct MasterTelegram {
     /// Start of the first start bit.
     pub(crate) start: Tick,
     /// End of the last stop bit.
@@ -29,11 +29,11 @@ pub(crate) enum Spelt {
     Vabus(Result<Option<Request>, TelegramError>),
 }
 
-impl Telegram {
+impl MasterTelegram {
     /// A telegram that begins with `bytes`.
     pub(crate) fn begin(start: Tick, line: LineSetting, bytes: &[u8]) -> Self {
         let end = start + line.chars(bytes.len() as u64);
-        Telegram { start, end, line, bytes: bytes.iter().copied().take(MOST_BYTES).collect(), torn: false }
+        MasterTelegram { start, end, line, bytes: bytes.iter().copied().take(MOST_BYTES).collect(), torn: false }
     }
 
     /// More of it, up to `end`.
@@ -106,7 +106,7 @@ fn looks_vabus(line: LineSetting, bytes: &[u8]) -> bool {
 }
 
 /// Why a telegram cannot be one of RTU, beside its bytes.
-pub(crate) fn wrong_format(telegram: &Telegram) -> Option<String> {
+pub(crate) fn wrong_format(telegram: &MasterTelegram) -> Option<String> {
     match telegram.spoken() {
         Spoken::RTU if telegram.line.data_bits != 8 => {
             Some(format!("an RTU telegram needs 8 data bits, not {}", telegram.line))

@@ -12,12 +12,12 @@ use super::modbus::{self, Heard};
 use super::script::Script;
 use super::setup::Setup;
 use super::vabus;
-use super::voice::{Said, Voice};
+use super::voice::{QueuedReply, Voice};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::modbus::{BROADCAST, FrameError, Framing};
 use crate::protocol::vabus as bus;
-use crate::simulator::device::contract::{Action, Answer, Device, Effect, Fault, Goes, Place, RESTART, Servo};
+use crate::simulator::device::contract::{Action, Device, Effect, Fault, Goes, NodeSetting, RESTART, Response, Servo};
 use crate::simulator::device::counters::Counters;
 use crate::simulator::line::disturb::Outgoing;
 use crate::simulator::line::speech::Spoken;
@@ -28,7 +28,7 @@ use crate::tick::{Span, Tick};
 #[derive(Clone, Debug)]
 pub struct Drive {
     device: Box<dyn Device>,
-    place: Place,
+    place: NodeSetting,
     modbus: modbus::Ear,
     vabus: vabus::Ear,
     voice: Voice,
@@ -181,14 +181,14 @@ impl Drive {
 
     /// Takes its place as power-on finds it.
     fn take_place(&mut self) {
-        self.place = self.device.place_at_power_on(self.place);
+        self.place = self.device.setting_at_power_on(self.place);
         self.forget_bytes();
     }
 
     /// Takes its place as a write has left it.
     fn adopt(&mut self) {
         let before = self.place;
-        self.place = self.device.place_after_write(before);
+        self.place = self.device.setting_after_write(before);
         if (before.spoken, before.line) != (self.place.spoken, self.place.line) {
             self.forget_bytes();
         }
@@ -309,11 +309,11 @@ impl Drive {
         let frame = framing.encode(self.place.address, &slave.encode(&answer.reply));
         let exception = matches!(answer.reply, Reply::Exception { .. });
         let rest = if framing == Framing::Rtu { line.t35() } else { Span::ZERO };
-        self.voice.queue(line, last, rest, Said { frame, effect: answer.effect, exception });
+        self.voice.queue(line, last, rest, QueuedReply { frame, effect: answer.effect, exception });
     }
 
     /// Executes a request of Modbus; `None` if it is not answered.
-    fn execute(&mut self, now: Tick, pdu: &[u8], is_write: bool) -> Option<Answer<Reply>> {
+    fn execute(&mut self, now: Tick, pdu: &[u8], is_write: bool) -> Option<Response<Reply>> {
         self.script.count(is_write);
         self.device.modbus()?.answer(&mut self.counters, now, pdu)
     }
@@ -328,11 +328,11 @@ impl Drive {
             (reply, _) => reply,
         };
         let exception = matches!(reply, bus::Reply::Nak { .. });
-        let said = Said { frame: reply.encode(), effect: answer.effect, exception };
+        let said = QueuedReply { frame: reply.encode(), effect: answer.effect, exception };
         self.voice.queue(self.place.line, now, Span::ZERO, said);
     }
 
-    fn execute_vabus(&mut self, now: Tick, own: bus::Address, telegram: &[u8]) -> Option<Answer<bus::Reply>> {
+    fn execute_vabus(&mut self, now: Tick, own: bus::Address, telegram: &[u8]) -> Option<Response<bus::Reply>> {
         self.device.vabus()?;
         let request = match bus::Request::decode(telegram) {
             Ok(request) => request,
@@ -355,7 +355,7 @@ impl Drive {
 
     /// After a write of what the line hangs on, where its reply goes out with the new setting, or is lost: takes the
     /// setting now. `None` if there is no reply.
-    fn goes<R>(&mut self, now: Tick, answer: Answer<R>) -> Option<Answer<R>> {
+    fn goes<R>(&mut self, now: Tick, answer: Response<R>) -> Option<Response<R>> {
         match answer.goes {
             Goes::Nowhere => {
                 self.follow_up(now, answer.effect);
@@ -388,7 +388,7 @@ impl Drive {
         self.take(heard);
         self.device.catch_up(now);
         self.play(now);
-        let Place { address: station, spoken, line } = self.place;
+        let NodeSetting { address: station, spoken, line } = self.place;
         let frame = self.voice.starts(now, line)?;
         Some(Outgoing { station, spoken, line, frame })
     }

@@ -15,7 +15,7 @@ const QUEUE: usize = 4;
 
 /// A reply with its frame, and what follows it.
 #[derive(Clone, Debug)]
-pub(crate) struct Said {
+pub(crate) struct QueuedReply {
     pub(crate) frame: Vec<u8>,
     pub(crate) effect: Effect,
     pub(crate) exception: bool,
@@ -24,7 +24,7 @@ pub(crate) struct Said {
 /// Replies that wait or go out.
 #[derive(Clone, Debug)]
 pub(crate) struct Voice {
-    pending: VecDeque<(Tick, Said)>,
+    pending: VecDeque<(Tick, QueuedReply)>,
     sending: Option<(Tick, Effect)>,
     delay: Span,
     jitter: Span,
@@ -59,7 +59,7 @@ impl Voice {
 
     /// Queues a reply to a request that ended at `last`: not before 10 ms or what the bench file says, and never before
     /// the silence `rest` (CM-485 manual 6.8, 6.7.1.3).
-    pub(crate) fn queue(&mut self, line: LineSetting, last: Tick, rest: Span, said: Said) {
+    pub(crate) fn queue(&mut self, line: LineSetting, last: Tick, rest: Span, said: QueuedReply) {
         if self.pending.len() >= QUEUE {
             return;
         }

@@ -4,7 +4,7 @@
 //! - nothing but the mains feeds the electronics of an ACT (CM-485 manual 10.1 names 24 V for the ACU only);
 //! - a power cycle and a reset leave the shaft to coast.
 
-use super::line::{self, Port};
+use super::line::{self, LineParams};
 use super::modbus;
 use super::setup::Setup;
 use super::state::Active;
@@ -12,7 +12,9 @@ use super::vabus::{Node, Slave};
 use crate::profile::Family;
 use crate::protocol::modbus::pdu::Reply as ModbusReply;
 use crate::protocol::vabus::{Address, Reply as VabusReply, Request};
-use crate::simulator::device::contract::{Action, Answer, AskedByModbus, AskedByVabus, Device, Effect, Goes, Place};
+use crate::simulator::device::contract::{
+    Action, AskedByModbus, AskedByVabus, Device, Effect, Goes, NodeSetting, Response,
+};
 use crate::simulator::device::counters::Counters;
 use crate::tick::Tick;
 
@@ -21,13 +23,13 @@ use crate::tick::Tick;
 pub(crate) struct Drive {
     active: Active,
     vabus: Slave,
-    port: Port,
+    port: LineParams,
 }
 
 impl Drive {
     /// A drive that stands at `place` on its line, with others behind it on the system bus.
-    pub(crate) fn new(setup: &Setup, place: Place, nodes: Vec<Node>, family: Option<&Family>) -> Self {
-        Drive { active: Active::new(setup, place, family), vabus: Slave::new(nodes), port: Port::new(place) }
+    pub(crate) fn new(setup: &Setup, place: NodeSetting, nodes: Vec<Node>, family: Option<&Family>) -> Self {
+        Drive { active: Active::new(setup, place, family), vabus: Slave::new(nodes), port: LineParams::new(place) }
     }
 }
 
@@ -73,11 +75,11 @@ impl Device for Drive {
         }
     }
 
-    fn place_at_power_on(&mut self, before: Place) -> Place {
+    fn setting_at_power_on(&mut self, before: NodeSetting) -> NodeSetting {
         self.port.at_power_on(&self.active, before)
     }
 
-    fn place_after_write(&mut self, before: Place) -> Place {
+    fn setting_after_write(&mut self, before: NodeSetting) -> NodeSetting {
         self.port.after_write(&self.active, before)
     }
 
@@ -142,28 +144,28 @@ impl Device for Drive {
 }
 
 impl AskedByModbus for Drive {
-    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Answer<ModbusReply>> {
+    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Response<ModbusReply>> {
         let (reply, effect) = modbus::answer(&mut self.active, counters, now, pdu);
         let refused = matches!(reply, ModbusReply::Exception { .. });
         let goes = line::goes(&self.active, modbus::written(pdu).filter(|_| !refused));
-        Some(Answer { reply, effect, goes })
+        Some(Response { reply, effect, goes })
     }
 }
 
 impl AskedByVabus for Drive {
-    fn answer(&mut self, now: Tick, request: &Request) -> Option<Answer<VabusReply>> {
+    fn answer(&mut self, now: Tick, request: &Request) -> Option<Response<VabusReply>> {
         let (reply, effect) = self.vabus.answer(&mut self.active, now, request)?;
         let taken = matches!(reply, VabusReply::Ack { .. });
         let goes = line::goes(&self.active, Some(request.header().number.get()).filter(|_| taken));
-        Some(Answer { reply, effect, goes })
+        Some(Response { reply, effect, goes })
     }
 
     fn obey(&mut self, now: Tick, request: &Request) -> Effect {
         self.vabus.obey(&mut self.active, now, request)
     }
 
-    fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Answer<VabusReply>> {
+    fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Response<VabusReply>> {
         let (reply, effect) = self.vabus.garbled(&mut self.active, own, telegram)?;
-        Some(Answer { reply, effect, goes: Goes::AsItStands })
+        Some(Response { reply, effect, goes: Goes::AsItStands })
     }
 }

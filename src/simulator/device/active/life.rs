@@ -1,11 +1,11 @@
 //! The time of an ACT or ACU: power, watchdog, what happens to it.
 
 use super::line::values;
-use super::machine::Machine;
+use super::machine::Automaton;
 use super::setup::{Contacts, Setup};
 use super::state::Active;
 use crate::profile::Family;
-use crate::simulator::device::contract::Place;
+use crate::simulator::device::contract::NodeSetting;
 use crate::tick::{Span, Tick};
 
 /// Watchdog RS232/RS485 (CM-485 manual 6.9).
@@ -13,7 +13,7 @@ const WATCHDOG: u16 = 0x2010;
 
 impl Active {
     /// A drive that stands at `place` on its line, switched on if there is power.
-    pub(crate) fn new(setup: &Setup, place: Place, family: Option<&Family>) -> Self {
+    pub(crate) fn new(setup: &Setup, place: NodeSetting, family: Option<&Family>) -> Self {
         let values = [values(place), setup.values.clone()].concat();
         let (stored, in_ram): (Vec<_>, Vec<_>) = values.into_iter().partition(|(_, set, _)| *set < 5);
         let mut active = Active::equipped(setup, &stored, family);
@@ -77,7 +77,7 @@ impl Active {
 
     /// State machine and shaft as they will be if nobody does anything. The watchdog makes a fault of the silence
     /// (CM-485 manual 6.9), and a fault switches the output stage off: the shaft coasts.
-    fn machine_at(&self, now: Tick) -> Machine {
+    fn machine_at(&self, now: Tick) -> Automaton {
         let (mut machine, inputs) = (self.machine.clone(), self.inputs());
         if let Some(at) = self.watchdog().filter(|&at| at <= now) {
             machine.settle(at, &inputs);

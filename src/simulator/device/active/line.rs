@@ -8,7 +8,7 @@
 use super::readings::Reading;
 use super::state::Active;
 use crate::protocol::line::{LineSetting, Parity};
-use crate::simulator::device::contract::{Goes, Place};
+use crate::simulator::device::contract::{Goes, NodeSetting};
 use crate::simulator::line::speech::Spoken;
 
 /// P.10 and what it means (CM-485 manual 5.2.1).
@@ -23,7 +23,7 @@ const LINE_PARAMS: [u16; 4] = [395, 1376, 394, 34];
 
 /// What no parameter tells of the line, and what only power-on reads.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Port {
+pub(crate) struct LineParams {
     /// P.1375 as it was at power-on.
     modbus_parity: Parity,
     /// Data bits in ASCII mode; 7 by the manual.
@@ -32,10 +32,10 @@ pub(crate) struct Port {
     vabus_line: LineSetting,
 }
 
-impl Port {
-    pub(crate) fn new(place: Place) -> Self {
-        let Place { spoken, line, .. } = place;
-        Port {
+impl LineParams {
+    pub(crate) fn new(place: NodeSetting) -> Self {
+        let NodeSetting { spoken, line, .. } = place;
+        LineParams {
             modbus_parity: line.parity,
             ascii_bits: if spoken == Spoken::ASCII { line.data_bits } else { 7 },
             vabus_line: if spoken == Spoken::Vabus { line } else { LineSetting::vabus(line.baud) },
@@ -43,22 +43,22 @@ impl Port {
     }
 
     /// Everything, from the RAM copy of its parameters: only at power-on.
-    pub(crate) fn at_power_on(&mut self, drive: &Active, before: Place) -> Place {
+    pub(crate) fn at_power_on(&mut self, drive: &Active, before: NodeSetting) -> NodeSetting {
         let baud = BAUD_RATES.iter().find(|row| row.0 == drive.value(10)).map_or(before.line.baud, |row| row.1);
         let parity = PARITIES.iter().find(|row| row.0 == drive.value(1375)).map(|row| row.1);
         self.modbus_parity = parity.unwrap_or(self.modbus_parity);
-        let Place { address, spoken, .. } = self.after_write(drive, before);
-        Place { address, spoken, line: self.shape(spoken, baud) }
+        let NodeSetting { address, spoken, .. } = self.after_write(drive, before);
+        NodeSetting { address, spoken, line: self.shape(spoken, baud) }
     }
 
     /// Protocol and address, from the RAM copy of their parameters.
-    pub(crate) fn after_write(&self, drive: &Active, before: Place) -> Place {
+    pub(crate) fn after_write(&self, drive: &Active, before: NodeSetting) -> NodeSetting {
         let number = drive.value(395);
         let spoken = PROTOCOLS.iter().find(|row| row.0 == number).map_or(Spoken::PBus, |row| row.1);
         let address = if spoken == Spoken::Vabus { 394 } else { 1376 };
         let address = u8::try_from(drive.value(address)).unwrap_or(before.address);
         let line = if spoken == before.spoken { before.line } else { self.shape(spoken, before.line.baud) };
-        Place { address, spoken, line }
+        NodeSetting { address, spoken, line }
     }
 
     fn shape(&self, spoken: Spoken, baud: u32) -> LineSetting {
@@ -73,8 +73,8 @@ impl Port {
 
 /// The parameters that hold a place on the line. VABus has an address of its own, P.394, and no use for the "Modbus
 /// parity" P.1375.
-pub(crate) fn values(place: Place) -> Vec<(u32, u8, i64)> {
-    let Place { address, spoken, line } = place;
+pub(crate) fn values(place: NodeSetting) -> Vec<(u32, u8, i64)> {
+    let NodeSetting { address, spoken, line } = place;
     let protocol = PROTOCOLS.iter().find(|row| row.1 == spoken).map_or(0, |row| row.0);
     let baud = BAUD_RATES.iter().find(|row| row.1 == line.baud).map_or(4, |row| row.0);
     let parity = PARITIES.iter().find(|row| row.1 == line.parity).map_or(0, |row| row.0);

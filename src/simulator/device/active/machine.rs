@@ -119,7 +119,7 @@ enum Kind {
 
 /// State machine and shaft.
 #[derive(Clone, Debug)]
-pub(crate) struct Machine {
+pub(crate) struct Automaton {
     pub(crate) state: State,
     pub(crate) fault: u16,
     fault_at: Tick,
@@ -130,11 +130,11 @@ pub(crate) struct Machine {
     pub(crate) shaft: Shaft,
 }
 
-impl Machine {
+impl Automaton {
     /// A drive without power, with its shaft at rest.
     pub(crate) fn new(at: Tick) -> Self {
         let shaft = Shaft::new(at);
-        Machine { state: State::NotReady, fault: 0, fault_at: at, last_word: 0, fresh: false, phase: None, shaft }
+        Automaton { state: State::NotReady, fault: 0, fault_at: at, last_word: 0, fresh: false, phase: None, shaft }
     }
 
     /// Power-on or reset (0): "not ready" until the drive is up (1). Never up, if the power is gone for good. A shaft

@@ -89,13 +89,13 @@ mod tests {
     use crate::profile::Registry;
     use crate::protocol::line::{LineSetting, Parity};
     use crate::simulator::device::active::setup::Setup;
-    use crate::simulator::device::contract::Place;
+    use crate::simulator::device::contract::NodeSetting;
     use crate::simulator::line::speech::Spoken;
 
     fn drive(model: &str) -> Active {
         let registry = Registry::open(&[]).unwrap();
         let family = registry.family(model).unwrap();
-        let place = Place { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
+        let place = NodeSetting { address: 1, spoken: Spoken::RTU, line: LineSetting::rtu(19_200, Parity::Even) };
         Active::new(&Setup::plain(model == "acu"), place, Some(&family))
     }
 

@@ -1,6 +1,6 @@
 //! What the manuals of ACT and ACU leave open.
 
-use crate::simulator::device::readings::{self, Question, row};
+use crate::simulator::device::readings::{self, OpenQuestion, row};
 
 /// A reading that differs from the standard bench.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ use Reading as R;
 impl readings::Reading for Reading {
     /// All of them: docs/open-points.md.
     #[rustfmt::skip]
-    const QUESTIONS: &'static [Question<Self>] = &[
+    const QUESTIONS: &'static [OpenQuestion<Self>] = &[
         // CM-485 manual 9.1.2, 10.2
         row("control_word", &[("level", None), ("edge", Some(R::ControlByEdge))]),
         // CM-485 manual 7

@@ -1,7 +1,7 @@
 //! What an ACT or ACU holds: parameters, wires, the state machine. What is made of it stands in the files beside this one.
 
 use super::cause::Cause;
-use super::machine::Machine;
+use super::machine::Automaton;
 use super::readings::{Reading, Readings};
 use super::setup::{Contacts, Setup};
 use super::spec::{Spec, specs};
@@ -26,7 +26,7 @@ pub(crate) struct Active {
     pub(crate) ramps: Ramps,
     pub(crate) strict_remote: bool,
     pub(crate) readings: Readings,
-    pub(crate) machine: Machine,
+    pub(crate) machine: Automaton,
     pub(crate) register: u16,
     pub(crate) warnings: u16,
     /// Last correct exchange that the watchdog counts from.
@@ -49,7 +49,7 @@ impl Active {
             ramps: setup.ramps,
             strict_remote: setup.strict_remote,
             readings: setup.readings,
-            machine: Machine::new(Tick::ZERO),
+            machine: Automaton::new(Tick::ZERO),
             register: 0,
             warnings: 0,
             heard: None,

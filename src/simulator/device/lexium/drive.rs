@@ -4,7 +4,7 @@ use super::modbus::encode;
 use super::params;
 use super::servo::Lexium;
 use crate::protocol::modbus::pdu::Reply;
-use crate::simulator::device::contract::{Action, Answer, AskedByModbus, Device, Place, Servo};
+use crate::simulator::device::contract::{Action, AskedByModbus, Device, NodeSetting, Response, Servo};
 use crate::simulator::device::counters::Counters;
 use crate::tick::{Span, Tick};
 
@@ -31,13 +31,13 @@ impl Device for Lexium {
         }
     }
 
-    fn place_at_power_on(&mut self, before: Place) -> Place {
-        Place { address: self.address(), line: self.line(), ..before }
+    fn setting_at_power_on(&mut self, before: NodeSetting) -> NodeSetting {
+        NodeSetting { address: self.address(), line: self.line(), ..before }
     }
 
-    fn place_after_write(&mut self, before: Place) -> Place {
+    fn setting_after_write(&mut self, before: NodeSetting) -> NodeSetting {
         let (address, line) = self.follow(before.address, before.line);
-        Place { address, line, ..before }
+        NodeSetting { address, line, ..before }
     }
 
     /// The manual tells no such time.
@@ -98,8 +98,8 @@ impl Device for Lexium {
 }
 
 impl AskedByModbus for Lexium {
-    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Answer<Reply>> {
-        Lexium::answer(self, counters, now, pdu).map(Answer::plain)
+    fn answer(&mut self, counters: &mut Counters, now: Tick, pdu: &[u8]) -> Option<Response<Reply>> {
+        Lexium::answer(self, counters, now, pdu).map(Response::plain)
     }
 
     fn encode(&self, reply: &Reply) -> Vec<u8> {

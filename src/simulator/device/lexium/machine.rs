@@ -32,7 +32,7 @@ pub(crate) enum Power {
 
 /// State, and what leads out of it.
 #[derive(Clone, Debug)]
-pub(crate) struct Machine {
+pub(crate) struct Automaton {
     state: State,
     word: u16,
     /// End of power-on or of switching the output stage on.
@@ -47,11 +47,11 @@ pub(crate) struct Machine {
     readings: Readings,
 }
 
-impl Machine {
+impl Automaton {
     /// A drive that comes up at `up`; never, without power.
     pub(crate) fn new(up: Option<Tick>, readings: Readings) -> Self {
         let (state, word, fault, warning) = (State::NotReady, 0, None, false);
-        Machine { state, word, until: up, fault, warning, ramping: false, held: false, readings }
+        Automaton { state, word, until: up, fault, warning, ramping: false, held: false, readings }
     }
 
     pub(crate) fn state(&self) -> State {
@@ -187,8 +187,8 @@ mod tests {
     const LATER: Tick = Tick::from_micros(1_020_000);
 
     /// A drive in operation.
-    fn enabled() -> Machine {
-        let mut machine = Machine::new(Some(Tick::ZERO), Readings::default());
+    fn enabled() -> Automaton {
+        let mut machine = Automaton::new(Some(Tick::ZERO), Readings::default());
         machine.tick(NOW, true);
         machine.command(NOW, 0x06);
         machine.command(NOW, 0x0F);
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn the_output_stage_takes_its_time_and_can_be_called_back() {
-        let mut machine = Machine::new(Some(NOW), Readings::default());
+        let mut machine = Automaton::new(Some(NOW), Readings::default());
         machine.command(NOW, 0x06);
         assert_eq!(machine.status(), 0);
         machine.tick(NOW, true);
@@ -267,7 +267,7 @@ mod tests {
         machine.command(LATER, 0x00);
         machine.command(LATER, 0x80);
         assert!(!machine.in_fault());
-        let mut off = Machine::new(None, Readings::default());
+        let mut off = Automaton::new(None, Readings::default());
         off.fail(Fault { number: 1, class: 3, qualifier: 0 });
         assert_eq!((off.state(), off.next()), (State::NotReady, None));
     }

@@ -98,7 +98,7 @@ enum Homing {
 
 /// Mode, shaft, and what is under way.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Motion {
+pub(crate) struct Modes {
     axis: Axis,
     world: World,
     readings: Readings,
@@ -119,9 +119,9 @@ pub(crate) struct Motion {
     ratio: (i64, i64),
 }
 
-impl Motion {
+impl Modes {
     pub(crate) fn new(world: World, readings: Readings) -> Self {
-        Motion {
+        Modes {
             axis: Axis::default(),
             world,
             readings,
@@ -140,7 +140,7 @@ impl Motion {
 
     /// Power-on: the shaft stays or coasts where it is, and nobody knows where that is.
     pub(crate) fn power_up(&mut self) {
-        *self = Motion { axis: self.axis, zero: self.place(), ..Motion::new(self.world, self.readings) };
+        *self = Modes { axis: self.axis, zero: self.place(), ..Modes::new(self.world, self.readings) };
     }
 
     /// Speed of the shaft, 0.001 1/min.

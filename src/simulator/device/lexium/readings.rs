@@ -1,6 +1,6 @@
 //! What the manual of the LXM05 leaves open.
 
-use crate::simulator::device::readings::{self, Question, row};
+use crate::simulator::device::readings::{self, OpenQuestion, row};
 
 /// A reading that differs from the standard bench.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ use Reading as R;
 impl readings::Reading for Reading {
     /// All of them: docs/open-points.md.
     #[rustfmt::skip]
-    const QUESTIONS: &'static [Question<Self>] = &[
+    const QUESTIONS: &'static [OpenQuestion<Self>] = &[
         // LXM05 manual 6.3.1: a command that a running movement forbids
         row("mode_change", &[("accepted", None), ("refused", Some(R::ModeChangeRefused))]),
         row("references_after_run", &[("zeroed", None), ("kept", Some(R::ReferencesOutliveRun))]),

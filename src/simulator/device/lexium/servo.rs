@@ -9,15 +9,15 @@
 //!   power;
 //! - error numbers below 1000h are this bench's own: the list of the maker (E1xxx to ECxxx) is in no source.
 
-use super::machine::{Machine, Power};
+use super::machine::{Automaton, Power};
 use super::memory::Memory;
-use super::motion::Motion;
+use super::motion::Modes;
 use super::params::{self, Kind, Values};
 use super::readings::{Reading, Readings};
 use super::setup::{Identity, Setup};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::pdu::WordOrder;
-use crate::simulator::device::contract::{Fault, Place, Servo};
+use crate::simulator::device::contract::{Fault, NodeSetting, Servo};
 use crate::tick::{Span, Tick};
 
 /// One step of the drive.
@@ -37,8 +37,8 @@ pub(crate) struct Lexium {
     pub(crate) identity: Identity,
     pub(crate) readings: Readings,
     pub(crate) memory: Memory,
-    pub(crate) machine: Machine,
-    pub(crate) motion: Motion,
+    pub(crate) machine: Automaton,
+    pub(crate) motion: Modes,
     /// End of the last step.
     pub(crate) at: Tick,
     /// As it was at power-on.
@@ -52,7 +52,7 @@ pub(crate) struct Lexium {
 
 impl Lexium {
     /// A drive that is switched on.
-    pub(crate) fn new(setup: &Setup, place: Place) -> Self {
+    pub(crate) fn new(setup: &Setup, place: NodeSetting) -> Self {
         let line = place.line;
         let format = FORMATS.iter().find(|row| (row.1, row.2) == (line.parity, line.stop_bits)).map_or(2, |row| row.0);
         let mut values = Values::new();
@@ -69,8 +69,8 @@ impl Lexium {
             identity: setup.identity.clone(),
             readings: setup.readings,
             memory: Memory::default(),
-            machine: Machine::new(Some(Tick::ZERO), setup.readings),
-            motion: Motion::new(setup.world, setup.readings),
+            machine: Automaton::new(Some(Tick::ZERO), setup.readings),
+            motion: Modes::new(setup.world, setup.readings),
             at: Tick::ZERO,
             order: WordOrder::HighFirst,
             synchronous: 0,
@@ -101,7 +101,7 @@ impl Lexium {
     pub(crate) fn power_up(&mut self, now: Tick, up: Tick) {
         self.catch_up(now);
         self.values.power_up(self.readings.has(Reading::SaveByCommand));
-        self.machine = Machine::new(Some(up), self.readings);
+        self.machine = Automaton::new(Some(up), self.readings);
         self.motion.power_up();
         self.take_settings();
         (self.synchronous, self.listen_only, self.heard) = (0, false, None);

@@ -31,8 +31,8 @@ fn millis(count: u64) -> Tick {
 }
 
 /// A drive that is up, in switch-on inhibit.
-fn machine() -> Machine {
-    let mut machine = Machine::new(Tick::ZERO);
+fn machine() -> Automaton {
+    let mut machine = Automaton::new(Tick::ZERO);
     machine.restart(Tick::ZERO, Some(Tick::ZERO));
     machine.settle(Tick::ZERO, &inputs(false, 0));
     machine
@@ -50,7 +50,7 @@ fn walk(acu: bool, words: &[u16]) -> Vec<u16> {
 }
 
 /// Runs at 10 Hz.
-fn running(inputs: &Inputs) -> Machine {
+fn running(inputs: &Inputs) -> Automaton {
     let mut machine = machine();
     machine.react(Tick::ZERO, &Inputs { word: 0xF, ..*inputs });
     machine.settle(millis(2_000), &Inputs { word: 0xF, ..*inputs });
@@ -69,7 +69,7 @@ fn the_long_way_and_the_short_cut() {
 
 #[test]
 fn not_ready_comes_before_everything_and_obeys_nothing() {
-    let mut machine = Machine::new(Tick::ZERO);
+    let mut machine = Automaton::new(Tick::ZERO);
     machine.restart(Tick::ZERO, Some(millis(3_000)));
     let contacts = Inputs { control: Control::Contacts, ..inputs(true, 0) };
     machine.react(millis(1_000), &contacts);
