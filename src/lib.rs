@@ -43,7 +43,8 @@
 //! # }
 //! ```
 //!
-//! Who may name whom is law, and `tests/house` holds it. ARCHITECTURE.md is the floor plan.
+//! Who may name whom is law, and `tests/house` holds it. ARCHITECTURE.md is the floor plan. "sources A2"
+//! in a comment is a section of docs/sources.md.
 
 #[cfg(feature = "cli")]
 pub mod args;

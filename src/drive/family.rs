@@ -10,7 +10,7 @@ use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, WordOrder, identification};
 use std::rc::Rc;
 
-/// Stator frequency: 32 bits on both families, proved by telegrams (facts B), so code 100 reads it.
+/// Stator frequency: 32 bits on both families, proved by telegrams (sources B), so code 100 reads it.
 const STATOR_FREQUENCY: Cell = Cell { number: 210, set: 0 };
 /// Status word of both families (CM-485 manual 9, 10).
 const STATUS_WORD: Cell = Cell { number: 411, set: 0 };

@@ -2,7 +2,7 @@
 //!
 //! Every step is one write. After one that moves the drive, the line follows, and the drive has to answer there before
 //! the next. If it does not, but still answers where it was, everything is put back. What the values mean and when they
-//! hold stands in the family's catalogue, `[link.line]`; format of VABus: facts A1.
+//! hold stands in the family's catalogue, `[link.line]`; format of VABus: sources A1.
 
 mod journey;
 mod plot;

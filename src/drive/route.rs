@@ -138,7 +138,7 @@ impl Route {
             return None;
         }
         match family.link.cause {
-            // The register is the one of the drive that stands on the line, whatever is behind it (facts A2).
+            // The register is the one of the drive that stands on the line, whatever is behind it (sources A2).
             Cause::ErrorRegister => Route { node: 0, ..self }.question(register(family)?),
             Cause::Diagnostics(sub) => self.question(Inquiry::Counter(sub)),
         }
@@ -161,7 +161,7 @@ impl Route {
     }
 
     /// The bytes of a reply whose value has not the form that its type has over VABus: four or eight upper-case digits
-    /// (facts A2). A check character of eight bits lets such through.
+    /// (sources A2). A check character of eight bits lets such through.
     pub(super) fn misshapen(self, said: &Said, kind: Type) -> Option<Vec<u8>> {
         let Said::Vabus(reply @ vabus::Reply::Value { data, .. }) = said else { return None };
         let fits = match kind.bits() {

@@ -194,7 +194,7 @@ impl Dialect {
     }
 
     /// The least time from the end of a question to the start of its reply: in RTU the silence by which a station knows that
-    /// the question is over (MODBUS over Serial Line V1.02, 2.5.1.1), over VABus 1 ms (facts A2).
+    /// the question is over (MODBUS over Serial Line V1.02, 2.5.1.1), over VABus 1 ms (sources A2).
     pub(super) fn least_turnaround(self, line: LineSetting) -> Span {
         match self.protocol {
             Protocol::Modbus(Framing::Rtu) => line.t35(),

@@ -2,7 +2,7 @@
 //! else, is told from the answer, although both may have the right form.
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
-//!   (facts/readings.md). So bytes that were heard within that time prove nothing on a line that is known to do so.
+//!   (docs/measured.md). So bytes that were heard within that time prove nothing on a line that is known to do so.
 //! * On a line that has shown nothing of the kind, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
 
@@ -10,12 +10,12 @@ use super::dialect::Question;
 use crate::tick::{Span, Tick};
 use std::collections::{BTreeMap, VecDeque};
 
-/// A copy comes within this time (facts/readings.md: 500 ms), and a little for the telegram itself.
+/// A copy comes within this time (docs/measured.md: 500 ms), and a little for the telegram itself.
 pub(super) const COPY_WITHIN: Span = Span::from_millis(600);
 /// Clocks and adapters are not more exact than this, on the bench too.
 const TOLERANCE_US: i64 = 100;
 /// An answer that comes so much later than ever is not the usual one (USB adapters hold bytes back for up to 16 ms,
-/// facts/engineering.md).
+/// docs/measured.md).
 const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);

@@ -38,7 +38,7 @@ pub struct Patience {
 const REPLY_DELAY: Span = Span::from_millis(10);
 /// What a drive may take longer than that without being late.
 const SLACK: Span = Span::from_millis(2);
-/// USB adapters hold bytes back for up to 16 ms (facts/engineering.md: latency timer of FTDI).
+/// USB adapters hold bytes back for up to 16 ms (docs/measured.md: latency timer of FTDI).
 const ADAPTER: Span = Span::from_millis(16);
 /// A look at a setting may take so much longer than a typical drive does, because nobody listens there any more when it
 /// is over.

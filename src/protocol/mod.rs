@@ -43,7 +43,7 @@ impl Protocol {
     pub fn line(self, baud: u32, parity: Parity) -> LineSetting {
         match self {
             Protocol::Modbus(Framing::Rtu | Framing::Tcp) => LineSetting::rtu(baud, parity),
-            // VABus uses the same seven bits (facts A1).
+            // VABus uses the same seven bits (sources A1).
             Protocol::Modbus(Framing::Ascii) | Protocol::Vabus => LineSetting::ascii(baud, parity),
         }
     }

@@ -1,4 +1,4 @@
-//! Codes 3, 16 and 23 in words (LXM05 manual 5.2, 5.3, with the lengths of facts G4): as parameters where those of the
+//! Codes 3, 16 and 23 in words (LXM05 manual 5.2, 5.3, with the lengths of sources G4): as parameters where those of the
 //! family are pairs of registers, else as plain registers.
 
 use super::{Reader, Said, field, field8, field16};

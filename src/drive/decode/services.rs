@@ -133,7 +133,7 @@ impl Reader<'_> {
         )
     }
 
-    /// An object by its name; number 3 is the revision on an LXM05 only (facts G4).
+    /// An object by its name; number 3 is the revision on an LXM05 only (sources G4).
     fn object(&self, id: u8) -> String {
         let id = if id == REVISION_LEXIUM && self.paired().is_some() { REVISION } else { id };
         let row = OBJECTS.iter().find(|row| row.0 == id);

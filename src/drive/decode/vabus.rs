@@ -1,4 +1,4 @@
-//! Telegrams of VABus in words (facts A2, EM-RES-03 manual 5.10.2.2).
+//! Telegrams of VABus in words (sources A2, EM-RES-03 manual 5.10.2.2).
 
 use super::Reader;
 use crate::outcome::{Field, TelegramDoc};

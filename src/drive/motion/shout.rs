@@ -10,7 +10,7 @@
 //!   S1IND keeps the power for the ramp. Each question has the 500 ms that 6.8 allows, and a little more; where nothing is
 //!   told in time the quick stop goes out in place of the ramp. Bit 9 of the status word, Remote, tells nothing: 9.1.3
 //!   names it with P.412 = 2 too.
-//! - An LXM05 always obeys DCOMcontrol (CiA 402, facts H). Which half of a value comes first may be unknown: 0 is the same
+//! - An LXM05 always obeys DCOMcontrol (CiA 402, sources H). Which half of a value comes first may be unknown: 0 is the same
 //!   in both orders, and 2 and 7 in the wrong one have a lower half of 0, so that they go out in both.
 //! - Where nobody tells the family, each gets its own word at its own parameter; the other has no such parameter and
 //!   refuses it.

@@ -60,7 +60,7 @@ pub(super) fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
     let mut tries = Vec::new();
     for &(protocol, third) in &protocols {
         for &(parity, second) in &parities {
-            // VABus has no other parity (facts A1).
+            // VABus has no other parity (sources A1).
             if protocol == Protocol::Vabus && unknown.parity && parity != Parity::Even {
                 continue;
             }

@@ -10,7 +10,7 @@ use crate::exchange::limits::WITNESSES;
 use crate::exchange::survey::foreign;
 use crate::tick::Span;
 
-/// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (facts/readings.md).
+/// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (sources A2).
 const HIS_REPLY: Span = Span::from_millis(100);
 
 impl Master {

@@ -2,7 +2,7 @@
 //!
 //! Codes 3, 6 and 8 follow MODBUS Application Protocol V1.1b3 (6.3, 6.6, 6.8) as narrowed by the CM-485 manual 6.4;
 //! codes 100 and 101 are the maker's own (CM-485 manual 6.4.3, 6.4.4). Codes 16, 23 and 43/14 follow V1.1b3 (6.12, 6.17,
-//! 6.21) and the LXM05 manual 5.2, with its lengths as corrected in facts G4. Any other code travels as raw data.
+//! 6.21) and the LXM05 manual 5.2, with its lengths as corrected in sources G4. Any other code travels as raw data.
 
 mod address;
 mod codes;

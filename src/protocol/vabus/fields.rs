@@ -10,7 +10,7 @@ pub struct Address(u8);
 impl Address {
     /// Highest node id of a drive, P.394 (CM-485 manual 11.2).
     pub const LAST: u8 = 30;
-    /// All drives obey, nobody answers (facts A1: address 32).
+    /// All drives obey, nobody answers (sources A1: address 32).
     pub const BROADCAST: Address = Address(32);
     /// Character of address 0, if it existed.
     const BASE: u8 = 0x40;
@@ -30,7 +30,7 @@ impl Address {
         self == Self::BROADCAST
     }
 
-    /// The character on the wire: 40h + id (facts A1).
+    /// The character on the wire: 40h + id (sources A1).
     pub const fn character(self) -> u8 {
         Self::BASE + self.0
     }
@@ -88,7 +88,7 @@ impl SystemNode {
     }
 }
 
-/// Data set: 0-4 EEPROM, 5-9 RAM (facts A2).
+/// Data set: 0-4 EEPROM, 5-9 RAM (sources A2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct DataSet(u8);
 
@@ -108,7 +108,7 @@ impl DataSet {
         self.0
     }
 
-    /// What a drive puts into its reply: always `0` to `4` (facts A2).
+    /// What a drive puts into its reply: always `0` to `4` (sources A2).
     pub const fn as_replied(self) -> Self {
         DataSet(self.0 % Self::RAM)
     }
@@ -125,7 +125,7 @@ pub struct ParamNumber(u16);
 impl ParamNumber {
     /// Highest number that three characters can carry.
     pub const LAST: u16 = 1599;
-    /// The error register that tells the cause of a NAK (facts A2).
+    /// The error register that tells the cause of a NAK (sources A2).
     pub const ERROR_REGISTER: ParamNumber = ParamNumber(11);
 
     /// A number, 0-1599; `None` beyond.
@@ -139,7 +139,7 @@ impl ParamNumber {
     }
 
     /// The three characters on the wire: `000` to `999`; above, a letter stands for the hundreds: `A00` is 1000,
-    /// `F99` is 1599 (facts A2).
+    /// `F99` is 1599 (sources A2).
     pub fn characters(self) -> [u8; 3] {
         let hundreds = (self.0 / 100) as u8;
         let first = if hundreds < 10 { b'0' + hundreds } else { b'A' + (hundreds - 10) };
@@ -178,7 +178,7 @@ impl Header {
     pub(super) const LEN: usize = 5;
 
     /// Whether a data reply with this header answers a question with that one: a drive names data sets 0-4 only, so
-    /// the copies in EEPROM and RAM cannot be told apart in a reply (facts A2).
+    /// the copies in EEPROM and RAM cannot be told apart in a reply (sources A2).
     pub fn answers(self, asked: Header) -> bool {
         let set = self.set == asked.set || self.set == asked.set.as_replied();
         set && (self.node, self.number) == (asked.node, asked.number)
@@ -204,15 +204,15 @@ impl Header {
 pub struct Data(Vec<u8>);
 
 impl Data {
-    /// Most characters that the two digits of the length can tell (facts A1).
+    /// Most characters that the two digits of the length can tell (sources A1).
     pub const MOST: usize = 99;
 
-    /// Four digits, for 16 bits (facts A2).
+    /// Four digits, for 16 bits (sources A2).
     pub fn word(bits: u16) -> Self {
         Data(format!("{bits:04X}").into_bytes())
     }
 
-    /// Eight digits, for 32 bits (facts A2).
+    /// Eight digits, for 32 bits (sources A2).
     pub fn long(bits: u32) -> Self {
         Data(format!("{bits:08X}").into_bytes())
     }

@@ -1,7 +1,7 @@
 //! VABus, the maker's own serial protocol (VECTRON bus, VCB bus, P.395 = 0), for the master and for the drive.
 //!
-//! Every telegram is text of 7-bit characters with the control codes of ISO 1745. Sources: facts A (S1 = Agile VABus
-//! manual VEC 686) and the EM-RES-03 manual 5.10.2.2. Whether four digits are a number or a string of four characters
+//! Every telegram is text of 7-bit characters with the control codes of ISO 1745 (sources A1 to A4; S1 = Agile VABus manual
+//! VEC 686; EM-RES-03 manual 5.10.2.2). Whether four digits are a number or a string of four characters
 //! cannot be seen in a telegram: whoever asked knows.
 //!
 //! * [`Request`] and [`Reply`]: what a master asks, what a drive answers, to bytes and back;
@@ -19,23 +19,23 @@ pub use fields::{Address, Data, DataSet, Header, ParamNumber, SystemNode};
 pub use receive::{Arrival, Heard, Receiver, arrival};
 pub use telegram::{Reply, Request, Telegram};
 
-/// Start of text: the header of a telegram that carries data follows (facts A1).
+/// Start of text: the header of a telegram that carries data follows (sources A1).
 pub const STX: u8 = 0x02;
-/// End of text: the check character follows (facts A1).
+/// End of text: the check character follows (sources A1).
 pub const ETX: u8 = 0x03;
-/// End of transmission: opens every telegram of a master, and ends an exchange (facts A1, A2).
+/// End of transmission: opens every telegram of a master, and ends an exchange (sources A1, A2).
 pub const EOT: u8 = 0x04;
-/// Enquiry: ends a telegram that asks for a value (facts A1).
+/// Enquiry: ends a telegram that asks for a value (sources A1).
 pub const ENQ: u8 = 0x05;
-/// The drive did what it was told (facts A1).
+/// The drive did what it was told (sources A1).
 pub const ACK: u8 = 0x06;
-/// The drive refused; P.11 tells why (facts A1, A2).
+/// The drive refused; P.11 tells why (sources A1, A2).
 pub const NAK: u8 = 0x15;
 
 /// Longest telegram: EOT, address, STX, header of 5, length of 2, data of 99, ETX, BCC.
 pub const MAX_TELEGRAM: usize = 3 + 5 + 2 + Data::MOST + 2;
 
-/// The check character: XOR of every byte after STX up to and including ETX (facts A2). It may have any value.
+/// The check character: XOR of every byte after STX up to and including ETX (sources A2). It may have any value.
 ///
 /// `text` is what stands between STX and ETX, both excluded.
 pub fn bcc(text: &[u8]) -> u8 {

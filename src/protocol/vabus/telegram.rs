@@ -1,4 +1,4 @@
-//! Telegrams to bytes and back, for both sides (facts A2).
+//! Telegrams to bytes and back, for both sides (sources A2).
 
 use super::{ACK, Address, Data, ENQ, EOT, ETX, Header, NAK, STX, TelegramError, bcc};
 

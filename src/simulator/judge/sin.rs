@@ -32,9 +32,9 @@ pub enum Sin {
     GapBefore,
     /// A broadcast that is no write (CM-485 manual 6.1).
     BroadcastRead,
-    /// VABus: a SELECT to a drive that sent NAK and whose P.11 has not been read since (facts A2).
+    /// VABus: a SELECT to a drive that sent NAK and whose P.11 has not been read since (sources A2).
     Locked,
-    /// VABus: more than three transmissions of one telegram without a good reply or an EOT between them (facts A2).
+    /// VABus: more than three transmissions of one telegram without a good reply or an EOT between them (sources A2).
     TooOften,
     /// Bytes that are no telegram: check value, length, digits, address, character format.
     Malformed,

@@ -1,10 +1,10 @@
-//! Rules of VABus (facts A2).
+//! Rules of VABus (sources A2).
 
 use super::sin::Sin;
 use crate::protocol::vabus::{Address, ParamNumber, Reply, Request, SystemNode};
 use std::collections::BTreeSet;
 
-/// Transmissions of one telegram in one exchange of VABus (facts A2).
+/// Transmissions of one telegram in one exchange of VABus (sources A2).
 const MOST_TRANSMISSIONS: u32 = 3;
 
 /// What a master of VABus has to keep in mind.

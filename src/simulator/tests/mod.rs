@@ -28,7 +28,7 @@ const RTU: &[(&str, &str, &str)] = &[
     ("8.1.5 ex 2", "01 08 00 13 00 00 11 CE", "01 88 01 87 C0"),
 ];
 
-/// The same in ASCII, without CR LF (CM-485 manual 8.2; the code row of 8.2.3 ex 2 is misprinted there, facts G1).
+/// The same in ASCII, without CR LF (CM-485 manual 8.2; the code row of 8.2.3 ex 2 is misprinted there, sources G1).
 const ASCII: &[(&str, &str, &str)] = &[
     ("8.2.1 ex 1", ":01032174000166", ":010302056E87"),
     ("8.2.1 ex 2", ":01030174000285", ":0183027A"),

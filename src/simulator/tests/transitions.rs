@@ -1,5 +1,5 @@
 //! Every transition of both state machines, driven by control words over the bus, and every one that is refused
-//! (CM-485 manual 9.1.2, 10.2; numbers: facts H).
+//! (CM-485 manual 9.1.2, 10.2; numbers: sources H).
 
 use super::hand::Hand;
 

@@ -11,7 +11,7 @@ use crate::tick::{Span, Tick};
 
 const LINE: LineSetting = LineSetting::vabus(19_200);
 const ACU: &str = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\n";
-/// Reads P.372@2 of drive 1 (facts A4).
+/// Reads P.372@2 of drive 1 (sources A4).
 const READ: &str = "04 41 30 32 33 37 32 05";
 
 /// A master that asks one second after the last question.

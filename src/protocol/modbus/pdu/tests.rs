@@ -33,7 +33,7 @@ fn an_echo_with_another_value_is_no_answer() {
     assert!(write.is_answered_by(&Reply::Exception { function: 6, code: Exception::DeviceFailure }));
 }
 
-/// Telegrams of the LXM05 manual, chapters 5.2 and 5.3, with the lengths as corrected in facts G4. The manual prints
+/// Telegrams of the LXM05 manual, chapters 5.2 and 5.3, with the lengths as corrected in sources G4. The manual prints
 /// fields, not bytes; these are its fields in order.
 fn lexium() -> Vec<(Request, &'static str, Reply, &'static str)> {
     let object = |id, text: &str| Object { id, value: text.into() };

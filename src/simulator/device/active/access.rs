@@ -2,7 +2,7 @@
 //!
 //! Order of the checks of an access, where the manual names none: parameter (11), data set (2), width (10, 14),
 //! direction (3, 4), running (8), value (1). On Modbus only a refusal with exception 4 leaves its cause in P.11
-//! (CM-485 manual 6.6), on VABus every NAK (facts A2).
+//! (CM-485 manual 6.6), on VABus every NAK (sources A2).
 //!
 //! All frequencies have two decimals, also those of which no source says it (217, 241): so do all that are printed
 //! (CM-485 manual 10.2.3). Percentages likewise.

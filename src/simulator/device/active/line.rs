@@ -3,7 +3,7 @@
 //! Choices where the manual is silent:
 //! - a new protocol (P.395) or address (P.1376, P.394 of VABus) holds from the end of the reply to the write on, because
 //!   that must come from the old address; P.10 and P.1375 wait for a reset (CM-485 manual 5.2);
-//! - VABus is 7E1 (facts A1) whatever P.1375 says, which is called "Modbus parity".
+//! - VABus is 7E1 (sources A1) whatever P.1375 says, which is called "Modbus parity".
 
 use super::readings::Reading;
 use super::state::Active;
@@ -18,7 +18,7 @@ pub(crate) const BAUD_RATES: [(i64, u32); 6] =
 const PARITIES: [(i64, Parity); 3] = [(0, Parity::Even), (1, Parity::Odd), (2, Parity::None)];
 /// P.395 and what it means (CM-485 manual 6).
 const PROTOCOLS: [(i64, Spoken); 4] = [(0, Spoken::Vabus), (1, Spoken::PBus), (2, Spoken::RTU), (3, Spoken::ASCII)];
-/// Protocol, both addresses, reset: what a reply can be lost by (CM-485 manual 5.2.1, 6; facts A1).
+/// Protocol, both addresses, reset: what a reply can be lost by (CM-485 manual 5.2.1, 6; sources A1).
 const LINE_PARAMS: [u16; 4] = [395, 1376, 394, 34];
 
 /// What no parameter tells of the line, and what only power-on reads.

@@ -1,4 +1,4 @@
-//! The state machine of a drive (CM-485 manual 9.1.2 for ACT, 10.2 for ACU; transitions by number: facts H).
+//! The state machine of a drive (CM-485 manual 9.1.2 for ACT, 10.2 for ACU; transitions by number: sources H).
 //!
 //! Choices where the manual is silent or contradicts itself:
 //! - status bit 4 of the ACU shows the mains in every state (text of 10.1; its table prints 0 for "switched on");

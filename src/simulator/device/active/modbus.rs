@@ -1,6 +1,6 @@
 //! The Modbus slave of an ACT or ACU: function codes, exceptions, diagnostic counters (CM-485 manual 6.4 to 6.6).
 //!
-//! Where the manual contradicts itself, the worked telegrams of its chapter 8 decide (facts C): a register count
+//! Where the manual contradicts itself, the worked telegrams of its chapter 8 decide (sources C): a register count
 //! other than 1 is exception 2, everything that concerns the parameter itself is exception 4 with its cause in P.11.
 
 use super::access::Width;

@@ -73,13 +73,13 @@ const LOCKED_WHILE_RUNNING: &[u32] = &[34];
 const BENCH_VALUES: &[(u32, i64)] = &[
     (30, 110),    // a V/f configuration, named in CM-485 manual 9.1.2.2
     (68, 71),     // S2IND, CM-485 manual 9.1.3
-    (69, 72),     // S3IND, facts B
+    (69, 72),     // S3IND, sources B
     (372, 1_390), // CM-485 manual 8.1.1
     (373, 2),     // fits 1390 1/min at 50 Hz
     (375, 5_000),
     (376, 8),   // a 1390 1/min motor has 0.8 kW or so; the 1.5 kW of CM-485 manual 8.1.2 is written
     (412, 44),  // ACT; printed for ACU, CM-485 manual 10
-    (418, 350), // for configurations 1xx, facts B
+    (418, 350), // for configurations 1xx, sources B
     (424, 1_000),
     (425, 1_000),
     (481, 1_000), // CM-485 manual 8.1.3
@@ -89,7 +89,7 @@ const BENCH_VALUES: &[(u32, i64)] = &[
     (486, 1_000),
     (487, 2_500),
     (488, 5_000),
-    (549, 500), // example of 5 %, facts B
+    (549, 500), // example of 5 %, sources B
     (632, 100),
     (637, 10),
     (638, 10),

@@ -1,9 +1,9 @@
-//! VABus of an ACT or ACU (facts A; EM-RES-03 manual 5.10.2): what it answers, and the drives of the system bus that can
-//! be reached through it.
+//! VABus of an ACT or ACU (sources A1 to A4; EM-RES-03 manual 5.10.2): what it answers, and the drives of the
+//! system bus that can be reached through it.
 //!
 //! Choices where the sources are silent or say two things:
 //! - a wrong check character gets NAK and cause 12, which the EM-RES-03 manual (5.10.1) names for this protocol only; all
-//!   else that is wrong in the structure gets silence (facts A2), so cause 13 is left for values that are no digits;
+//!   else that is wrong in the structure gets silence (sources A2), so cause 13 is left for values that are no digits;
 //! - a SELECT during the lock gets NAK and changes nothing, the cause in P.11 neither;
 //! - every NAK locks, also one to an enquiry; power-on and a change of the protocol unlock;
 //! - a string parameter exists only where the bench file gives it a text, in one copy for all memories and data sets;

@@ -26,7 +26,7 @@ use crate::tick::Span;
 const CRITICAL: u16 = 0x0001 | 0x0002 | 0x0004 | 0x0008 | 0x0010 | 0x0080 | 0x0100;
 /// Warning I-Limit (CM-485 manual 12.1).
 const CURRENT_LIMIT: u16 = 0x0020;
-/// Signal sources that are always on and always off (facts B).
+/// Signal sources that are always on and always off (sources B).
 const TRUE: i64 = 6;
 const FALSE: i64 = 7;
 /// Largest percentage, 0.01 % (CM-485 manual 11.1).
@@ -174,7 +174,7 @@ impl Active {
 
     fn status(&self) -> u16 {
         let (inputs, reference, warnings) = (self.inputs(), self.reference(), self.all_warnings());
-        // P.549 in percent of P.419 - P.418 (facts B).
+        // P.549 in percent of P.419 - P.418 (sources B).
         let band = (self.value(419) - self.value(418)).abs().saturating_mul(self.value(549)) / 10_000;
         let reached = (reference - self.actual_frequency()).abs() <= band;
         let limited = reference != inputs.goal || inputs.motor.overloaded();

@@ -1,11 +1,11 @@
-//! The state machine on DCOMcontrol and DCOMstatus: CiA 402 (facts H), without any short cut to "operation enabled".
+//! The state machine on DCOMcontrol and DCOMstatus: CiA 402 (sources H), without any short cut to "operation enabled".
 //!
 //! Choices where the manual is silent:
 //! - the control word is a level: what stands in it is obeyed as soon as the state allows; only bit 7 acts on its edge;
 //! - the output stage needs 20 ms from "switched on" to "operation enabled", so a master that does not look is too early;
 //! - transitions 5 and 8 take the power away and the shaft coasts, as 9 does;
 //! - after a quick stop the drive goes to "switch on disabled" as soon as the shaft stands (12);
-//! - classes of errors (facts D): 0 is a warning, bit 7; 1 and 2 brake by the quick stop ramp in "fault reaction active"
+//! - classes of errors (sources D): 0 is a warning, bit 7; 1 and 2 brake by the quick stop ramp in "fault reaction active"
 //!   and end in "fault", because every asynchronous error shows in bit 3 (manual 6.3.2); 3 and 4 take the power away at
 //!   once; 4 is reset only by power-off;
 //! - a fault can be reset at once; a further error takes no place of the first, but is kept in the memory.

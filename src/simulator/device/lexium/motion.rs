@@ -5,7 +5,7 @@
 //!   shaft is brought to rest for that;
 //! - control word: a movement or a homing starts with the rising edge of bit 4 in "operation enabled" only; bit 5 takes
 //!   a new target at once, else it waits for the end of the movement before; bit 6 makes a target relative to the last
-//!   one (CiA 402, facts G4), unless the bench file turns it round; bit 8 holds the shaft. Homing is broken off when bit 4
+//!   one (CiA 402, sources G4), unless the bench file turns it round; bit 8 holds the shaft. Homing is broken off when bit 4
 //!   falls;
 //! - status word: bit 10 in point-to-point, profile velocity, speed control, homing; bit 12 is in point-to-point the
 //!   acknowledge of the start bit and in profile velocity "speed 0" (CiA 402), in homing the valid reference point;
