@@ -72,7 +72,7 @@ impl Sources {
             self.0.values().map(|source| (source.module.clone(), imports(&source.tokens))).collect();
         for (module, trees) in trees {
             for (path, name) in trees {
-                let Some(path) = self.from_crate(&module, &path) else { continue };
+                let Some(path) = self.absolute(&module, &path) else { continue };
                 let Some(source) = self.0.get_mut(&module) else { continue };
                 match name.as_str() {
                     "*" => source.globs.push(path),
@@ -83,7 +83,7 @@ impl Sources {
     }
 
     /// A path that a file spells, from the crate on; `None` if it leads out of the crate, or is no path of modules.
-    fn from_crate(&self, module: &Module, path: &[String]) -> Option<Module> {
+    fn absolute(&self, module: &Module, path: &[String]) -> Option<Module> {
         let (first, rest) = path.split_first()?;
         match first.as_str() {
             "crate" => Some(rest.to_vec()),
@@ -106,7 +106,7 @@ impl Sources {
     /// Every path that a file spells, from the crate on.
     pub(crate) fn spelt(&self, source: &Source) -> BTreeSet<Module> {
         let imported = source.imports.values().chain(&source.globs).cloned();
-        let written = paths(&source.tokens).into_iter().filter_map(|path| self.from_crate(&source.module, &path));
+        let written = paths(&source.tokens).into_iter().filter_map(|path| self.absolute(&source.module, &path));
         imported.chain(written).collect()
     }
 
