@@ -132,7 +132,7 @@ fn view(flow: Flow, format: Format, sends: bool, environment: &Environment, out_
         (Flow::Samples { .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
         (Flow::Samples { .. }, Format::Table) => Some(View::Lines),
         (Flow::Telegrams, Format::Table) => Some(View::Telegrams),
-        (Flow::Telegrams, Format::Json | Format::Csv) => None,
+        _ => None,
     }
 }
 

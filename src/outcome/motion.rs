@@ -43,7 +43,7 @@ pub struct Motion {
 
 impl Motion {
     /// What belongs to "running: no" or "running: yes", so that neither says more of the shaft than is known.
-    pub(crate) fn shaft(&self) -> Option<&'static str> {
+    pub fn shaft(&self) -> Option<&'static str> {
         match (self.running?, self.standing) {
             (true, Some(true)) if self.to.as_ref().is_some_and(|state| state.slug == "quick-stop-active") => {
                 Some("powered, held at standstill")
