@@ -184,6 +184,20 @@ mod tests {
     }
 
     #[test]
+    fn a_shaft_that_creeps_under_its_waver_does_not_stand() {
+        let stood = |creep: i64| {
+            let mut watch = Watch::new(Movement::Position);
+            (0..40).any(|index: i64| {
+                let waver = if index % 2 == 0 { 30 } else { -30 };
+                watch.see(Tick::ZERO + Span::from_millis(60 * index as u64), Some(creep * index + waver));
+                index > 1 && watch.stands()
+            })
+        };
+        assert!(stood(0) && stood(1), "the servo holds it");
+        assert!(!stood(10) && !stood(-10), "it goes on by 10 at every look");
+    }
+
+    #[test]
     fn an_answer_that_comes_late_does_not_hide_a_ramp() {
         // 3000 1/min, 30 1/min slower a second; every 61st answer comes 80 ms late, while the shaft turns on.
         let mut watch = Watch::new(Movement::Position);

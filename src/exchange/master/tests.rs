@@ -1,5 +1,7 @@
 //! The master on a line on which bytes come at set times.
 
+mod counts;
+
 use super::*;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};

@@ -341,3 +341,13 @@ fn a_survey_ends_whatever_comes() {
         }
     }
 }
+
+#[test]
+fn a_glance_waits_for_the_first_byte_of_a_typical_drive() {
+    let line = LineSetting::rtu(19_200, Parity::Even);
+    let window = |protocol, full| Patience::glance(protocol, line, Span::from_millis(full)).window.as_micros();
+    // 10 ms of a drive and 2 of slack, 16 of the adapter, 20 beside; 573 us for a character of 11 bits.
+    assert_eq!(window(Framing::Tcp.into(), 500), 48_000);
+    assert_eq!(window(Framing::Rtu.into(), 500).abs_diff(48_573), 0);
+    assert_eq!(window(Framing::Tcp.into(), 30), 30_000);
+}

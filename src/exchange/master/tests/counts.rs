@@ -1,0 +1,84 @@
+//! What is counted and measured on a line, and what is known of replies that are still owed.
+
+use super::*;
+
+fn once() -> Line {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    line
+}
+
+#[test]
+fn bytes_that_may_be_the_echo_of_a_fence_do_not_make_an_older_answer_the_new_one() {
+    let mut line = once();
+    assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
+    // In the bytes of the fence, as late as an answer; what was asked first is answered only then.
+    let echo = frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 });
+    let outcome = line.ask(1, OTHER, &[&[(20, echo), (300, fence_reply())], &[(400, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn everything_on_a_line_is_counted_once() {
+    let told = |line: &Line| {
+        let tally = line.master.tally();
+        [tally.sent, tally.replies, tally.repeats, tally.silences, tally.garbled, tally.strays, tally.fences]
+    };
+    let mut fine = once();
+    for count in 1..=2 {
+        taken(fine.ask(1, READ, &[&[(10, value(1390))]]));
+        assert_eq!(told(&fine), [count, count, 0, 0, 0, 0, 0]);
+    }
+    let mut silent = Line::new(Framing::Rtu);
+    assert!(silent.ask(1, READ, &[]).is_err());
+    assert_eq!(told(&silent), [3, 0, 2, 3, 0, 0, 0]);
+    let mut broken = once();
+    let mut spoilt = value(1390);
+    spoilt[4] ^= 0x10;
+    assert!(broken.ask(1, READ, &[&[(10, spoilt)]]).is_err());
+    assert_eq!(told(&broken), [1, 0, 0, 0, 1, 0, 0]);
+    let mut fenced = once();
+    assert!(fenced.ask(1, READ, &[]).is_err());
+    taken(fenced.ask(1, OTHER, &[&[(10, fence_reply())], &[(10, value(7))], &[(10, value(7))]]));
+    assert_eq!((fenced.master.tally().fences, fenced.master.tally().silences), (1, 1));
+    let mut foreign = once();
+    let other = frame(9, &Reply::Registers(vec![1]));
+    assert!(foreign.ask(1, READ, &[&[(10, other)]]).is_err());
+    assert_eq!((foreign.master.tally().sent, foreign.master.tally().strays), (1, 1));
+}
+
+#[test]
+fn a_pause_is_measured_where_it_was_waited_for() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    assert_eq!(line.master.pauses().count, 0);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let pauses = line.master.pauses();
+    assert_eq!((pauses.count, pauses.shortest, pauses.longest), (1, line.master.line.t35(), line.master.line.t35()));
+    line.now += Span::from_secs(1);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    assert_eq!(line.master.pauses().count, 1, "nobody waited");
+}
+
+#[test]
+fn a_reply_that_is_owed_to_somebody_else_on_our_side_is_kept_apart_too() {
+    let mut line = once();
+    line.master.expect(1, READ.into(), line.now);
+    taken(line.ask(1, OTHER, &[&[(10, fence_reply())], &[(10, value(7))], &[(10, value(7))]]));
+    assert_eq!(line.master.tally().fences, 1);
+}
+
+#[test]
+fn the_line_is_owed_a_while_by_a_station_that_was_heard_and_no_longer() {
+    let mut line = once();
+    assert!(line.ask(1, READ, &[]).is_err());
+    assert_eq!(line.master.owes_until(line.now), None, "nobody was ever heard there");
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    assert_eq!(line.master.owes_until(line.now), None);
+    assert!(line.ask(1, READ, &[]).is_err());
+    let until = line.master.owes_until(line.now).unwrap();
+    assert_eq!(until, line.now + Span::from_secs(2));
+    assert_eq!(line.master.owes_until(until), None);
+    assert_eq!(line.master.owes_until(until + Span::from_secs(1)), None);
+}
