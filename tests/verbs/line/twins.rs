@@ -67,3 +67,28 @@ fn two_drives_at_one_address_are_never_started() {
         assert_eq!(run.exit, 5, "{first}/{second}: {}", run.err);
     }
 }
+
+#[test]
+fn two_servos_at_one_address_are_named_whether_their_family_was_named_or_not() {
+    for by in [3, 5, 15, 40, 45, 60] {
+        for delay in [10, 30] {
+            let bench = format!(
+                "[[drive]]\nmodel = \"lxm05\"\naddress = 1\nreply_delay = \"{delay}ms\"\n[[disturb]]\nevery = 1\nkind = \
+                 \"twin\"\nby = \"{by}ms\"\n"
+            );
+            for drive in ["auto", "lxm05"] {
+                let run = antrieb(&format!("-a 1 --drive {drive} read _p_act RAMPacc DCOMstatus"));
+                let run = run.on(&bench).json();
+                let told = format!("{delay} ms, {by} ms, {drive}: {}", run.data("/values"));
+                assert!(run.exit == 5 || run.exit == 9 && drive == "auto", "{}: {told}", run.exit);
+                let error = run.error().to_string();
+                assert!(error.contains("more than one answer") || error.contains("two drives answer"), "{error}");
+                // What one drive said before the other was heard is right.
+                let rows = run.data("/values").as_array().unwrap().clone();
+                for (row, right) in rows.iter().zip([0, 600, 592]) {
+                    assert!(row["raw"].is_null() || row["raw"] == right, "{told}");
+                }
+            }
+        }
+    }
+}
