@@ -46,6 +46,7 @@ impl Finding {
     pub fn target(&self, address: u8, registry: &Registry) -> Option<Target> {
         let mut target = Target::new(address, registry.family(self.drive.as_ref()?)?);
         target.kept_register = self.kept_register;
+        target.introduced = true;
         target.refused_on_the_way = self.refused;
         Some(target)
     }

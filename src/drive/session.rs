@@ -202,6 +202,11 @@ impl<'a> Session<'a> {
         self.insists = on;
     }
 
+    /// Whether every telegram goes out by the clock.
+    pub(super) fn is_insisting(&self) -> bool {
+        self.insists
+    }
+
     /// From now on every question ends at this time, whatever has come of it, and none is asked any more; `None`: each has
     /// the time that it needs. For what ends by the clock, and for what must not be pursued for ever.
     pub fn end_at(&mut self, at: Option<Tick>) {

@@ -28,6 +28,8 @@ pub struct Target {
     pub order: Option<WordOrder>,
     /// It refused the code that writes and reads back in one exchange.
     lacks_exchange: bool,
+    /// It was asked for something whose answer cannot be mistaken.
+    pub(super) introduced: bool,
     /// Widths that were found out by asking, for this run.
     widths: BTreeMap<u32, Type>,
     /// What the error register held before identifying the drive could overwrite it.
@@ -89,6 +91,7 @@ impl Target {
             family,
             order: None,
             lacks_exchange: false,
+            introduced: false,
             widths: BTreeMap::new(),
             kept_register: None,
             refused_on_the_way: false,
@@ -234,11 +237,13 @@ impl Target {
         };
         session.knows(self.address, &self.family, route.order);
         let asks = self.order.is_none() && self.address != BROADCAST;
-        let Some(order) = self.family.role("word-order").filter(|_| asks) else {
+        let family = self.family.clone();
+        let Some(order) = family.role("word-order").filter(|_| asks) else {
             return Ok(route);
         };
+        self.introduce(session, route).await?;
         let mut proven = None;
-        for param in self.family.role("address").into_iter().chain([order]) {
+        for param in family.role("address").into_iter().chain([order]) {
             let cell = Cell { number: param.id, set: 0 };
             let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
             let answer = match session.demand(route, &self.family, question).await {
@@ -255,6 +260,18 @@ impl Target {
         self.order = Some(order);
         session.knows(self.address, &self.family, order);
         Ok(Route { order, ..route })
+    }
+
+    /// Asks a drive that somebody named, and that was not recognised, for something whose answer cannot be mistaken: where two
+    /// drives answer at the address, the second answer is the sign of it, before any value is read.
+    async fn introduce(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
+        if self.introduced || session.is_insisting() {
+            return Ok(());
+        }
+        self.introduced = true;
+        let Some(counter) = self.family.counters.first() else { return Ok(()) };
+        let Some(question) = route.question(Inquiry::Counter(counter.sub)) else { return Ok(()) };
+        session.ask(self.address, question).await.map(|_| ())
     }
 
     async fn read_as(

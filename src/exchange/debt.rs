@@ -117,6 +117,12 @@ impl Debts {
         pays
     }
 
+    /// Whether this is a reply that is missing, and none that came spoilt.
+    pub(super) fn is_late(&self, station: u8, said: Option<&Said>) -> bool {
+        let late = |old: &Overtaken| !old.spoilt && said.is_some_and(|said| old.missing.is_answered_by(said));
+        self.by_station.get(&station).is_some_and(|debt| debt.lately.iter().any(late))
+    }
+
     /// Everything that a station owed before `asked` has come, or cannot come any more, as stations answer in order. What has
     /// not come is remembered for as long as a line that mixes up telegrams may take.
     pub(super) fn settle(&mut self, station: u8, asked: Tick, now: Tick) {

@@ -250,6 +250,9 @@ fn the_dice_bring_no_wrong_value() {
             );
             let all = right + wrong + unread + twin + chance;
             assert!(manner.name != "clean" || right == all, "{protocol}: every read of a clean line is right");
+            if !only.is_empty() {
+                score.found.iter().for_each(|found| println!("{found}"));
+            }
             if wrong > (manner.most * all).div_ceil(10_000) {
                 found.extend(score.found);
             }

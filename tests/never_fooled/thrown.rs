@@ -44,7 +44,8 @@ pub(crate) struct Manner {
     /// Wires, or a gateway that hands bytes on as it likes.
     pub(crate) wired: bool,
     /// So many of ten thousand values may be wrong: where two speak with one voice and the sign of it is lost, late or spoilt
-    /// before the first value is, nobody can tell.
+    /// before the first value is, nobody can tell. A serial reply names neither its question nor who gave it, and every other
+    /// sign of a second drive is one that a single drive behind a bad line gives as well.
     pub(crate) most: u64,
 }
 
@@ -84,14 +85,14 @@ pub(crate) const MANNERS: [Manner; 12] = [
         set: |hazards, _| *hazards = Hazards { twins: true, ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 2,
+        most: 1,
     },
     Manner {
         name: "twins, late",
         set: |hazards, dice| *hazards = Hazards { twins: true, late: 2 + dice.below(20), ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 20,
+        most: 15,
     },
     Manner {
         name: "another master alone",
@@ -103,7 +104,7 @@ pub(crate) const MANNERS: [Manner; 12] = [
         wired: true,
         most: 0,
     },
-    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 20 },
+    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 10 },
     Manner {
         name: "another master",
         set: |hazards, dice| hazards.master = Some(dice.pick(&[12, 25, 60, 200])),

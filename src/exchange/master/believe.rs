@@ -107,6 +107,10 @@ impl Master {
         }
         self.reply(at, sent_end, reply, true);
         if !behind.is_empty() {
+            // Nothing follows an answer but what somebody else says.
+            if let Some(station) = self.job.as_ref().map(|job| job.station) {
+                self.suspect(station, at);
+            }
             self.loose.last = at;
             self.loose.bytes.extend_from_slice(behind);
         }
@@ -216,7 +220,8 @@ impl Master {
         let fits = |missing: &Question| said.as_ref().is_some_and(|said| missing.is_answered_by(said));
         let owed = self.debts.missing(station).iter().any(fits);
         match is_copy {
-            true if owed => return, // a copy, or what is owed: nobody knows
+            // A copy, or what is owed: nobody knows. A reply that was spoilt has come, and does not come again.
+            true if owed && self.debts.is_late(station, said.as_ref()) => return,
             true => {
                 self.suspect(station, at);
                 return self.heard.sees_surplus();

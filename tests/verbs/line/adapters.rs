@@ -8,7 +8,7 @@ use std::net::TcpListener;
 use std::time::{Duration, Instant};
 
 /// A TCP port whose first client is answered by `reply` to so many telegrams; then it hangs up.
-fn server(telegrams: usize, mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static) -> String {
+pub(super) fn server(telegrams: usize, mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static) -> String {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = listener.local_addr().unwrap().to_string();
     std::thread::spawn(move || {
@@ -25,7 +25,7 @@ fn server(telegrams: usize, mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'st
 }
 
 /// A reply of Modbus/TCP to a question.
-fn behind_gateway(question: &[u8], pdu: &[u8]) -> Vec<u8> {
+pub(super) fn behind_gateway(question: &[u8], pdu: &[u8]) -> Vec<u8> {
     let length = u8::try_from(pdu.len() + 1).unwrap();
     [&question[..4], &[0, length], &question[6..7], pdu].concat()
 }

@@ -1,5 +1,6 @@
 //! Two drives at one address: what they say is refused, and the cause is named.
 
+use super::adapters::{behind_gateway, server};
 use crate::run::antrieb;
 
 /// Two drives at address 1 whose parameters differ; the second answers later.
@@ -66,4 +67,44 @@ fn two_drives_at_one_address_are_never_started() {
         assert!(!run.sent().iter().any(|sent| sent.starts_with("01 06 01 9A 00 0F")), "{first}/{second}: {}", run.err);
         assert_eq!(run.exit, 5, "{first}/{second}: {}", run.err);
     }
+}
+
+#[test]
+fn two_servos_at_one_address_are_named_whether_their_family_was_named_or_not() {
+    for by in [3, 5, 15, 40, 45, 60] {
+        for delay in [10, 30] {
+            let bench = format!(
+                "[[drive]]\nmodel = \"lxm05\"\naddress = 1\nreply_delay = \"{delay}ms\"\n[[disturb]]\nevery = 1\nkind = \
+                 \"twin\"\nby = \"{by}ms\"\n"
+            );
+            for drive in ["auto", "lxm05"] {
+                let run = antrieb(&format!("-a 1 --drive {drive} read _p_act RAMPacc DCOMstatus"));
+                let run = run.on(&bench).json();
+                let told = format!("{delay} ms, {by} ms, {drive}: {}", run.data("/values"));
+                assert!(run.exit == 5 || run.exit == 9 && drive == "auto", "{}: {told}", run.exit);
+                let error = run.error().to_string();
+                assert!(error.contains("more than one answer") || error.contains("two drives answer"), "{error}");
+                // What one drive said before the other was heard is right.
+                let rows = run.data("/values").as_array().unwrap().clone();
+                for (row, right) in rows.iter().zip([0, 600, 592]) {
+                    assert!(row["raw"].is_null() || row["raw"] == right, "{told}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn two_answers_of_a_gateway_to_one_question_are_named() {
+    // In one piece, the second at once behind the first: both carry the number of the question.
+    let address = server(usize::MAX, |question| match question[7] {
+        3 => {
+            let answers = [[3, 2, 5, 110], [3, 2, 5, 210]];
+            answers.iter().flat_map(|pdu| behind_gateway(question, pdu)).collect()
+        }
+        function => behind_gateway(question, &[function | 0x80, 1]),
+    });
+    let run = antrieb(&format!("-p mbtcp://{address} -a 1 --timeout 400ms --drive act read 372@1 372@2")).json();
+    assert_eq!(run.error()["code"], "garbled.two_answers", "{}: {}", run.error(), run.data("/values"));
+    assert_eq!(run.exit, 5);
 }
