@@ -2,7 +2,7 @@
 
 use super::look::{raw, watchdog_seconds, working_raw};
 use super::still::STOPPED;
-use super::{Lever, Motor, coasting, has_power};
+use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, Event, State, Stop};
 use crate::profile::value::format_decimal;
@@ -145,6 +145,9 @@ impl Motor<'_, '_> {
         }
         // Whoever waits no longer is told what the drive says now.
         self.session.note_interrupts();
+        if hurry && self.session.is_over() {
+            self.ends_within(ENDING_ALONE);
+        }
         self.last_look(stop, !hurry && way != StopChoice::Coast).await
     }
 
