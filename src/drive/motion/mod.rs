@@ -17,6 +17,7 @@ mod shout;
 mod still;
 mod stop;
 mod walk;
+mod watchdog;
 
 pub use super::route::Meant;
 pub use before::{Standing, runs_at, standing, upon_enabling};
@@ -27,8 +28,9 @@ pub use look::{
 pub use relief::{PROOF, may_turn};
 pub use shout::{FirstWord, shout, shout_zero};
 pub use still::{Unseen, coasting, has_power};
-pub use stop::{StopChoice, watchdog_words};
+pub use stop::StopChoice;
 pub use walk::no_fault;
+pub use watchdog::watchdog_words;
 
 use super::session::{AccessError, Session};
 use super::transfer::{Order, Target, WriteFate};
@@ -343,7 +345,10 @@ impl<'a, 's> Motor<'a, 's> {
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
         let param = self.control_word()?;
         (self.touched, self.seen, self.still, self.word) = (true, None, None, word);
-        self.powered |= self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0);
+        if self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0) {
+            // What was seen before it tells no more that the drive is without power.
+            (self.powered, self.shown) = (true, None);
+        }
         self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await
     }
