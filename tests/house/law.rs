@@ -105,7 +105,6 @@ pub const STRICT: &[&str] = &["simulator"];
 pub const CIRCLES: &[(&str, &str)] = &[
     ("args::address", "args::low"),
     ("command::sollwert::wanted", "command::sollwert::zero"),
-    ("drive::motion::relief", "drive::motion::shout"),
     ("drive::session", "drive::family"),
     ("drive::session", "drive::trouble"),
     ("exchange::job", "exchange::master"),
