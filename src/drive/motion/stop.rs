@@ -88,6 +88,8 @@ impl Motor<'_, '_> {
             self.tell_stopping(choice);
         }
         self.stopping = true;
+        // A drive on its way to operation shows for a while that it is without power.
+        self.shown = None;
         self.sight.forget();
         self.session.insist(true);
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
