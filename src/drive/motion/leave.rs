@@ -19,9 +19,9 @@ impl Motor<'_, '_> {
         };
         let state = describe::state(&self.target.family, status, self.lang).slug;
         // A memory that moves on with every reading is left alone where there is no fault.
-        let fault = match self.target.family.present_fault(status, u32::MAX) {
-            Some(_) => self.role_raw("fault").await.ok().flatten(),
-            None => Some(0),
+        let fault = match state.starts_with("fault") {
+            true => self.role_raw("fault").await.ok().flatten(),
+            false => Some(0),
         };
         let watchdog_s = self.watchdog_in_force().await;
         Some(Situation { status, state, fault, watchdog_s, ..Situation::default() })

@@ -106,28 +106,6 @@ async fn present_fault(
     role_raw(session, target, "fault", lang).await
 }
 
-/// A setpoint, or the source of one, that stands in the drive from before and turns the shaft once it is enabled.
-#[derive(Clone, Debug)]
-pub struct Standing {
-    /// Parameter that is to be 0.
-    pub param: Param,
-    /// Parameter that shows it, and what it shows.
-    pub shown: (Param, i64),
-}
-
-/// Everything that stands in the drive from before.
-pub async fn standing(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<Standing>, Failure> {
-    let family = target.family.clone();
-    let mut found = Vec::new();
-    for row in &family.motion.rest {
-        let shows = family.param_or_unknown(row.shown.unwrap_or(row.param));
-        if let Some(value) = raw(session, target, &shows, 0, lang).await?.filter(|&value| value != 0) {
-            found.push(Standing { param: family.param_or_unknown(row.param), shown: (shows, value) });
-        }
-    }
-    Ok(found)
-}
-
 /// Refuses to change the operating mode of a shaft that somebody else turns: a drive may refuse it then (LXM05 manual 6.3.1),
 /// and at the end of the run the other's movement would be stopped.
 pub async fn may_change_mode(
@@ -169,65 +147,6 @@ async fn turns(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Re
         rested.map_err(|error| error.failure(target.address, Some(&target.family), lang))?;
     }
     Ok(true)
-}
-
-/// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the
-/// drive runs at by its own settings even then.
-pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
-    let mut told: Vec<String> = standing(session, target, lang).await?.iter().map(|row| row.told(lang)).collect();
-    told.extend(own_setpoints(session, target, lang).await?);
-    Ok(told)
-}
-
-/// What the shaft runs at once contacts start it, in words: what stands there from before stays.
-pub async fn runs_at(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
-    let mut told = Vec::new();
-    for Standing { param, shown: (shows, value) } in standing(session, target, lang).await? {
-        let (label, value) = (param.label(), shown(&shows, value));
-        told.push(match lang {
-            Lang::En => format!("{label} stands at {value}: it runs at that"),
-            Lang::De => format!("{label} steht auf {value}: damit läuft er"),
-        });
-    }
-    told.extend(own_setpoints(session, target, lang).await?);
-    Ok(told)
-}
-
-/// What the drive runs at by its own settings, whatever the line says.
-async fn own_setpoints(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
-    let family = target.family.clone();
-    let mut told = Vec::new();
-    for mode in &family.modes {
-        let Some(source) = &mode.source else { continue };
-        let chosen = working(session, target, &family.param_or_unknown(source.param), lang).await?;
-        let is = |with: i64| chosen == Some(with);
-        let own = mode.adds.filter(|adds| is(source.ignored) || adds.source.is_some_and(is)).map(|adds| adds.param);
-        let least = mode.floor.as_ref().filter(|floor| is(floor.source)).map(|floor| floor.param);
-        let Some(param) = own.or(least).map(|id| family.param_or_unknown(id)) else { continue };
-        let Some(value) = working(session, target, &param, lang).await?.filter(|&value| value != 0) else { continue };
-        let (value, label, by) = (shown(&param, value), param.label(), family.param_or_unknown(source.param).label());
-        let chosen = chosen.unwrap_or(0);
-        told.push(match lang {
-            Lang::En => format!("it runs at {value} by itself ({label}, {by} = {chosen})"),
-            Lang::De => format!("er läuft von selbst mit {value} ({label}, {by} = {chosen})"),
-        });
-    }
-    Ok(told)
-}
-
-impl Standing {
-    pub(super) fn told(&self, lang: Lang) -> String {
-        let (label, value) = (self.param.label(), shown(&self.shown.0, self.shown.1));
-        match lang {
-            Lang::En => format!("{label} still stands at {value}: it is set to 0 before the drive is enabled"),
-            Lang::De => format!("{label} steht noch auf {value}: wird vor der Freigabe auf 0 gesetzt"),
-        }
-    }
-}
-
-pub(super) fn shown(param: &Param, value: i64) -> String {
-    let number = format_decimal(value, param.decimals_or_zero());
-    param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }
 
 /// A value of the drive's watchdog in seconds.

@@ -5,6 +5,7 @@
 //! back. This room decides by roles and machine data only, so it serves every family.
 
 use super::describe;
+mod before;
 mod changes;
 mod leave;
 mod look;
@@ -16,17 +17,20 @@ mod shout;
 mod still;
 mod stop;
 mod walk;
+mod watchdog;
 
 pub use super::route::Meant;
+pub use before::{Standing, runs_at, standing, upon_enabling};
 pub use look::{
-    Situation, Standing, look, may_change_mode, missing, no_control, role_raw, runs_at, standing, tripped,
-    upon_enabling, watchdog_raw, watchdog_seconds, working, working_raw,
+    Situation, look, may_change_mode, missing, no_control, role_raw, tripped, watchdog_raw, watchdog_seconds, working,
+    working_raw,
 };
 pub use relief::{PROOF, may_turn};
 pub use shout::{FirstWord, shout, shout_zero};
 pub use still::{Unseen, coasting, has_power};
-pub use stop::{StopChoice, watchdog_words};
+pub use stop::StopChoice;
 pub use walk::no_fault;
+pub use watchdog::watchdog_words;
 
 use super::session::{AccessError, Session};
 use super::transfer::{Order, Target, WriteFate};
@@ -43,7 +47,7 @@ use still::Sight;
 
 /// What comes behind the stop takes no longer, whatever the line is like: giving back, and what is reported.
 const ENDING: Span = Span::from_secs(10);
-/// The same of what only took motion away, and changed nothing.
+/// The same where nothing is to be given back.
 const ENDING_ALONE: Span = Span::from_millis(1_500);
 
 /// What a run has its hand on; the stop must use the same.
@@ -243,7 +247,8 @@ impl<'a, 's> Motor<'a, 's> {
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.ignore_interrupts();
         self.session.insist(false);
-        self.ends_within(if self.relieving.is_some() { ENDING_ALONE } else { ENDING });
+        let gives_back = self.relieving.is_none() && self.may_give_back(stop.as_ref());
+        self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
         let answers = stop.as_ref().is_none_or(|stop| stop.state.is_some());
         let result = match result {
             Err(failure) if answers => Err(self.explained(failure).await),
@@ -340,7 +345,10 @@ impl<'a, 's> Motor<'a, 's> {
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {
         let param = self.control_word()?;
         (self.touched, self.seen, self.still, self.word) = (true, None, None, word);
-        self.powered |= self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0);
+        if self.enables(word.into()) || (self.lever == Lever::Contacts && word != 0) {
+            // What was seen before it tells no more that the drive is without power.
+            (self.powered, self.shown) = (true, None);
+        }
         self.again = Some((param.clone(), word.into()));
         self.write(&param, 0, word.into()).await
     }

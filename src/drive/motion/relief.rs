@@ -70,7 +70,7 @@ impl Motor<'_, '_> {
             return Ok(());
         }
         self.enabled = false;
-        (self.shouted, self.stopping) = (true, true);
+        (self.shouted, self.stopping, self.shown) = (true, true, None);
         self.sight.forget();
         self.session.insist(true);
         match self.relieve_by(act).await {
@@ -175,10 +175,10 @@ impl Motor<'_, '_> {
         Ok(Situation { status, state, mode, ..Situation::default() })
     }
 
-    /// Whether the drive was seen without power at the last look.
+    /// Whether the drive was seen without power at the last look since its stop began.
     pub(super) fn is_off(&self) -> bool {
         let slug = |status| describe::state(&self.target.family, status, self.lang).slug;
-        self.shown.is_some_and(|(status, _)| has_power(&slug(status)) == Some(false))
+        self.stopping && self.shown.is_some_and(|(status, _)| has_power(&slug(status)) == Some(false))
     }
 
     /// The stop is proven; what was asked behind it brought no answer.

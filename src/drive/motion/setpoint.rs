@@ -1,6 +1,7 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
-use super::look::{Standing, raw, shown, standing, working_raw};
+use super::before::{Standing, shown, standing};
+use super::look::{raw, working_raw};
 use super::patience::ROUND;
 use super::shaft::Watch;
 use super::{Lever, Motor};

@@ -126,7 +126,13 @@ impl Motor<'_, '_> {
         self.standstill_within(wait).await
     }
 
-    async fn standstill_within(&mut self, mut wait: Wait) -> Result<Option<bool>, Failure> {
+    async fn standstill_within(&mut self, wait: Wait) -> Result<Option<bool>, Failure> {
+        let still = self.watched(wait).await?;
+        self.still = Some(still);
+        Ok(still)
+    }
+
+    async fn watched(&mut self, mut wait: Wait) -> Result<Option<bool>, Failure> {
         let mut watch = Watch::new(self.target.family.motion.movement);
         let mut looks = 0u8;
         loop {
@@ -171,7 +177,6 @@ impl Motor<'_, '_> {
     /// Waits until the shaft stands, with the drive's power on or not.
     pub(super) async fn until_still(&mut self) -> Result<State, Failure> {
         let still = self.standstill().await?;
-        self.still = Some(still);
         let state = self.state().await?;
         match still {
             Some(false) => Err(self.still_turning(&state)),

@@ -1,12 +1,11 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
-use super::look::{raw, watchdog_seconds, working_raw};
+use super::look::raw;
 use super::still::STOPPED;
-use super::{Lever, Motor, coasting, has_power};
+use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Decimal, Event, State, Stop};
-use crate::profile::value::format_decimal;
-use crate::profile::{Family, Lang, Mode, Param, StopRow, Takes};
+use crate::outcome::{Event, State, Stop};
+use crate::profile::{Lang, Mode, Param, StopRow, Takes};
 use crate::tick::Span;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
@@ -89,6 +88,8 @@ impl Motor<'_, '_> {
             self.tell_stopping(choice);
         }
         self.stopping = true;
+        // A drive on its way to operation shows for a while that it is without power.
+        self.shown = None;
         self.sight.forget();
         self.session.insist(true);
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
@@ -145,6 +146,9 @@ impl Motor<'_, '_> {
         }
         // Whoever waits no longer is told what the drive says now.
         self.session.note_interrupts();
+        if hurry && self.session.is_over() {
+            self.ends_within(ENDING_ALONE);
+        }
         self.last_look(stop, !hurry && way != StopChoice::Coast).await
     }
 
@@ -411,45 +415,6 @@ impl Motor<'_, '_> {
         };
         self.write_control(command.word).await?;
         self.until(STOPPED, None, true).await
-    }
-
-    async fn watchdog_note(&mut self) -> String {
-        let changed = self.target.family.role("watchdog").map(|param| param.id);
-        let set = self.changes.iter().find(|change| Some(change.param) == changed).map(|change| change.new);
-        let raw = match set {
-            Some(raw) => Some(raw),
-            None => {
-                let told = working_raw(self.session, self.target, "watchdog", self.lang).await;
-                told.ok().flatten().or(self.target.known_watchdog)
-            }
-        };
-        let family = &self.target.family;
-        let turns = self.lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN");
-        match raw {
-            Some(raw) if raw > 0 => watchdog_words(family, Some(watchdog_seconds(family, raw)), self.lang),
-            raw => {
-                let known = raw.map(|raw| watchdog_seconds(family, raw));
-                format!("{}: {turns}", watchdog_words(family, known, self.lang))
-            }
-        }
-    }
-}
-
-/// What the drive's watchdog is set to, and what it does then.
-pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> String {
-    let label = family.role("watchdog").map_or_else(|| "-".to_owned(), Param::label);
-    let does = family.motion.watchdog.get(lang);
-    match (seconds, lang) {
-        (Some(off), Lang::En) if off.raw == 0 => format!("the drive's watchdog ({label}) is off"),
-        (Some(off), Lang::De) if off.raw == 0 => format!("der Watchdog ({label}) ist aus"),
-        (Some(on), Lang::En) => {
-            format!("the drive's watchdog ({label}) is {} s: {does}", format_decimal(on.raw, on.decimals))
-        }
-        (Some(on), Lang::De) => {
-            format!("der Watchdog ({label}) steht auf {} s: {does}", format_decimal(on.raw, on.decimals))
-        }
-        (None, Lang::En) => "whether the drive's watchdog stops it is not known".to_owned(),
-        (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt".to_owned(),
     }
 }
 

@@ -1,5 +1,7 @@
 //! The words of the stops, and which of them follows.
 
+use super::super::look::watchdog_seconds;
+use super::super::watchdog_words;
 use super::*;
 use crate::profile::Registry;
 
