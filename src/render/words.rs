@@ -3,7 +3,7 @@
 use crate::profile::Lang;
 
 /// The word for `english` in `lang`. A word without a row is a mistake of ours: tests end at it, a user reads it in English.
-pub(super) fn word<'t>(lang: Lang, english: &'t str) -> &'t str {
+pub(super) fn word(lang: Lang, english: &str) -> &str {
     let row = || GERMAN.iter().find(|row| row.0 == english);
     match lang {
         Lang::En => english,

@@ -68,8 +68,7 @@ impl Sources {
     }
 
     fn import(&mut self) {
-        let trees: Vec<(Module, Vec<(Vec<String>, String)>)> =
-            self.0.values().map(|source| (source.module.clone(), imports(&source.tokens))).collect();
+        let trees: Vec<_> = self.0.values().map(|source| (source.module.clone(), imports(&source.tokens))).collect();
         for (module, trees) in trees {
             for (path, name) in trees {
                 let Some(path) = self.absolute(&module, &path) else { continue };

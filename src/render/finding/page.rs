@@ -16,7 +16,7 @@ pub(in crate::render) struct Page {
 }
 
 impl Page {
-    pub(super) fn word<'t>(self, english: &'t str) -> &'t str {
+    pub(super) fn word(self, english: &str) -> &str {
         word(self.lang, english)
     }
 
