@@ -345,7 +345,8 @@ fn a_dry_run_shows_every_telegram_that_the_run_writes() {
         for telegram in &sent {
             // What is given back is only known from the drive.
             let current_source = "01 10 1B 20 00 02 04 00 00 00 00";
-            let given_back = ["01 06 51 9D", "01 06 61 9C", "01 10 16 0C", "01 10 06 14", current_source];
+            let target = "01 10 1B 1C 00 02 04 00 00 00 00";
+            let given_back = ["01 06 51 9D", "01 06 61 9C", "01 10 16 0C", "01 10 06 14", current_source, target];
             let is_back = given_back.iter().any(|start| telegram.starts_with(start));
             assert!(planned_writes.contains(telegram) || is_back, "{verb}: {telegram} is not in {planned_writes:#?}");
         }
@@ -412,13 +413,14 @@ fn a_dry_run_of_what_stops_begins_with_the_telegram_that_stops() {
         let planned = antrieb(&format!("-a 1 {line} --dry-run")).json().exits(0);
         assert!(planned.data("/telegrams/0/hex").as_str().unwrap().starts_with(first), "{line}: {:#}", planned.value);
     }
-    for (line, third) in [
-        // P.249 and P.412 tell whether it would close contacts; P.228 and P.282 what is left behind a zero.
-        ("--drive acu statemachine disable", "01 06 01 9A 00 07"),
-        ("--drive acu sollwert 0", "01 65 01 E4 00 00 00 00"),
+    for (line, nth, stops) in [
+        // P.410 tells whether it would close contacts; P.228 and P.282 what is left behind a zero.
+        ("--drive acu statemachine disable", 1, "01 06 01 9A 00 07"),
+        ("--drive acu sollwert 0", 2, "01 65 01 E4 00 00 00 00"),
     ] {
         let planned = antrieb(&format!("-a 1 {line} --dry-run")).json().exits(0);
-        assert!(planned.data("/telegrams/2/hex").as_str().unwrap().starts_with(third), "{line}: {:#}", planned.value);
+        let hex = planned.data(&format!("/telegrams/{nth}/hex")).as_str().unwrap().to_owned();
+        assert!(hex.starts_with(stops), "{line}: {:#}", planned.value);
         let german = antrieb(&format!("-a 1 --lang de {line} --dry-run")).exits(0).out;
         assert!(german.contains("geht zuerst hinaus"), "{german}");
     }
