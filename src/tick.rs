@@ -124,6 +124,9 @@ impl FromStr for Span {
         let typed = text.trim();
         let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
         let (number, unit) = typed.split_at(end);
+        if number.trim_matches('.').is_empty() {
+            return Err(bad());
+        }
         let micros = match unit.trim() {
             "us" => 1,
             "ms" => 1_000,
