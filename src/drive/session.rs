@@ -370,8 +370,12 @@ impl<'a> Session<'a> {
         question: Question,
     ) -> Result<(Option<u16>, bool), AccessError> {
         let limits = self.limits();
-        let retries = if family.link.cause == Cause::ErrorRegister { 0 } else { limits.retries };
-        self.set_limits(Limits { witness: false, retries, ..limits });
+        let (reply_timeout, retries) = match family.link.cause {
+            // As patiently as one that may be repeated: a slow drive answers all the same.
+            Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries) + 1), 0),
+            _ => (limits.reply_timeout, limits.retries),
+        };
+        self.set_limits(Limits { witness: false, reply_timeout, retries, ..limits });
         let answer = self.ask(route.address, question).await;
         self.set_limits(limits);
         match answer {
