@@ -280,7 +280,9 @@ async fn ramp_word(
     Ok(match in_force(session, meant, family).await? {
         Some(mode) if mode == control.obeys => Some(disable),
         Some(mode) if mode == control.contacts => Some(stands & !control.start_contacts),
-        _ => None,
+        // Nobody listens to it: the one that could do no harm if somebody did.
+        Some(_) => family.machine.command("quick-stop").map(|command| command.word),
+        None => None,
     })
 }
 

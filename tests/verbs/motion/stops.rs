@@ -238,7 +238,7 @@ impl Case {
     }
 
     /// Everything that is wrong with what came of a run.
-    fn sins(&self, registry: &Registry, seen: &Seen) -> Vec<String> {
+    fn sins(&self, registry: &Registry, end: End, seen: &Seen) -> Vec<String> {
         let mut sins = Vec::new();
         let (turning, energised) = (seen.bench.totals().turning, seen.bench.totals().energised);
         // The watchdog of the run stops what no telegram could stop.
@@ -278,7 +278,7 @@ impl Case {
         }
         let drive = seen.bench.drives().next().unwrap();
         // Over a dead line nothing is given back; it must be told.
-        let gone = motion.notes.iter().any(|note| note.contains("not read after that"));
+        let gone = matches!(end, End::Pulled | End::Silent(_));
         let dead = seen.failure.as_ref().is_some_and(|failure| {
             matches!(failure.class, Class::Port | Class::Silence) || (gone && failure.code == "partial.not_given_back")
         });
@@ -315,7 +315,7 @@ fn trial(stride: usize) -> String {
         let name = format!("{} {} [{}] {}", case.model, case.verb, case.readings, case.line.replace('\n', " "));
         let mut note = |end: End, step: usize, seen: &Seen| {
             runs += 1;
-            for sin in case.sins(&registry, seen) {
+            for sin in case.sins(&registry, end, seen) {
                 let failure = seen.failure.as_ref().map(|failure| failure.code.clone());
                 sins.borrow_mut().push(format!("{name}: {end:?} at {step}: {sin} ({failure:?})"));
             }
