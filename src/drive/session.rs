@@ -371,8 +371,8 @@ impl<'a> Session<'a> {
     ) -> Result<(Option<u16>, bool), AccessError> {
         let limits = self.limits();
         let (reply_timeout, retries) = match family.link.cause {
-            // As patiently as one that may be repeated: a slow drive answers all the same.
-            Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries) + 1), 0),
+            // Twice as patiently, for a slow drive; what comes later still is an older answer as likely as this one.
+            Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1), 0),
             _ => (limits.reply_timeout, limits.retries),
         };
         self.set_limits(Limits { witness: false, reply_timeout, retries, ..limits });

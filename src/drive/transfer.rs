@@ -241,7 +241,6 @@ impl Target {
         let Some(order) = family.role("word-order").filter(|_| asks) else {
             return Ok(route);
         };
-        self.introduce(session, route).await?;
         let mut proven = None;
         for param in family.role("address").into_iter().chain([order]) {
             let cell = Cell { number: param.id, set: 0 };
@@ -255,6 +254,7 @@ impl Target {
                 break;
             }
         }
+        self.introduce(session, route).await?;
         // Without an answer that tells, the factory setting is presumed.
         let order = proven.unwrap_or_default();
         self.order = Some(order);

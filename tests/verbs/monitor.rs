@@ -360,9 +360,9 @@ mod real_time {
     fn a_port_that_comes_back_is_taken_up_again() {
         let directory = tempfile::tempdir().unwrap();
         let link = directory.path().join("bus");
-        let (thread, ready) = serve(&link, vec![(4_000, 800), (9_000, 0)]);
+        let (thread, ready) = serve(&link, vec![(8_000, 800), (20_000, 0)]);
         ready.recv().unwrap();
-        let line = format!("-p {} -a 1 monitor --reconnect --interval 200ms --duration 8500ms --json", link.display());
+        let line = format!("-p {} -a 1 monitor --reconnect --interval 200ms --duration 18s --json", link.display());
         let records = records(&antrieb(&line).exits(0));
         assert_eq!((of_type(&records, "lost").len(), of_type(&records, "reopened").len()), (1, 1));
         let back = records.iter().position(|record| record["type"] == "reopened").unwrap();
