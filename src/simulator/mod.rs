@@ -1,7 +1,7 @@
 //! Drives that answer: the judge of the tests, the newcomer's first drive, the trainer's bench.
 //!
-//! A [`Bench`] is a bus with drives on it, in time that somebody else tells ([`Tick`]). It is written from the manuals
-//! and never from our own master: it answers as CM-485 manual chapters 5 to 12 say, and it notes every timing or
+//! A [`Bench`] is a bus with drives on it, in time that somebody else tells ([`Tick`](crate::tick::Tick)). It is written
+//! from the manuals and never from our own master: it answers as CM-485 manual chapters 5 to 12 say, and it notes every timing or
 //! framing sin of the master as a [`Remark`]. It reads no clock, does no I/O, and never panics on any input.
 //!
 //! What a file of the bench may say is told in [`mod@file`].
