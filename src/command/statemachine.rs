@@ -10,7 +10,7 @@ use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Document, ErrorDoc, Event, OrMotion, Outcome, StateReport, StateRow, Statemachine};
-use crate::profile::{Family, Lang, Param, Registry};
+use crate::profile::{Family, Lang, Registry};
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows the state of the drive, and walks it through its state machine.
@@ -284,7 +284,7 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
                 return Ok(control.contacts);
             }
             let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
-            let label = target.family.role("control-mode").map_or_else(String::new, Param::label);
+            let label = target.family.role_label("control-mode");
             let needed = control.contacts;
             let text = match lang {
                 Lang::En => {

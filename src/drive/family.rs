@@ -3,7 +3,7 @@
 use super::route::{Cell, Content, Inquiry, No, Route, no, register};
 use super::session::{AccessError, Refusal, Session};
 use super::transfer::Target;
-use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
+use crate::exchange::{Answer, ExchangeError, Question, Said};
 use crate::outcome::Evidence;
 use crate::profile::{Family, Lang, Registry, Route as Way, Type};
 use crate::protocol::Protocol;
@@ -300,10 +300,9 @@ impl<'q, 's> Inquest<'q, 's> {
     /// Code 43, once, before anything else: tells the drive if the answer comes. If none comes, nothing is noted, because
     /// [`Inquest::identification`] asks again where it matters.
     async fn introduction(&mut self) -> Result<(), AccessError> {
-        let limits = self.session.limits();
-        self.session.set_limits(Limits { retries: 0, ..limits });
+        let retries = self.session.set_retries(0);
         let answer = self.ask_for(identification::VENDOR_NAME).await;
-        self.session.set_limits(limits);
+        self.session.set_retries(retries);
         if let Ok(Said::Modbus(Reply::Identification(first))) = answer? {
             let told = self.rest_of(first).await?;
             self.described(&told);

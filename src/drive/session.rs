@@ -296,7 +296,7 @@ impl<'a> Session<'a> {
     }
 
     /// What a question ends with that has no time left: with what the line was like before.
-    fn too_late(&self) -> AccessError {
+    pub(super) fn too_late(&self) -> AccessError {
         self.unanswered.clone().unwrap_or(ExchangeError::Unproven { asked: 0 }).into()
     }
 
@@ -375,10 +375,8 @@ impl<'a> Session<'a> {
             Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1), 0),
             _ => (limits.reply_timeout, limits.retries),
         };
-        self.set_limits(Limits { witness: false, reply_timeout, retries, ..limits });
-        let answer = self.ask(route.address, question).await;
-        self.set_limits(limits);
-        match answer {
+        let patient = Limits { witness: false, reply_timeout, retries, ..limits };
+        match self.within(patient, async |session: &mut Self| session.ask(route.address, question).await).await {
             Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
             Ok(Answer::Broadcast) => Ok((None, false)),
             Err(AccessError::Exchange(_)) => Ok((None, true)),
@@ -386,18 +384,10 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Why the last question that failed brought no answer.
-    pub(super) fn last_failure(&self) -> AccessError {
-        self.too_late()
-    }
-
     /// Asks for a number that is gone once it has been read.
     pub(super) async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
-        let limits = self.limits();
-        self.set_limits(Limits { witness: false, ..limits });
-        let number = self.number(route, question).await;
-        self.set_limits(limits);
-        number
+        let once = Limits { witness: false, ..self.limits() };
+        self.within(once, async |session: &mut Self| session.number(route, question).await).await
     }
 
     /// Asks for a 16-bit number; `None` if the station answers with something else.
@@ -514,6 +504,15 @@ impl<'a> Session<'a> {
     /// Other time limits from now on.
     pub fn set_limits(&mut self, limits: Limits) {
         self.master.set_limits(limits);
+    }
+
+    /// Works within these time limits; afterwards those from before hold again.
+    pub(super) async fn within<T>(&mut self, limits: Limits, work: impl AsyncFnOnce(&mut Self) -> T) -> T {
+        let before = self.limits();
+        self.set_limits(limits);
+        let done = work(self).await;
+        self.set_limits(before);
+        done
     }
 
     /// Other number of repeats from now on; returns the one that held until now.

@@ -181,11 +181,9 @@ impl Target {
         param: &Param,
         cell: Cell,
     ) -> Result<Reading, AccessError> {
-        let limits = session.limits();
-        session.set_limits(Limits { witness: false, retries: 0, ..limits });
-        let reading = self.read_as(session, param, cell, param.kind.unwrap_or(Type::Uint)).await;
-        session.set_limits(limits);
-        reading
+        let (once, kind) =
+            (Limits { witness: false, retries: 0, ..session.limits() }, param.kind.unwrap_or(Type::Uint));
+        session.within(once, async |session: &mut Session<'_>| self.read_as(session, param, cell, kind).await).await
     }
 
     /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not
@@ -294,7 +292,7 @@ impl Target {
                     continue;
                 }
                 // The cause that was lost would have told the width.
-                Err(AccessError::Refused(Refusal { unheard: true, .. })) if !sure => return Err(session.last_failure()),
+                Err(AccessError::Refused(Refusal { unheard: true, .. })) if !sure => return Err(session.too_late()),
                 answer => answer?,
             };
             let (said, _) = answer.ok_or(AccessError::Unspeakable)?;

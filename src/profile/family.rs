@@ -120,6 +120,11 @@ impl Family {
         self.roles.get(role).and_then(|&id| self.param(id))
     }
 
+    /// What the parameter of a role is called in messages; nothing, if there is none.
+    pub fn role_label(&self, role: &str) -> String {
+        self.role(role).map_or_else(String::new, Param::label)
+    }
+
     /// Numbers of a group such as `actual`, as far as this drive has them; `all` is everything readable but the error
     /// register, which reading would clear.
     pub fn group(&self, name: &str) -> Option<Vec<u32>> {

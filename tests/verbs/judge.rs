@@ -10,7 +10,7 @@ use antrieb::outcome::Event;
 use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
-use antrieb::transport::{Port, Rs485};
+use antrieb::transport::Port;
 use tempfile::TempDir;
 
 /// A bench from a text, or the standard one, and everything that a session on it needs.
@@ -53,17 +53,7 @@ impl Stage {
 
     /// Works in a session, and lets the judge speak.
     fn play(&self, work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> Vec<String> {
-        let opening = Opening {
-            port: &self.port,
-            line: self.line,
-            rs485: Rs485::default(),
-            protocol: self.framing.into(),
-            timeout: None,
-            retries: None,
-            trace: None,
-            verbose: false,
-            lang: Lang::En,
-        };
+        let opening = Opening { line: self.line, protocol: self.framing.into(), ..Opening::at(&self.port) };
         let mut observe = |_: Event| {};
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
         let opened = Session::open(opening, &self.registry, Interrupt::default(), &mut observe);

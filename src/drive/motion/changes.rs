@@ -141,7 +141,7 @@ impl Motor<'_, '_> {
         if old != control.terminals || released.is_none_or(|bit| status >> bit & 1 == 0) {
             return true;
         }
-        let label = family.role("control-mode").map_or_else(String::new, Param::label);
+        let label = family.role_label("control-mode");
         let (now, would) = (control.obeys, control.terminals);
         self.notes.push(match self.lang {
             Lang::En => format!(

@@ -121,7 +121,7 @@ impl Motor<'_, '_> {
     /// What the first word did is not what was asked for, if the drive has heard it.
     fn note_instead(&mut self, act: Relief, heard: bool) {
         if act == Relief::Disable && self.first_word.instead && heard {
-            let label = self.target.family.role("control-mode").map_or_else(String::new, Param::label);
+            let label = self.target.family.role_label("control-mode");
             self.instead = Some(match self.lang {
                 Lang::En => format!("a quick stop in place of the ramp: {label} was not told in time"),
                 Lang::De => format!("Schnellhalt statt Rampe: {label} wurde nicht rechtzeitig gesagt"),
@@ -135,7 +135,7 @@ impl Motor<'_, '_> {
         let stands = self.role_raw("control-word").await?;
         self.word = stands.and_then(|word| u16::try_from(word).ok()).unwrap_or(0);
         let keeps_power = self.word & !starts != 0;
-        let label = self.target.family.role("control-mode").map_or_else(String::new, Param::label);
+        let label = self.target.family.role_label("control-mode");
         self.instead = match (act, self.lang) {
             (Relief::QuickStop, Lang::En) => Some(format!(
                 "{label} is 2, and contacts know no quick stop: all were opened, and a shaft that was turning coasts"

@@ -366,7 +366,7 @@ impl Motor<'_, '_> {
             () if is(|control| control.obeys) => Lever::ControlWord,
             () => Lever::Taken,
         };
-        let label = family.role("control-mode").map_or_else(String::new, Param::label);
+        let label = family.role_label("control-mode");
         let mode = mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
         let text = match (self.lever, self.lang) {
             (Lever::ControlWord, Lang::En) => {

@@ -134,9 +134,8 @@ async fn at_once<T>(
 ) -> Result<T, AccessError> {
     session.insist(true);
     let limits = session.limits();
-    session.set_limits(Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits });
-    let said = work(session).await;
-    session.set_limits(limits);
+    let brief = Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits };
+    let said = session.within(brief, work).await;
     session.end_at(None);
     session.insist(false);
     said
@@ -252,7 +251,7 @@ async fn first_word(
     if let Some(word) = ramp_word(session, meant, family, control).await? {
         return Ok(FirstWord { word: Some(word), instead: false });
     }
-    let label = family.role("control-mode").map_or_else(String::new, Param::label);
+    let label = family.role_label("control-mode");
     session.tell(Event::Note(match session.lang() {
         Lang::En => format!("{label} did not tell in time what the control word is: a quick stop in place of the ramp"),
         Lang::De => format!("{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"),
@@ -306,16 +305,14 @@ async fn asked(
     let mut target = Target::new(meant.address, family.clone());
     let until = session.now() + TO_TELL;
     session.end_at(Some(until));
-    let limits = session.limits();
-    session.set_limits(Limits { reply_timeout: Limits::default().reply_timeout, ..limits });
-    let told = loop {
+    let patient = Limits { reply_timeout: Limits::default().reply_timeout, ..session.limits() };
+    let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set, Lang::En).await {
             Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
             told => break told,
         }
     };
-    session.set_limits(limits);
-    in_short(told)
+    in_short(session.within(patient, tell).await)
 }
 
 /// The telegrams that carry a control word: in both orders where it is not known which half comes first.

@@ -5,7 +5,7 @@ use super::still::STOPPED;
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Stop};
-use crate::profile::{Lang, Mode, Param, StopRow, Takes};
+use crate::profile::{Lang, Mode, StopRow, Takes};
 use crate::tick::Span;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
@@ -166,8 +166,7 @@ impl Motor<'_, '_> {
     /// what takes the power at once.
     fn no_quick_stop(&mut self) -> StopChoice {
         let way = if self.relieving.is_some() { StopChoice::Coast } else { StopChoice::Ramp };
-        let (label, slug) =
-            (self.target.family.role("control-mode").map_or_else(String::new, Param::label), way.slug());
+        let (label, slug) = (self.target.family.role_label("control-mode"), way.slug());
         let text = match self.lang {
             Lang::En => format!("{label} is 2, and contacts know no quick stop: {slug} in its place"),
             Lang::De => format!("{label} ist 2, und Kontakte kennen keinen Schnellhalt: stattdessen {slug}"),

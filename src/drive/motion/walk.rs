@@ -5,7 +5,7 @@ use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Step};
-use crate::profile::{Command, Lang, Need, Param, Transition};
+use crate::profile::{Command, Lang, Need, Transition};
 use crate::tick::Span;
 
 impl Motor<'_, '_> {
@@ -82,7 +82,7 @@ impl Motor<'_, '_> {
                 let told = |fault: Option<crate::outcome::Fault>| {
                     fault.map_or_else(|| "-".to_owned(), |fault| format!("{} {}", fault.key, fault.name))
                 };
-                let label = self.target.family.role("fault").map_or_else(String::new, Param::label);
+                let label = self.target.family.role_label("fault");
                 self.notes.push(format!("{label}: {} -> {}", told(was), told(now)));
                 Ok(())
             }

@@ -10,7 +10,7 @@ use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
-use antrieb::transport::{Port, Rs485};
+use antrieb::transport::Port;
 
 const RTU: Protocol = Protocol::Modbus(Framing::Rtu);
 
@@ -47,17 +47,8 @@ fn play(bench: &str, protocol: Protocol, wishes: &[Wish]) -> Left {
     let path = directory.path().join("bench.toml");
     std::fs::write(&path, bench).unwrap();
     let registry = Registry::open(&[]).unwrap();
-    let opening = Opening {
-        port: &Port::Sim(Some(path)),
-        line: protocol.line(19_200, Parity::Even),
-        rs485: Rs485::default(),
-        protocol,
-        timeout: None,
-        retries: None,
-        trace: None,
-        verbose: false,
-        lang: Lang::En,
-    };
+    let port = Port::Sim(Some(path));
+    let opening = Opening { line: protocol.line(19_200, Parity::Even), protocol, ..Opening::at(&port) };
     let mut observe = |_: Event| {};
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     runtime.block_on(async {

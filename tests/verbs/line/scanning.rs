@@ -4,9 +4,6 @@ use crate::run::antrieb;
 use antrieb::drive::{First, Interrupt, Manner, Opening, ScanPlan, ScanResult, Session, Unknown, scan};
 use antrieb::outcome::{Event, FoundDrive};
 use antrieb::profile::{Lang, Registry};
-use antrieb::protocol::Protocol;
-use antrieb::protocol::line::{LineSetting, Parity};
-use antrieb::protocol::modbus::Framing;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::Port;
 use serde_json::{Value, json};
@@ -36,17 +33,8 @@ fn play(bench: &str, plan: &ScanPlan) -> Played {
     let path = directory.path().join("bench.toml");
     std::fs::write(&path, bench).unwrap();
     let registry = Registry::open(&[]).unwrap();
-    let opening = Opening {
-        port: &Port::Sim(Some(path)),
-        line: LineSetting::rtu(19_200, Parity::Even),
-        rs485: antrieb::transport::Rs485::default(),
-        protocol: Protocol::Modbus(Framing::Rtu),
-        timeout: None,
-        retries: None,
-        trace: None,
-        verbose: true,
-        lang: Lang::En,
-    };
+    let port = Port::Sim(Some(path));
+    let opening = Opening { verbose: true, ..Opening::at(&port) };
     let mut found = Vec::new();
     // Time by the telegrams, which are told before what they bring.
     let mut now = 0;

@@ -8,10 +8,9 @@ use antrieb::gate::Relief;
 use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::line::{LineSetting, Parity};
-use antrieb::protocol::modbus::Framing;
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
-use antrieb::transport::{Port, Rs485, witness};
+use antrieb::transport::{Port, witness};
 use serde_json::json;
 use std::cell::RefCell;
 
@@ -193,15 +192,9 @@ pub(super) fn held_of(
         }
     };
     let opening = Opening {
-        port: &port,
         line: LineSetting::rtu(if model == "lxm05" { 19_200 } else { 115_200 }, Parity::Even),
-        rs485: Rs485::default(),
-        protocol: Framing::Rtu.into(),
-        timeout: None,
-        retries: None,
-        trace: None,
         verbose: true,
-        lang: Lang::En,
+        ..Opening::at(&port)
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let mut session = runtime.block_on(Session::open(opening, &registry, interrupt, &mut observe)).unwrap();
