@@ -327,7 +327,7 @@ mod tests {
             let mut link = link.unwrap();
             let until = link.now() + Span::from_millis(300);
             assert_eq!(link.wait(until).await.unwrap(), Wake::Silence);
-            assert!(link.now().since(until) < Span::from_secs(1));
+            assert!(link.now().since(until) < Span::from_secs(30));
         });
     }
 

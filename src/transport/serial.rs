@@ -366,7 +366,7 @@ mod tests {
             let before = link.now();
             // Not given up: a stop may get through when it takes bytes again.
             assert!(matches!(link.send(&[0; 8]).await, Err(LinkError::Stuck(_))));
-            assert!(link.now().since(before) < Span::from_secs(2));
+            assert!(link.now().since(before) < Span::from_secs(30));
         });
     }
 

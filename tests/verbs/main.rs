@@ -22,7 +22,6 @@ mod parameters {
 
 /// Who is on a line, how it is, and what it does to telegrams.
 mod line {
-    mod adapters;
     mod babble;
     mod diagnosing;
     mod finding;

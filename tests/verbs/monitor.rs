@@ -1,5 +1,4 @@
-//! `monitor` in process: every form of its stream, gaps, ends, and that it never writes; on the bench in virtual time,
-//! and in real time where real time is the point.
+//! `monitor` in process: every form of its stream, gaps, ends, and that it never writes; on the bench in virtual time.
 use crate::run::{Output, antrieb};
 use jsonschema::Validator;
 use serde_json::{Value, json};
@@ -312,67 +311,4 @@ fn a_dry_run_shows_the_questions() {
     assert_eq!(records[0]["type"], "telegram");
     let table = antrieb("-p /dev/antrieb-has-no-such-port -a 1 monitor 210 --dry-run").exits(0).out;
     assert!(table.contains("read P.210"), "{table}");
-}
-
-#[cfg(unix)]
-mod real_time {
-    use super::{antrieb, of_type, records};
-    use antrieb::profile::Registry;
-    use antrieb::simulator::Bench;
-    use antrieb::tick::Span;
-    use antrieb::transport::serve::{Place, Server};
-    use std::path::Path;
-
-    /// A bench on a pseudo terminal for some time, then for some time none, and so on.
-    fn serve(link: &Path, phases: Vec<(u64, u64)>) -> (std::thread::JoinHandle<()>, std::sync::mpsc::Receiver<()>) {
-        let link = link.to_owned();
-        let (send, ready) = std::sync::mpsc::channel();
-        let thread = std::thread::spawn(move || {
-            let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-            for (up_ms, down_ms) in phases {
-                runtime.block_on(async {
-                    let mut bench = Bench::standard(&Registry::open(&[]).unwrap());
-                    let mut server = Server::open(Place::Pty { link: Some(link.clone()) }).unwrap();
-                    let _nobody_waits = send.send(());
-                    server.run(&mut bench, Server::pause(Span::from_millis(up_ms)), |_| {}).await.unwrap();
-                });
-                runtime.block_on(Server::pause(Span::from_millis(down_ms)));
-            }
-        });
-        (thread, ready)
-    }
-
-    #[test]
-    fn a_port_that_goes_away_ends_it() {
-        let directory = tempfile::tempdir().unwrap();
-        let link = directory.path().join("bus");
-        let (thread, ready) = serve(&link, vec![(900, 0)]);
-        ready.recv().unwrap();
-        let output = antrieb(&format!("-p {} -a 1 monitor --interval 200ms --json", link.display())).exits(3);
-        let records = records(&output);
-        assert_eq!(of_type(&records, "lost").len(), 1);
-        assert_eq!(records.last().unwrap()["summary"]["because"], "lost");
-        assert_eq!(records.last().unwrap()["error"]["code"], "port.lost");
-        thread.join().unwrap();
-    }
-
-    #[test]
-    fn a_port_that_comes_back_is_taken_up_again() {
-        let directory = tempfile::tempdir().unwrap();
-        let link = directory.path().join("bus");
-        let (thread, ready) = serve(&link, vec![(8_000, 800), (20_000, 0)]);
-        ready.recv().unwrap();
-        let line = format!("-p {} -a 1 monitor --reconnect --interval 200ms --duration 18s --json", link.display());
-        let records = records(&antrieb(&line).exits(0));
-        assert_eq!((of_type(&records, "lost").len(), of_type(&records, "reopened").len()), (1, 1));
-        let back = records.iter().position(|record| record["type"] == "reopened").unwrap();
-        let good = |record: &&serde_json::Value| record["type"] == "sample" && record["error"].is_null();
-        let (before, after) = records.split_at(back);
-        assert!(before.iter().filter(good).count() >= 2 && after.iter().filter(good).count() >= 2);
-        assert!(before.iter().any(|record| record["error"]["code"] == "port.lost" && record["type"] == "sample"));
-        // The clock goes on while there is no port.
-        let times: Vec<f64> = records.iter().skip(1).map(|record| record["t"].as_f64().unwrap()).collect();
-        assert!(times.windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
-        thread.join().unwrap();
-    }
 }

@@ -1,6 +1,5 @@
 //! Two drives at one address: what they say is refused, and the cause is named.
 
-use super::adapters::{behind_gateway, server};
 use crate::run::antrieb;
 
 /// Two drives at address 1 whose parameters differ; the second answers later.
@@ -92,19 +91,4 @@ fn two_servos_at_one_address_are_named_whether_their_family_was_named_or_not() {
             }
         }
     }
-}
-
-#[test]
-fn two_answers_of_a_gateway_to_one_question_are_named() {
-    // In one piece, the second at once behind the first: both carry the number of the question.
-    let address = server(usize::MAX, |question| match question[7] {
-        3 => {
-            let answers = [[3, 2, 5, 110], [3, 2, 5, 210]];
-            answers.iter().flat_map(|pdu| behind_gateway(question, pdu)).collect()
-        }
-        function => behind_gateway(question, &[function | 0x80, 1]),
-    });
-    let run = antrieb(&format!("-p mbtcp://{address} -a 1 --timeout 400ms --drive act read 372@1 372@2")).json();
-    assert_eq!(run.error()["code"], "garbled.two_answers", "{}: {}", run.error(), run.data("/values"));
-    assert_eq!(run.exit, 5);
 }

@@ -1,0 +1,190 @@
+//! The program as a process: at a terminal of its own, or with what it prints read line by line.
+
+use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+use serde_json::Value;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::os::fd::OwnedFd;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Longer than anything here takes on a busy machine.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// The turn of one test: side by side they would take each other's time.
+pub(crate) fn alone() -> MutexGuard<'static, ()> {
+    static TURN: Mutex<()> = Mutex::new(());
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What is typed behind `antrieb`, with nobody's configuration.
+fn antrieb(line: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+    command.args(["--no-config", "--lang", "en"]).args(line.split_whitespace());
+    command
+}
+
+/// What a process writes, as it comes; ends with the process.
+fn chunks(mut from: impl Read + Send + 'static) -> Receiver<Vec<u8>> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let mut buffer = [0; 4096];
+        while let Ok(count @ 1..) = from.read(&mut buffer) {
+            if sender.send(buffer[..count].to_vec()).is_err() {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// Must end by itself; returns the exit code.
+#[track_caller]
+fn ends(child: &mut Child, seen: &str) -> Option<i32> {
+    let deadline = Instant::now() + LIMIT;
+    loop {
+        if let Some(status) = child.try_wait().unwrap() {
+            return status.code();
+        }
+        if Instant::now() > deadline {
+            child.kill().unwrap();
+            panic!("still there after {LIMIT:?}:\n{seen}");
+        }
+        thread::sleep(Duration::from_millis(5));
+    }
+}
+
+fn signal(child: &Child, name: &str) {
+    assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
+}
+
+/// The program at a terminal of its own.
+pub(crate) struct AtTerminal {
+    pub(crate) child: Child,
+    keyboard: File,
+    pub(crate) seen: String,
+    screen: Receiver<Vec<u8>>,
+}
+
+impl AtTerminal {
+    pub(crate) fn start(line: &str) -> Self {
+        Self::start_into(line, Stdio::null())
+    }
+
+    pub(crate) fn start_into(line: &str, out: Stdio) -> Self {
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
+        grantpt(&master).unwrap();
+        unlockpt(&master).unwrap();
+        let name = ptsname(&master, Vec::new()).unwrap();
+        let slave: OwnedFd = File::options().read(true).write(true).open(name.to_str().unwrap()).unwrap().into();
+        let keyboard = File::from(master);
+        let child = antrieb(line)
+            .stdin(Stdio::from(slave.try_clone().unwrap()))
+            .stdout(out)
+            .stderr(Stdio::from(slave))
+            .spawn()
+            .unwrap();
+        let screen = chunks(keyboard.try_clone().unwrap());
+        AtTerminal { child, keyboard, screen, seen: String::new() }
+    }
+
+    /// Waits until this stands on the screen.
+    #[track_caller]
+    pub(crate) fn shows(&mut self, text: &str) {
+        let deadline = Instant::now() + LIMIT;
+        while !self.seen.contains(text) {
+            let left = deadline.saturating_duration_since(Instant::now());
+            let bytes = self.screen.recv_timeout(left);
+            let bytes = bytes.unwrap_or_else(|_| panic!("no '{text}' in:\n{}", self.seen));
+            self.seen += &String::from_utf8_lossy(&bytes);
+        }
+    }
+
+    /// Somebody types this.
+    pub(crate) fn types(&mut self, text: &str) {
+        // Nobody reads what is typed to a program that has ended.
+        let _gone = self.keyboard.write_all(text.as_bytes());
+    }
+
+    pub(crate) fn signal(&self, name: &str) {
+        signal(&self.child, name);
+    }
+
+    /// Must end by itself; returns the exit code.
+    #[track_caller]
+    pub(crate) fn ends(&mut self) -> Option<i32> {
+        ends(&mut self.child, &self.seen)
+    }
+}
+
+/// The program in a pipe, without a terminal.
+pub(crate) struct Piped {
+    child: Child,
+    lines: Receiver<String>,
+    err: Receiver<Vec<u8>>,
+    /// What it printed until now.
+    pub(crate) records: Vec<Value>,
+}
+
+impl Piped {
+    pub(crate) fn start(line: &str) -> Self {
+        let mut child =
+            antrieb(line).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let (sender, lines) = channel();
+        let out = BufReader::new(child.stdout.take().unwrap());
+        thread::spawn(move || {
+            for line in out.lines().map_while(Result::ok) {
+                if sender.send(line).is_err() {
+                    break;
+                }
+            }
+        });
+        let err = chunks(child.stderr.take().unwrap());
+        Piped { child, lines, err, records: Vec::new() }
+    }
+
+    /// Reads records until one is such.
+    #[track_caller]
+    pub(crate) fn until(&mut self, what: &str, is: impl Fn(&Value) -> bool) {
+        let deadline = Instant::now() + LIMIT;
+        loop {
+            let left = deadline.saturating_duration_since(Instant::now());
+            let line = self.lines.recv_timeout(left);
+            let line = line.unwrap_or_else(|_| panic!("no {what} behind {:#?}\n{}", self.records, self.said()));
+            self.records.push(serde_json::from_str(&line).unwrap());
+            if self.records.last().is_some_and(&is) {
+                return;
+            }
+        }
+    }
+
+    pub(crate) fn signal(&self, name: &str) {
+        signal(&self.child, name);
+    }
+
+    /// Must end by itself; reads what it prints until then, and returns the exit code.
+    #[track_caller]
+    pub(crate) fn ends(&mut self) -> Option<i32> {
+        let exit = ends(&mut self.child, "");
+        self.records.extend(self.lines.iter().map(|line| serde_json::from_str::<Value>(&line).unwrap()));
+        exit
+    }
+
+    /// What it said on stderr until now.
+    pub(crate) fn said(&self) -> String {
+        self.err.try_iter().map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).collect()
+    }
+
+    /// Runs to its end and returns the exit code and the whole of stdout and stderr.
+    #[track_caller]
+    pub(crate) fn run(line: &str) -> (Option<i32>, String, String) {
+        let mut program = Self::start(line);
+        let exit = ends(&mut program.child, "");
+        let out: Vec<String> = program.lines.iter().collect();
+        let err: Vec<u8> = program.err.iter().flatten().collect();
+        (exit, out.join("\n"), String::from_utf8_lossy(&err).into_owned())
+    }
+}
