@@ -1,5 +1,6 @@
 //! Failures of the program: classified once, with a stable code, a message and a hint that can be acted on.
 
+use crate::text::{Lang, Text};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
@@ -62,16 +63,16 @@ pub struct Failure {
     /// Stable and dotted: `refused.unknown_parameter`.
     pub code: String,
     /// What was expected and what came.
-    pub message: String,
-    /// What to do next.
-    pub hint: Option<String>,
+    pub message: Text,
+    /// What to do next; boxed, because a failure is handed through many calls.
+    pub hint: Option<Box<Text>>,
     /// Facts for machines: address, parameter, bytes …
     pub context: Vec<(&'static str, String)>,
 }
 
 impl Failure {
     /// A failure without hint and context.
-    pub fn new(class: Class, code: impl Into<String>, message: impl Into<String>) -> Self {
+    pub fn new(class: Class, code: impl Into<String>, message: impl Into<Text>) -> Self {
         Failure { class, code: code.into(), message: message.into(), hint: None, context: Vec::new() }
     }
 
@@ -82,8 +83,8 @@ impl Failure {
 
     /// The same with something to do next.
     #[must_use]
-    pub fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
+    pub fn hint(mut self, hint: impl Into<Text>) -> Self {
+        self.hint = Some(Box::new(hint.into()));
         self
     }
 
@@ -95,9 +96,10 @@ impl Failure {
     }
 }
 
+/// For programs and their logs: in English.
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        f.write_str(self.message.get(Lang::En))
     }
 }
 

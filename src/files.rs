@@ -4,6 +4,7 @@
 //! no end, and merely opening a serial port moves its control lines. Every file is read with a limit. Nothing is ever
 //! overwritten unasked, and never through a link, which may lead anywhere.
 
+use crate::text::{Text, both};
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
@@ -14,23 +15,23 @@ pub const TEXT: u64 = 16 << 20;
 /// Longest recording in bytes: three hours of a line that is asked without a pause.
 pub const RECORDING: u64 = 64 << 20;
 
-/// Why a file cannot be read or written.
+/// Why a file cannot be read or written. Shown by itself it speaks English.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// A directory, pipe, device or socket.
-    #[error("expected a regular file, this is {0}")]
-    NoFile(&'static str),
+    #[error("{}", self.text().en)]
+    NoFile(Text),
     /// Longer than anything that is read.
-    #[error("expected at most {} MiB, the file is longer", .0 >> 20)]
+    #[error("{}", self.text().en)]
     TooLong(u64),
     /// Bytes that are no text.
-    #[error("expected a text in UTF-8, byte {0} is none")]
+    #[error("{}", self.text().en)]
     NoText(usize),
     /// Something is there and may not be overwritten.
-    #[error("the file exists already")]
+    #[error("{}", self.text().en)]
     Exists,
     /// A link is never written through.
-    #[error("expected a regular file, this is a symbolic link")]
+    #[error("{}", self.text().en)]
     Link,
     /// What the system said.
     #[error(transparent)]
@@ -38,10 +39,68 @@ pub enum FileError {
 }
 
 impl FileError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            FileError::NoFile(found) => {
+                both!(
+                    "expected a regular file, this is {found}",
+                    "erwartet wird eine gewöhnliche Datei, dies ist {found}",
+                    found
+                )
+            }
+            FileError::TooLong(limit) => both!(
+                "expected at most {limit} MiB, the file is longer",
+                "erwartet werden höchstens {limit} MiB, die Datei ist länger",
+                limit = limit >> 20
+            ),
+            FileError::NoText(byte) => both!(
+                "expected a text in UTF-8, byte {byte} is none",
+                "erwartet wird ein Text in UTF-8, Byte {byte} ist keiner"
+            ),
+            FileError::Exists => both!("the file exists already", "die Datei gibt es schon"),
+            FileError::Link => both!(
+                "expected a regular file, this is a symbolic link",
+                "erwartet wird eine gewöhnliche Datei, dies ist eine symbolische Verknüpfung"
+            ),
+            FileError::System(error) => of_system(error),
+        }
+    }
+
     /// Whether there is nothing at that path.
     pub fn is_missing(&self) -> bool {
         matches!(self, FileError::System(error) if error.kind() == io::ErrorKind::NotFound)
     }
+}
+
+/// What the operating system said, as far as it is one of the usual things; else in its own words.
+pub fn of_system(error: &io::Error) -> Text {
+    use io::ErrorKind as Kind;
+    let german = match error.kind() {
+        Kind::NotFound => "Datei oder Verzeichnis nicht gefunden",
+        Kind::PermissionDenied => "Zugriff verweigert",
+        Kind::AlreadyExists => "die Datei gibt es schon",
+        Kind::AddrInUse => "die Adresse wird schon benutzt",
+        Kind::AddrNotAvailable => "die Adresse gibt es auf diesem Rechner nicht",
+        Kind::ConnectionRefused => "Verbindung abgewiesen",
+        Kind::ConnectionReset => "Verbindung von der Gegenseite abgebrochen",
+        Kind::ConnectionAborted => "Verbindung abgebrochen",
+        Kind::NotConnected => "keine Verbindung",
+        Kind::HostUnreachable => "der Rechner ist nicht erreichbar",
+        Kind::NetworkUnreachable => "das Netz ist nicht erreichbar",
+        Kind::TimedOut => "Zeitüberschreitung",
+        Kind::BrokenPipe => "die Gegenseite hat geschlossen",
+        Kind::StorageFull => "kein Platz mehr auf dem Datenträger",
+        Kind::ReadOnlyFilesystem => "der Datenträger ist schreibgeschützt",
+        Kind::IsADirectory => "das ist ein Verzeichnis",
+        Kind::NotADirectory => "das ist kein Verzeichnis",
+        Kind::UnexpectedEof => "unerwartetes Ende",
+        Kind::Interrupted => "unterbrochen",
+        Kind::ResourceBusy => "das Gerät ist belegt",
+        _ => return Text::name(error),
+    };
+    let code = error.raw_os_error().map_or_else(String::new, |code| format!(" (Systemfehler {code})"));
+    Text { en: error.to_string().into(), de: format!("{german}{code}").into() }
 }
 
 /// The text of a regular file of at most `limit` bytes.
@@ -88,20 +147,20 @@ fn must_be_regular(found: &Metadata) -> Result<(), FileError> {
 }
 
 #[cfg(unix)]
-fn name(kind: std::fs::FileType) -> &'static str {
+fn name(kind: std::fs::FileType) -> Text {
     use std::os::unix::fs::FileTypeExt;
     match kind {
-        kind if kind.is_dir() => "a directory",
-        kind if kind.is_fifo() => "a pipe",
-        kind if kind.is_char_device() || kind.is_block_device() => "a device",
-        kind if kind.is_socket() => "a socket",
-        _ => "something else",
+        kind if kind.is_dir() => both!("a directory", "ein Verzeichnis"),
+        kind if kind.is_fifo() => both!("a pipe", "eine Pipe"),
+        kind if kind.is_char_device() || kind.is_block_device() => both!("a device", "eine Gerätedatei"),
+        kind if kind.is_socket() => both!("a socket", "ein Socket"),
+        _ => both!("something else", "etwas anderes"),
     }
 }
 
 #[cfg(not(unix))]
-fn name(kind: std::fs::FileType) -> &'static str {
-    if kind.is_dir() { "a directory" } else { "something else" }
+fn name(kind: std::fs::FileType) -> Text {
+    if kind.is_dir() { both!("a directory", "ein Verzeichnis") } else { both!("something else", "etwas anderes") }
 }
 
 /// Opening waits for nobody: what was put in the place of the file that was looked at may be a pipe.

@@ -4,7 +4,7 @@
 //!
 //! | room | what it knows |
 //! |---|---|
-//! | [`tick`], [`failure`], [`files`], [`outcome`], [`gate`] | values that every room may name |
+//! | [`tick`], [`text`], [`failure`], [`files`], [`outcome`], [`gate`] | values that every room may name |
 //! | [`protocol`] | bytes to telegrams and back |
 //! | [`profile`] | what a drive is: catalogues and pure decoding |
 //! | [`exchange`] | conversations without I/O |
@@ -63,6 +63,7 @@ pub mod protocol;
 #[cfg(feature = "cli")]
 pub mod render;
 pub mod simulator;
+pub mod text;
 pub mod tick;
 pub mod transport;
 

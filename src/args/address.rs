@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     fn parsed(text: &str) -> Result<Vec<u8>, String> {
-        parse_addresses(text, &[]).map_err(|failure| failure.message)
+        parse_addresses(text, &[]).map_err(|failure| failure.to_string())
     }
 
     #[test]

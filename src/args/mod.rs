@@ -10,4 +10,4 @@ pub use address::{Addresses, parse_addresses};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin};
 pub use motion::{MotionArgs, StopArg};
-pub use settings::{Settings, Unknown, user_config_directory};
+pub use settings::{Settings, Unknown, language, user_config_directory};

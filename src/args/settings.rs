@@ -264,7 +264,15 @@ fn one_of(range: std::ops::RangeInclusive<u8>, value: u8) -> Result<u8, String> 
 fn lang(low: &mut Low<'_>, environment: &Environment) -> Result<Lang, Failure> {
     let said = low.said(|_| None, |file| file.lang.clone());
     let lang = low.pick("lang", low.flags.lang, said, |text| text.parse())?;
-    Ok(lang.unwrap_or_else(|| locale(environment)))
+    Ok(language(lang, environment))
+}
+
+/// The language that was typed, else that of the system: the first of LC_ALL, LC_MESSAGES and LANG that is set decides
+/// (POSIX).
+pub fn language(typed: Option<Lang>, environment: &Environment) -> Lang {
+    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"].iter();
+    let set = variables.filter_map(|name| environment.variables.get(*name)).find(|value| !value.is_empty());
+    typed.unwrap_or_else(|| set.map_or(Lang::En, |locale| Lang::of_locale(locale)))
 }
 
 /// A gateway speaks Modbus/TCP and nothing else; nobody speaks it on a serial line.
@@ -344,13 +352,6 @@ fn protocol_failure(text: &str, why: &str) -> Failure {
     let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
     if later { failure.hint(format!("{text} is not supported by this version")) } else { failure }
-}
-
-/// The first of LC_ALL, LC_MESSAGES and LANG that is set decides (POSIX).
-fn locale(environment: &Environment) -> Lang {
-    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"].iter();
-    let set = variables.filter_map(|name| environment.variables.get(*name)).find(|value| !value.is_empty());
-    set.map_or(Lang::En, |locale| Lang::of_locale(locale))
 }
 
 /// The user's catalogues: configuration directory, then files named in configurations, then `--catalogue`.
@@ -433,10 +434,10 @@ mod tests {
 
         environment.variables.insert("ANTRIEB_RS485".to_owned(), "automatic".to_owned());
         let failure = Settings::resolve(&flags, &environment).unwrap_err();
-        assert!(failure.message.contains("expected auto, kernel, rts or adapter, got 'automatic'"), "{failure}");
+        assert!(failure.to_string().contains("expected auto, kernel, rts or adapter, got 'automatic'"), "{failure}");
         environment.variables.clear();
         let flags = Globals { rs485_before: Some(Span::from_millis(101)), ..Globals::default() };
-        assert!(Settings::resolve(&flags, &environment).unwrap_err().message.contains("at most 100ms"));
+        assert!(Settings::resolve(&flags, &environment).unwrap_err().to_string().contains("at most 100ms"));
     }
 
     #[test]
@@ -446,6 +447,6 @@ mod tests {
         let environment = Environment { directory: directory.path().to_owned(), ..Environment::default() };
         let failure = Settings::resolve(&Globals::default(), &environment).unwrap_err();
         assert_eq!(failure.class, Class::Data);
-        assert!(failure.message.contains("antrieb.toml:2:1: unknown field `speed`"), "{failure}");
+        assert!(failure.to_string().contains("antrieb.toml:2:1: unknown field `speed`"), "{failure}");
     }
 }

@@ -4,13 +4,14 @@ mod printed;
 mod signals;
 mod typed;
 
-use crate::args::{ColorChoice, Environment, Globals, Settings};
+use crate::args::{ColorChoice, Environment, Globals, Settings, language};
 use crate::command::{Context, Entry, Flow, Typed};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
-use crate::profile::{Lang, Registry};
+use crate::profile::Registry;
 use crate::render::{self, Console, Format, Manner, Stream, Streams, Terminal, View};
+use crate::text::{Lang, both};
 use anyhow::Context as _;
 use clap::ArgMatches;
 use printed::Printed;
@@ -26,16 +27,18 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
     let (globals, what) = match typed::parse(arguments) {
         Ok(typed::Line { globals, what }) => (globals, what),
-        Err(error) => return typed::explain(&error, arguments, out.as_mut(), err),
+        Err(error) => return typed::explain(&error, arguments, environment, out.as_mut(), err),
     };
+    let settings = Settings::resolve(&globals, environment);
+    let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
     let quiet = globals.quiet;
-    let console = Console::new(err, quiet, err_is_terminal && !quiet && !globals.no_progress);
+    let console = Console::new(err, lang, quiet, err_is_terminal && !quiet && !globals.no_progress);
     let (entry, verb) = match what {
         What::Work(entry, verb) => (entry, verb),
         What::Print(page, matches) => return print(page, &matches, globals.json, out.as_mut(), &console),
     };
-    let settings = Settings::resolve(&globals, environment);
-    let (format, manner) = form(&settings, &globals, environment, out_is_terminal, width, err_is_terminal);
+    let (format, manner) = form(&settings, &globals, environment, out_is_terminal, width);
+    let manner = Manner { lang, holds_stderr: err_is_terminal, ..manner };
     let view = verb.streams().and_then(|flow| {
         let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
         view(flow, format, sends, environment, out_is_terminal)
@@ -69,13 +72,13 @@ fn print(page: &Printed, matches: &ArgMatches, json: bool, out: &mut dyn Write, 
         Ok(None) => 0,
         Ok(Some(failure)) if json => {
             let code = failure.class.exit();
-            match render::print(&failure.into(), page.name, Format::Json, Lang::En, None, out, console) {
+            match render::print(&failure.into(), page.name, Format::Json, console.lang(), None, out, console) {
                 Ok(()) => code,
                 Err(error) => closed(&error, console),
             }
         }
         Ok(Some(failure)) => {
-            render::print_failure(&failure, console);
+            console.failure(&failure);
             failure.class.exit()
         }
         Err(error) => closed(&error, console),
@@ -101,22 +104,21 @@ fn whole(
     }
 }
 
-/// In which form, and how; settings that cannot be had are told in English.
+/// In which form, and how; what settings that cannot be had would say is not known then.
 fn form(
     settings: &Result<Settings, Failure>,
     globals: &Globals,
     environment: &Environment,
     out_is_terminal: bool,
     width: Option<u16>,
-    holds_stderr: bool,
 ) -> (Format, Manner) {
-    let (format, lang, choice) = match settings {
-        Ok(settings) => (settings.format, settings.lang, settings.color),
-        Err(_) if globals.json => (Format::Json, Lang::En, ColorChoice::Never),
-        Err(_) => (globals.format.unwrap_or_default(), Lang::En, ColorChoice::Never),
+    let (format, choice) = match settings {
+        Ok(settings) => (settings.format, settings.color),
+        Err(_) if globals.json => (Format::Json, ColorChoice::Never),
+        Err(_) => (globals.format.unwrap_or_default(), ColorChoice::Never),
     };
     let color = may_color(choice, environment, out_is_terminal);
-    (format, Manner { lang, width: width.filter(|_| out_is_terminal), color, holds_stderr })
+    (format, Manner { lang: Lang::En, width: width.filter(|_| out_is_terminal), color, holds_stderr: false })
 }
 
 /// The form of a stream; `None` where everything is printed at the end.
@@ -154,8 +156,10 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
     if error.kind() == io::ErrorKind::BrokenPipe {
         return 0;
     }
-    console.line(&format!("error: cannot write the output: {error}"));
-    Class::Port.exit()
+    let text = both!("cannot write the output: {error}", "die Ausgabe lässt sich nicht schreiben: {error}");
+    let failure = Failure::new(Class::Port, "port.output", text);
+    console.failure(&failure);
+    failure.class.exit()
 }
 
 fn work(
@@ -180,7 +184,7 @@ fn work(
         Some(_) => {}
     };
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
-    settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
+    settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone().into())));
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {

@@ -2,13 +2,13 @@
 
 use super::closed;
 use super::printed::{PRINTED, Printed};
-use crate::args::Globals;
+use crate::args::{Environment, Globals, language};
 use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
-use crate::profile::Lang;
 use crate::render::{self, Console, Format, Manner, Stream, View};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -97,19 +97,22 @@ fn mentioned(arguments: &[OsString]) -> clap::Command {
 }
 
 /// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
-pub(super) fn explain(error: &clap::Error, arguments: &[OsString], out: &mut dyn Write, err: Box<dyn Write>) -> u8 {
+pub(super) fn explain(
+    error: &clap::Error,
+    arguments: &[OsString],
+    environment: &Environment,
+    out: &mut dyn Write,
+    err: Box<dyn Write>,
+) -> u8 {
+    let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
+    let lang = language(value_of(&words, "--lang").and_then(|lang| lang.parse().ok()), environment);
+    let console = Console::new(err, lang, true, false);
     let text = error.render().to_string();
     if !error.use_stderr() {
         let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-        return printed.map_or_else(|error| closed(&error, &Console::new(err, true, false)), |()| 0);
+        return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
-    let console = Console::new(err, true, false);
-    let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
-    let wants_json = words.iter().any(|word| word == "--json" || word == "--format=json")
-        || words
-            .windows(2)
-            .any(|pair| pair.first().is_some_and(|w| w == "--format") && pair.last().is_some_and(|w| w == "json"));
-    if wants_json {
+    if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
         let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
         let message = told.join(" ").trim_start_matches("error: ").to_owned();
@@ -123,10 +126,10 @@ pub(super) fn explain(error: &clap::Error, arguments: &[OsString], out: &mut dyn
             .map_or("", |verb| verb.get_name());
         let outcome = Outcome::from(failure);
         let _closed = if verb == "monitor" {
-            let manner = Manner { lang: Lang::En, width: None, color: false, holds_stderr: false };
+            let manner = Manner { lang, width: None, color: false, holds_stderr: false };
             Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
         } else {
-            render::print(&outcome, verb, Format::Json, Lang::En, None, out, &console)
+            render::print(&outcome, verb, Format::Json, lang, None, out, &console)
         };
     } else {
         text.lines().for_each(|line| console.line(line));
@@ -135,6 +138,12 @@ pub(super) fn explain(error: &clap::Error, arguments: &[OsString], out: &mut dyn
         }
     }
     Class::Usage.exit()
+}
+
+/// What was typed for an option, in whichever of its two ways: `--lang de`, `--lang=de`.
+fn value_of<'w>(words: &'w [Cow<'_, str>], option: &str) -> Option<&'w str> {
+    let joined = words.iter().find_map(|word| word.strip_prefix(option)?.strip_prefix('='));
+    joined.or_else(|| Some(words.windows(2).find(|pair| pair.first().is_some_and(|w| w == option))?.last()?.as_ref()))
 }
 
 /// The verb under which an unknown one is to be found: `statemachine enable` for `enable`.

@@ -238,7 +238,7 @@ impl Work<'_> {
         if !missing.is_empty() {
             warnings.push(Warning {
                 code: "dataset.not_there".to_owned(),
-                message: format!("this drive does not have in its data sets: {}", missing.join(", ")),
+                message: format!("this drive does not have in its data sets: {}", missing.join(", ")).into(),
             });
         }
         Ok((rows, reader.failures, warnings))

@@ -102,9 +102,9 @@ fn checked(failure: Option<Failure>, faulted: &str, unknown: &str, lang: Lang) -
         Some(failure) => {
             let not_told = lang.pick("not known of address", "nicht bekannt von Adresse");
             let rest = if unknown.is_empty() { String::new() } else { format!("; {not_told} {unknown}") };
-            let message = format!("{message}{rest}; {}", failure.message);
+            let message = format!("{message}{rest}; {}", failure.message.get(lang));
             let class = if is_over(&failure) { failure.class } else { Class::Partial };
-            Failure { class, message, ..failure }.with("faulted", faulted).with("unknown", unknown)
+            Failure { class, message: message.into(), ..failure }.with("faulted", faulted).with("unknown", unknown)
         }
     })
 }
@@ -175,7 +175,7 @@ async fn memory(reader: &mut Reader<'_, '_>, family: &Family) -> Result<Vec<Valu
 /// Why the drive refused something last, if this command has not made it refuse something itself.
 async fn kept_refusal(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Option<u16>, AccessError> {
     if matches!(target.family.link.cause, Cause::Diagnostics(_)) && target.refused_on_the_way {
-        session.tell(Event::Note(overwritten(lang).to_owned()));
+        session.tell(Event::Note(overwritten(lang).to_owned().into()));
         return Ok(None);
     }
     last_refusal(session, target).await

@@ -106,10 +106,10 @@ async fn open<'a>(
         lang: settings.lang,
     };
     if settings.verbose {
-        observe(Event::Note(settings.told()));
+        observe(Event::Note(settings.told().into()));
     }
     if let Some(note) = &settings.port_note {
-        observe(Event::Note(note.clone()));
+        observe(Event::Note(note.clone().into()));
     }
     let mut session = Session::open(opening, registry, interrupt.clone(), observe).await?;
     session.reach_node(settings.node);
@@ -131,7 +131,7 @@ fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Res
                 "no address given, taking 1 (the factory setting)",
                 "keine Adresse angegeben, es wird 1 genommen (Werkseinstellung)",
             );
-            observe(Event::Note(taking.to_owned()));
+            observe(Event::Note(taking.to_owned().into()));
             Ok(vec![1])
         }
     }

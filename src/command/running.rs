@@ -245,8 +245,8 @@ fn unstopped(failure: Failure, act: Relief, said: bool, lang: Lang) -> Failure {
             ),
         ),
     };
-    failure.message = format!("{}: {said}; {}", may_turn(lang), failure.message);
-    let hints = [Some(hint.to_owned()), failure.hint.take()];
+    failure.message = format!("{}: {said}; {}", may_turn(lang), failure.message.get(lang)).into();
+    let hints = [Some(hint.to_owned()), failure.hint.take().map(|hint| hint.get(lang).to_owned())];
     failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
 }
 

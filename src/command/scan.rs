@@ -8,6 +8,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
 use crate::profile::Lang;
+use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 use serde::Deserialize;
 use std::cell::RefCell;
@@ -297,24 +298,24 @@ fn verdict(
         return drives.is_empty().then(|| nobody(settings));
     };
     let so_far = match lang {
-        Lang::En => format!("{}; {asked} of {addresses} addresses were asked", first.message),
-        Lang::De => format!("{}; {asked} von {addresses} Adressen wurden gefragt", first.message),
+        Lang::En => format!("{}; {asked} of {addresses} addresses were asked", first.message.get(lang)),
+        Lang::De => format!("{}; {asked} von {addresses} Adressen wurden gefragt", first.message.get(lang)),
     };
     if interrupted.is_some() {
         let hint = lang.pick(
             "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
             "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json",
         );
-        return Some(Failure { message: so_far, ..first }.hint(hint));
+        return Some(Failure { message: so_far.into(), ..first }.hint(hint));
     }
     if ports == 1 || count == ports {
-        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
+        return Some(if addresses > 0 { Failure { message: so_far.into(), ..first } } else { first });
     }
     let message = match lang {
-        Lang::En => format!("{count} of {ports} ports failed; the first: {}", first.message),
-        Lang::De => format!("{count} von {ports} Anschlüssen gescheitert; zuerst: {}", first.message),
+        Lang::En => format!("{count} of {ports} ports failed; the first: {}", first.message.get(lang)),
+        Lang::De => format!("{count} von {ports} Anschlüssen gescheitert; zuerst: {}", first.message.get(lang)),
     };
-    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message: message.into(), ..first })
 }
 
 fn other_master(lang: Lang) -> Failure {
@@ -373,23 +374,41 @@ struct Saved {
 /// Reads the result of an earlier scan of these ports.
 fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
     let shown = path.display();
-    let bad = |why: String| {
-        Failure::new(Class::Data, "data.resume", format!("{shown}: {why}"))
-            .hint("expected what `antrieb scan --json > RESULT.json` has written")
+    let bad = |why: Text| {
+        Failure::new(Class::Data, "data.resume", both!("{shown}: {why}", "{shown}: {why}", why)).hint(both!(
+            "expected what `antrieb scan --json > RESULT.json` has written",
+            "erwartet wird, was `antrieb scan --json > RESULT.json` geschrieben hat"
+        ))
     };
-    let text = files::read(path, files::TEXT).map_err(|error| bad(error.to_string()))?;
-    let document: Saved = serde_json::from_str(&text).map_err(|error| bad(format!("no result of a scan: {error}")))?;
+    let text = files::read(path, files::TEXT).map_err(|error| bad(error.text()))?;
+    let document: Saved = serde_json::from_str(&text)
+        .map_err(|error| bad(both!("no result of a scan: {error}", "kein Ergebnis einer Suche: {error}")))?;
     let version = crate::outcome::SCHEMA_VERSION;
     if document.schema != version {
-        return Err(bad(format!("schema {}; expected {version}", document.schema)));
+        return Err(bad(both!(
+            "schema {got}; expected {version}",
+            "Schema {got}; erwartet: {version}",
+            got = document.schema
+        )));
     }
     if document.command != "scan" {
-        return Err(bad(format!("the result of `{}`; expected that of `scan`", document.command)));
+        return Err(bad(both!(
+            "the result of `{verb}`; expected that of `scan`",
+            "das Ergebnis von `{verb}`; erwartet: das von `scan`",
+            verb = document.command
+        )));
     }
-    let scan = document.data.ok_or_else(|| bad("it holds no data; nothing was asked".to_owned()))?;
+    let scan = document.data.ok_or_else(|| {
+        bad(both!("it holds no data; nothing was asked", "es enthält keine Daten; es wurde nichts gefragt"))
+    })?;
     let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
     if !scan.searches.iter().any(|search| names.contains(&search.port)) {
-        return Err(bad(format!("a search of {}; expected one of {}", scan.port, names.join(", "))));
+        return Err(bad(both!(
+            "a search of {port}; expected one of {ports}",
+            "eine Suche an {port}; erwartet: eine an {ports}",
+            port = scan.port,
+            ports = names.join(", ")
+        )));
     }
     for search in &scan.searches {
         asked_at(search).map_err(|failure| bad(failure.message))?;

@@ -158,7 +158,7 @@ fn obeyed(target: &Target, before: &Situation, plan: &Plan<'_>, lang: Lang) -> R
         (None, _) => Ok(()),
         (Some(failure), Some(ways)) if plan.action == "reset" => {
             let hint = failure.hint.clone().unwrap_or_default();
-            Err(failure.hint(format!("{}; {hint}", ways.get(lang))))
+            Err(failure.hint(format!("{}; {}", ways.get(lang), hint.get(lang))))
         }
         (Some(failure), _) => Err(failure),
     }
@@ -174,7 +174,7 @@ async fn enabling(
 ) -> Result<(), Failure> {
     if before.state != "operation-enabled" {
         let told = upon_enabling(session, target, lang).await?;
-        told.iter().for_each(|text| session.tell(Event::Note(text.clone())));
+        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
         plan.details.extend(told);
     }
     Ok(())
@@ -278,7 +278,7 @@ async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &M
             if before.mode == Some(control.contacts) || take {
                 if word != 0 {
                     let told = runs_at(session, target, lang).await?;
-                    told.iter().for_each(|text| session.tell(Event::Note(text.clone())));
+                    told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
                     plan.details.extend(told);
                 }
                 return Ok(control.contacts);

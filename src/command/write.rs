@@ -212,11 +212,11 @@ pub(super) fn plan_only(
         "before the first of these every old value is read, after each the new one; what the drive has already is not sent",
         "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet",
     );
-    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves.to_owned() });
+    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves.to_owned().into() });
     if terms.named.is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
-            message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive),
+            message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive).into(),
         });
     }
     Ok(outcome)

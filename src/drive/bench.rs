@@ -42,9 +42,9 @@ pub async fn serve(
     let port = server.name();
     for drive in bench.drives() {
         let (address, model, line, framing) = (drive.address(), drive.model(), drive.line(), drive.protocol());
-        observe(Event::Note(format!("{model} at address {address}, {line}, {framing}")));
+        observe(Event::Note(format!("{model} at address {address}, {line}, {framing}").into()));
     }
-    observe(Event::Note(format!("serving on {port}; Ctrl-C ends it")));
+    observe(Event::Note(format!("serving on {port}; Ctrl-C ends it").into()));
     let mut clients = 0;
     let stop = async {
         match duration {
@@ -59,7 +59,7 @@ pub async fn serve(
         .run(bench, stop, |note| {
             clients += u64::from(note == Note::Connected);
             let text = if note == Note::Connected { "a client connected" } else { "the client left" };
-            observe(Event::Note(text.to_owned()));
+            observe(Event::Note(text.to_owned().into()));
         })
         .await;
     served.map_err(|error| failure(&error))?;

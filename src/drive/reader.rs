@@ -134,7 +134,7 @@ impl<'t, 'o> Reader<'t, 'o> {
                         Lang::En => format!("parameter {}: {bits} bits wide, found out by asking", param.id),
                         Lang::De => format!("Parameter {}: {bits} Bit breit, durch Fragen ermittelt", param.id),
                     };
-                    self.session.tell(Event::Note(found));
+                    self.session.tell(Event::Note(found.into()));
                 }
                 if reading.corrected {
                     self.warnings.push(Warning {
@@ -144,7 +144,8 @@ impl<'t, 'o> Reader<'t, 'o> {
                             param.id,
                             param.kind.map_or("nothing", |kind| kind.name()),
                             reading.kind.name()
-                        ),
+                        )
+                        .into(),
                     });
                 }
                 let lookup = |id: u32| self.modes.get(&id).copied();
@@ -198,7 +199,7 @@ fn implausible(value: &Value, param: &Param, lang: Lang) -> Option<Warning> {
              gestörte Antwort oder ein Antrieb anderer Art (--drive)?"
         ),
     };
-    Some(Warning { code: "value.implausible".to_owned(), message })
+    Some(Warning { code: "value.implausible".to_owned(), message: message.into() })
 }
 
 /// A setting as the drive works with it, and as it is stored where that is another value.

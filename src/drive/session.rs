@@ -160,7 +160,7 @@ impl<'a> Session<'a> {
             link.record_to(open_trace(recording, &format!("{line}, {protocol}"), lang)?);
         }
         for deviation in link.deviations() {
-            observe(Event::Note(format!("{port}: {deviation}")));
+            observe(Event::Note(format!("{port}: {deviation}").into()));
         }
         let wired = is_wired(port);
         let (port, mut master) = (port.to_string(), Master::new(protocol, line, limits));
@@ -291,7 +291,7 @@ impl<'a> Session<'a> {
                      Repeater"
                 ),
             };
-            (self.observe)(Event::Note(note));
+            (self.observe)(Event::Note(note.into()));
         }
     }
 
@@ -590,7 +590,7 @@ pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event
     let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
     if let [only] = adapters.as_slice() {
         let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
-        observe(Event::Note(format!("{taking} {only}")));
+        observe(Event::Note(format!("{taking} {only}").into()));
         return Ok(Port::Serial(only.name.clone()));
     }
     let message = match (adapters.len(), lang) {

@@ -14,10 +14,10 @@ pub fn summary(failures: Vec<Failure>, succeeded: usize, lang: Lang) -> Option<F
         return Some(first);
     }
     let message = match lang {
-        Lang::En => format!("{count} of {} failed; the first: {}", count + succeeded, first.message),
-        Lang::De => format!("{count} von {} gescheitert; zuerst: {}", count + succeeded, first.message),
+        Lang::En => format!("{count} of {} failed; the first: {}", count + succeeded, first.message.get(lang)),
+        Lang::De => format!("{count} von {} gescheitert; zuerst: {}", count + succeeded, first.message.get(lang)),
     };
-    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
+    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message: message.into(), ..first };
     Some(failure)
 }
 

@@ -87,7 +87,7 @@ fn unspeakable(lang: Lang) -> Failure {
 }
 
 /// Somebody speaks on the line all the time.
-pub(super) fn never_silent(message: impl Into<String>, lang: Lang) -> Failure {
+pub(super) fn never_silent(message: impl Into<crate::text::Text>, lang: Lang) -> Failure {
     Failure::new(Class::Garbled, "garbled.never_silent", message).hint(lang.pick(
         "another master, two drives at one address, or a wrong baud rate? `antrieb sniff` shows what is said",
         "ein zweiter Master, zwei Antriebe mit einer Adresse oder eine falsche Baudrate? `antrieb sniff` zeigt, was \

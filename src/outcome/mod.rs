@@ -29,6 +29,7 @@ pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written}
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
 
 use crate::failure::Failure;
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -73,7 +74,7 @@ pub struct Warning {
     /// Stable and dotted.
     pub code: String,
     /// For people.
-    pub message: String,
+    pub message: Text,
 }
 
 /// The findings of every verb.
@@ -153,7 +154,7 @@ pub enum Event {
     /// A drive was found.
     Found(FoundDrive),
     /// For people, on the way.
-    Note(String),
+    Note(Text),
     /// A line of a stream: data, as it comes.
     Record(Box<Record>),
 }
@@ -171,9 +172,9 @@ pub struct ErrorDoc {
     /// Stable and dotted.
     pub code: String,
     /// For people.
-    pub message: String,
+    pub message: Text,
     /// What to do next.
-    pub hint: Option<String>,
+    pub hint: Option<Text>,
     /// Exit code of the process for this failure.
     pub exit: u8,
     /// Facts for machines.
@@ -186,7 +187,7 @@ impl From<&Failure> for ErrorDoc {
             class: failure.class,
             code: failure.code.clone(),
             message: failure.message.clone(),
-            hint: failure.hint.clone(),
+            hint: failure.hint.as_deref().cloned(),
             exit: failure.class.exit(),
             context: failure.context.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect(),
         }

@@ -3,9 +3,10 @@
 use super::link::Link;
 use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
+use super::names::{fold, same, starts};
 use super::param::Param;
 use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
-use super::text::{Text, fold, same, starts};
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 /// Everything that the catalogues know of one drive.

@@ -1,7 +1,7 @@
 //! How the parameters of a family are reached over Modbus: the `[link]` table of a catalogue.
 
 use super::param::Type;
-use super::text::Text;
+use crate::text::Text;
 use serde::Deserialize;
 
 /// The way to the parameters of a family.

@@ -4,7 +4,7 @@
 //! planner finds the commands from the present state to a goal, or says what stands in the way.
 
 use super::row::CatalogueRow;
-use super::text::Lang;
+use crate::text::Lang;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 

@@ -9,13 +9,14 @@ mod family;
 mod link;
 mod machine;
 mod motion;
+mod names;
 mod param;
 mod row;
 mod select;
 pub mod setpoint;
-mod text;
 pub mod value;
 
+pub use crate::text::{Lang, Text};
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{Family, LookupError, WordBit};
 pub use link::{Cause, Holds, LineTable, Link, Route};
@@ -24,8 +25,8 @@ pub use motion::{
     Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, MotionRules, Movement, Part, Preset, Rest, Setting,
     Show, Source, Start, Stator, StopRow,
 };
+pub use names::{fold, place};
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
 pub use row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultRow};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
-pub use text::{Lang, Text, fold, place};
 pub use value::format_value;

@@ -3,7 +3,7 @@
 
 use super::machine::{Need, Takes};
 use super::row::CatalogueRow;
-use super::text::{Lang, Text};
+use crate::text::{Lang, Text};
 use serde::Deserialize;
 
 /// What moving a drive of this family needs besides its state machine.

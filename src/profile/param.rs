@@ -1,6 +1,6 @@
 //! One parameter of a drive: what the catalogue knows about it.
 
-use super::text::{Lang, Text};
+use crate::text::{Lang, Text};
 use serde::Deserialize;
 
 /// Data type of a parameter on the wire.
@@ -201,7 +201,7 @@ impl Param {
             id,
             slug: format!("parameter-{id}"),
             short: None,
-            name: Text { en: format!("Parameter {id}"), de: format!("Parameter {id}") },
+            name: Text { en: format!("Parameter {id}").into(), de: format!("Parameter {id}").into() },
             unit: None,
             kind: None,
             decimals: None,

@@ -1,6 +1,6 @@
 //! Rows of a catalogue that carry texts: states, faults, errors, counters, bits; and what makes two rows the same.
 
-use super::text::{Lang, Text};
+use crate::text::{Lang, Text};
 use serde::Deserialize;
 
 /// A state of the drive's state machine.
@@ -173,9 +173,9 @@ catalogue_rows! {
     DriveState, |row| format!("state {}", row.slug), [row.slug.as_str()];
     FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
     FaultRow, |row| format!("fault 0x{:04X}", row.code),
-        [&row.key, &row.cause.en, &row.cause.de, &row.remedy.en, &row.remedy.de].map(String::as_str);
-    ErrorRow, |row| format!("error {}", row.code), [&row.slug, &row.hint.en, &row.hint.de].map(String::as_str);
-    CounterRow, |row| format!("counter 0x{:02X}", row.sub), [&row.slug, &row.help.en, &row.help.de].map(String::as_str);
+        row.cause.both().into_iter().chain(row.remedy.both()).chain([row.key.as_str()]);
+    ErrorRow, |row| format!("error {}", row.code), row.hint.both().into_iter().chain([row.slug.as_str()]);
+    CounterRow, |row| format!("counter 0x{:02X}", row.sub), row.help.both().into_iter().chain([row.slug.as_str()]);
     BitRow, |row| { let _ = row; String::new() },
         row.help.iter().flat_map(|help| help.both()).chain([row.slug.as_str()]).collect::<Vec<_>>();
 }

@@ -200,7 +200,7 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
 
 /// The raw value whose text it is; or the only one whose text starts with it or has it as a word.
 fn choice(text: &str, choices: &[(i64, [&str; 2])]) -> Option<i64> {
-    let exact = choices.iter().find(|(_, names)| names.iter().any(|name| super::text::same(name, text)));
+    let exact = choices.iter().find(|(_, names)| names.iter().any(|name| super::names::same(name, text)));
     if let Some((raw, _)) = exact {
         return Some(*raw);
     }
@@ -209,9 +209,9 @@ fn choice(text: &str, choices: &[(i64, [&str; 2])]) -> Option<i64> {
         let first = fitting.next()?;
         fitting.next().is_none().then_some(first.0)
     };
-    let query = super::text::fold(text);
-    let has_word = |name: &str| super::text::fold(name).split(' ').any(|word| word == query);
-    only(&|name| super::text::starts(name, text)).or_else(|| only(&has_word))
+    let query = super::names::fold(text);
+    let has_word = |name: &str| super::names::fold(name).split(' ').any(|word| word == query);
+    only(&|name| super::names::starts(name, text)).or_else(|| only(&has_word))
 }
 
 /// Holds a raw value against the printed range of the parameter.

@@ -1,12 +1,19 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
 use super::clean;
+use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive};
+use crate::text::{Lang, Text};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::rc::Rc;
+
+const NOTE: &Text = &Text::new("note", "Anmerkung");
+const WARNING: &Text = &Text::new("warning", "Warnung");
+const ERROR: &Text = &Text::new("error", "Fehler");
+const HINT: &Text = &Text::new("hint", "Hinweis");
 
 /// Where a run reads and writes; real for the program, made up for tests.
 pub struct Streams {
@@ -46,6 +53,7 @@ impl std::fmt::Debug for Console {
 
 struct Inner {
     err: Box<dyn Write>,
+    lang: Lang,
     quiet: bool,
     progress: bool,
     /// The bars on the terminal, as long as there are any.
@@ -56,12 +64,47 @@ struct Inner {
 
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
-    pub fn new(err: Box<dyn Write>, quiet: bool, progress: bool) -> Self {
-        Console { inner: Rc::new(RefCell::new(Inner { err, quiet, progress, drawn: None, bars: BTreeMap::new() })) }
+    pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
+        let inner = Inner { err, lang, quiet, progress, drawn: None, bars: BTreeMap::new() };
+        Console { inner: Rc::new(RefCell::new(inner)) }
+    }
+
+    /// What is worth knowing besides.
+    pub fn note(&self, text: &Text) {
+        self.labelled(NOTE, text);
+    }
+
+    /// What may not be as it should.
+    pub fn warning(&self, text: &Text) {
+        self.labelled(WARNING, text);
+    }
+
+    /// What went wrong, and what to do.
+    pub fn failure(&self, failure: &Failure) {
+        self.labelled(ERROR, &failure.message);
+        if let Some(hint) = &failure.hint {
+            self.labelled(HINT, hint);
+        }
+    }
+
+    fn labelled(&self, label: &Text, text: &Text) {
+        let lang = self.lang();
+        self.line(&format!("{}: {}", label.get(lang), text.get(lang)));
+    }
+
+    /// The language in which it speaks.
+    pub fn lang(&self) -> Lang {
+        self.inner.borrow().lang
     }
 
     /// Shows what happens on the way.
     pub fn observe(&self, event: Event) {
+        if let Event::Note(text) = &event {
+            if !self.inner.borrow().quiet {
+                self.note(text);
+            }
+            return;
+        }
         let mut inner = self.inner.borrow_mut();
         match event {
             Event::Telegram { at_us, direction, hex, meaning } => {
@@ -73,16 +116,13 @@ impl Console {
             Event::Found(drive) => {
                 if !inner.quiet {
                     let FoundDrive { drive, address, title, port, line, protocol, .. } = drive;
-                    inner.line(&format!("found {drive} at {address}: {title} ({port}, {line} {protocol})"));
+                    let found = inner.lang.pick("found", "gefunden:");
+                    let at = inner.lang.pick("at", "unter");
+                    inner.line(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
                 }
             }
-            Event::Note(text) => {
-                if !inner.quiet {
-                    inner.line(&format!("note: {text}"));
-                }
-            }
-            // Data: goes to stdout, by the stream.
-            Event::Record(_) => {}
+            // A record is data: it goes to stdout, by the stream.
+            Event::Note(_) | Event::Record(_) => {}
         }
     }
 

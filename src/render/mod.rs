@@ -4,12 +4,13 @@ mod ask;
 mod console;
 mod document;
 mod finding;
+mod spoken;
 mod stream;
 mod words;
 
 pub use ask::{Input, Terminal};
 pub use console::{Console, Streams};
-pub use document::{print, print_end, print_failure};
+pub use document::{print, print_end};
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use std::str::FromStr;

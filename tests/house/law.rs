@@ -3,11 +3,12 @@
 /// Room or part of one, and what it may name outside itself. The longest path that fits a file is its row.
 pub(crate) const LAW: &[(&str, &[&str])] = &[
     ("tick", &[]),
-    ("failure", &[]),
-    ("files", &[]),
-    ("gate", &[]),
-    ("outcome", &["failure"]),
-    ("profile", &[]),
+    ("text", &[]),
+    ("failure", &["text"]),
+    ("files", &["text"]),
+    ("gate", &["text"]),
+    ("outcome", &["failure", "text"]),
+    ("profile", &["text"]),
     ("protocol", &["tick"]),
     ("exchange", &["protocol", "tick"]),
     ("simulator", &["protocol", "profile", "tick"]),
@@ -31,12 +32,24 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
         "simulator::bench",
         &["simulator::judge", "simulator::line", "simulator::station", "simulator::totals", "protocol", "tick"],
     ),
-    ("transport", &["simulator", "files", "protocol::line", "protocol::Hex", "tick"]),
+    ("transport", &["simulator", "files", "text", "protocol::line", "protocol::Hex", "tick"]),
     (
         "drive",
-        &["exchange", "transport", "profile", "gate", "failure", "files", "outcome", "tick", "simulator", "protocol"],
+        &[
+            "exchange",
+            "transport",
+            "profile",
+            "gate",
+            "failure",
+            "files",
+            "outcome",
+            "text",
+            "tick",
+            "simulator",
+            "protocol",
+        ],
     ),
-    ("render", &["outcome", "failure", "gate", "profile"]),
+    ("render", &["outcome", "failure", "gate", "profile", "text"]),
     (
         "args",
         &[
@@ -45,14 +58,15 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
             "render",
             "failure",
             "files",
+            "text",
             "tick",
             "protocol::line",
             "protocol::modbus",
             "protocol::Protocol",
         ],
     ),
-    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "files", "tick"]),
-    ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure"]),
+    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "files", "text", "tick"]),
+    ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure", "text"]),
 ];
 
 /// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.

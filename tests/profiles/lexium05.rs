@@ -126,7 +126,7 @@ fn every_row_and_text_is_there_in_both_languages() {
         assert!(param.name.both().iter().all(|name| !name.is_empty()) && !param.source.is_empty(), "{}", param.id);
     }
     for row in &family.counters {
-        assert!([&row.en, &row.de, &row.help.en, &row.help.de].iter().all(|text| !text.is_empty()), "{}", row.slug);
+        assert!([&*row.en, &*row.de, &*row.help.en, &*row.help.de].iter().all(|text| !text.is_empty()), "{}", row.slug);
     }
     let subs: Vec<_> = family.counters.iter().map(|row| row.sub).collect();
     assert_eq!(subs, [11, 12, 13, 16, 17, 18]);

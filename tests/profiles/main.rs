@@ -214,7 +214,7 @@ fn all_16_bits_of_the_warning_word_are_named_and_explained() {
         for bit in bits {
             let row = bit.row.unwrap();
             let help = row.help.as_ref().unwrap();
-            assert!([&row.en, &row.de, &help.en, &help.de].iter().all(|text| !text.is_empty()), "{}", bit.bit);
+            assert!([&*row.en, &*row.de, &*help.en, &*help.de].iter().all(|text| !text.is_empty()), "{}", bit.bit);
         }
     }
 }
@@ -228,7 +228,11 @@ fn the_error_register_is_complete() {
         let slugs: BTreeSet<_> = family.errors.iter().map(|row| row.slug.as_str()).collect();
         assert_eq!(slugs.len(), ERRORS.len());
         for row in &family.errors {
-            assert!([&row.en, &row.de, &row.hint.en, &row.hint.de].iter().all(|text| !text.is_empty()), "{}", row.code);
+            assert!(
+                [&*row.en, &*row.de, &*row.hint.en, &*row.hint.de].iter().all(|text| !text.is_empty()),
+                "{}",
+                row.code
+            );
         }
     }
 }
@@ -413,7 +417,11 @@ fn the_counters_of_code_8_are_all_explained() {
         let subs: Vec<_> = family.counters.iter().map(|row| row.sub).collect();
         assert_eq!(subs, [0x0B, 0x0C, 0x0D, 0x0E, 0x0F, 0x10, 0x11, 0x12]);
         for row in &family.counters {
-            assert!([&row.en, &row.de, &row.help.en, &row.help.de].iter().all(|text| !text.is_empty()), "{}", row.slug);
+            assert!(
+                [&*row.en, &*row.de, &*row.help.en, &*row.help.de].iter().all(|text| !text.is_empty()),
+                "{}",
+                row.slug
+            );
         }
     }
 }

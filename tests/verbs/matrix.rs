@@ -161,7 +161,7 @@ fn interrupted(after: usize, code: u8, line: &str) {
     let class = outcome.failure.as_ref().map(|failure| failure.class);
     assert_eq!(class.map_or(0, Class::exit), code, "{line}: {:?}", outcome.failure);
     let printed = |format: Format, lang: Lang| {
-        let (mut out, console) = (Vec::new(), Console::new(Box::new(std::io::sink()), true, false));
+        let (mut out, console) = (Vec::new(), Console::new(Box::new(std::io::sink()), lang, true, false));
         render::print(&outcome, entry.name, format, lang, None, &mut out, &console).unwrap();
         String::from_utf8(out).unwrap()
     };

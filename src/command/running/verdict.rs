@@ -7,6 +7,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
 use crate::profile::{Family, Lang, Need};
+use crate::text::Text;
 
 /// The failure of a run; `None` only if the final state is the one that was promised.
 pub(super) fn of(
@@ -53,11 +54,11 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     let mut failure = failure;
     if stop.choice == "keep" {
         let kept = lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt");
-        failure.message = format!("{}; keep: {kept}", failure.message);
+        failure.message = format!("{}; keep: {kept}", failure.message.get(lang)).into();
         return if failure.class == Class::Port { dangerous(failure, family, lang) } else { failure };
     }
     let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
-    failure.message = format!("{}; {way}: {}", failure.message, came_of(stop, done.idle, lang));
+    failure.message = format!("{}; {way}: {}", failure.message.get(lang), came_of(stop, done.idle, lang)).into();
     if stop.acknowledged && stop.standing == Some(true) {
         return failure;
     }
@@ -92,7 +93,7 @@ fn is_off(stop: &Stop) -> bool {
 
 /// The danger first, and what ends it; why it came to that is for later.
 fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
-    if failure.message.starts_with(may_turn(lang)) {
+    if failure.message.get(lang).starts_with(may_turn(lang)) {
         return failure;
     }
     hinted(warned(failure, lang), [Some(what_stops_it(family, lang))])
@@ -101,8 +102,8 @@ fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
 /// The danger first.
 fn warned(failure: Failure, lang: Lang) -> Failure {
     let mut failure = failure;
-    if !failure.message.starts_with(may_turn(lang)) {
-        failure.message = format!("{}: {}", may_turn(lang), failure.message);
+    if !failure.message.get(lang).starts_with(may_turn(lang)) {
+        failure.message = format!("{}: {}", may_turn(lang), failure.message.get(lang)).into();
     }
     failure
 }
@@ -110,9 +111,9 @@ fn warned(failure: Failure, lang: Lang) -> Failure {
 /// A failure with hints before the one that it has.
 fn hinted<const N: usize>(failure: Failure, hints: [Option<String>; N]) -> Failure {
     let mut failure = failure;
-    let last = failure.hint.take().filter(|hint| !hint.is_empty());
-    let hints: Vec<_> = hints.into_iter().flatten().chain(last).collect();
-    if hints.is_empty() { failure } else { failure.hint(hints.join("; ")) }
+    let last = failure.hint.take().map(|hint| *hint).filter(|hint| !hint.is_empty());
+    let hints: Vec<_> = hints.into_iter().flatten().map(Text::from).chain(last).collect();
+    if hints.is_empty() { failure } else { failure.hint(Text::join(&hints, "; ")) }
 }
 
 /// The end came as it was to come, but not the stop.

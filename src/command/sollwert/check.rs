@@ -92,7 +92,7 @@ impl Check<'_, '_> {
         if value != 0 {
             let selected = working(self.session, self.target, &by, self.lang).await?;
             let text = self.told_addition(wanted, adds, (&shows, value), (&by, selected));
-            self.session.tell(Event::Note(text));
+            self.session.tell(Event::Note(text.into()));
         }
         Ok(Some(value).filter(|_| !adds.sum))
     }
@@ -161,7 +161,7 @@ impl Check<'_, '_> {
         let lifted = wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family, self.lang);
-            self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least)));
+            self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least).into()));
         }
         Ok(lifted.then_some(least))
     }

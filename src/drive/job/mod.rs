@@ -30,7 +30,8 @@ pub struct Step {
 
 /// Leaves out what is planned: the port went away before anything was sent.
 pub fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
-    failure.message = format!("{}; {}", failure.message, lang.pick("nothing was begun", "es wurde nichts begonnen"));
+    failure.message =
+        format!("{}; {}", failure.message.get(lang), lang.pick("nothing was begun", "es wurde nichts begonnen")).into();
     let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
     for row in planned {
         row.result = WriteResult::Skipped;
@@ -108,7 +109,7 @@ fn forbids(failure: &Failure, force: bool) -> bool {
 
 fn nothing_sent(failure: Failure, lang: Lang) -> Failure {
     let text = lang.pick("nothing was written", "es wurde nichts geschrieben");
-    Failure { message: format!("{}; {text}", failure.message), ..failure }
+    Failure { message: format!("{}; {text}", failure.message.get(lang)).into(), ..failure }
 }
 
 /// The width that the drive has told, or that nobody tells, before anything is sent.
@@ -180,8 +181,10 @@ pub async fn carry_out(
                 let mut failure = error.failure(address, Some(&job.target.family), lang);
                 if row.result == WriteResult::Skipped {
                     failure.message = match lang {
-                        Lang::En => format!("{}; P.{} was not begun", failure.message, row.param),
-                        Lang::De => format!("{}; P.{} wurde nicht begonnen", failure.message, row.param),
+                        Lang::En => format!("{}; P.{} was not begun", failure.message.get(lang), row.param).into(),
+                        Lang::De => {
+                            format!("{}; P.{} wurde nicht begonnen", failure.message.get(lang), row.param).into()
+                        }
                     };
                 }
                 Some(failure)
@@ -267,7 +270,8 @@ fn unproven(fate: &WriteFate, target: &Target, row: &Written, lang: Lang) -> Opt
         }
         WriteFate::Unknown(error) => {
             let mut failure = error.failure(address, Some(&target.family), lang);
-            failure.message = format!("whether P.{} was written is unknown: {}", row.param, failure.message);
+            failure.message =
+                format!("whether P.{} was written is unknown: {}", row.param, failure.message.get(lang)).into();
             Some(failure)
         }
     }
@@ -287,7 +291,7 @@ pub fn done(jobs: Vec<Job>, failures: Vec<Failure>, terms: &Terms<'_>) -> Outcom
             "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
             "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen",
         );
-        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned() });
+        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned().into() });
     }
     let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
     let failure = summary(failures, succeeded, terms.lang());
@@ -324,5 +328,5 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
              zurück führt, mit der neuen Einstellung {old} zu schreiben"
         ),
     };
-    Some(Warning { code: "line.changed".to_owned(), message })
+    Some(Warning { code: "line.changed".to_owned(), message: message.into() })
 }

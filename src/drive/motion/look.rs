@@ -359,7 +359,7 @@ mod tests {
             let beyond =
                 watchdog_raw(&family(drive), Span::from_micros(most as u64 * unit_us + 1), Lang::De).unwrap_err();
             assert_eq!(beyond.code, "data.range", "{drive}");
-            assert!(beyond.message.contains("höchstens"), "{}", beyond.message);
+            assert!(beyond.message.get(Lang::De).contains("höchstens"), "{beyond:?}");
         }
         assert_eq!(watchdog_seconds(&family("acu"), 2), Decimal { raw: 2, decimals: 0 });
         assert_eq!(watchdog_seconds(&family("lxm05"), 700), Decimal { raw: 700, decimals: 3 });
@@ -368,7 +368,8 @@ mod tests {
     #[test]
     fn what_does_not_say_who_controls_it_is_not_refused() {
         let target = |drive: &str| Target::new(1, family(drive));
-        let refused = |drive: &str, mode| no_control(&situation(0, mode), &target(drive), Lang::En).map(|f| f.message);
+        let refused =
+            |drive: &str, mode| no_control(&situation(0, mode), &target(drive), Lang::En).map(|f| f.to_string());
         assert_eq!([refused("acu", None), refused("acu", Some(1)), refused("lxm05", Some(0))], [None, None, None]);
         let text = refused("act", Some(2)).unwrap();
         assert!(text.contains("P.412 is 2, it must be 1"), "{text}");
@@ -429,7 +430,7 @@ mod tests {
     fn a_trip_is_named_with_its_remedy() {
         let acu = family("acu");
         let known = tripped(&acu, 0x0500, Lang::En);
-        assert!(known.message.starts_with("the drive has tripped: F0500 "), "{}", known.message);
-        assert_eq!(tripped(&acu, 0, Lang::En).message, "the drive has tripped");
+        assert!(known.to_string().starts_with("the drive has tripped: F0500 "), "{known}");
+        assert_eq!(tripped(&acu, 0, Lang::En).to_string(), "the drive has tripped");
     }
 }

@@ -186,9 +186,15 @@ impl Motor<'_, '_> {
         let Some((_, at)) = self.shown else { return };
         let ago = self.session.now().since(at).as_millis();
         self.notes.push(match self.lang {
-            Lang::En => format!("seen without power {ago} ms before the end; not read after that: {}", failure.message),
+            Lang::En => format!(
+                "seen without power {ago} ms before the end; not read after that: {}",
+                failure.message.get(self.lang)
+            ),
             Lang::De => {
-                format!("{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {}", failure.message)
+                format!(
+                    "{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {}",
+                    failure.message.get(self.lang)
+                )
             }
         });
     }
@@ -213,9 +219,9 @@ impl Motor<'_, '_> {
             "the stop was sent all the same, but it is not obeyed",
             "der Halt wurde trotzdem gesendet, aber nicht befolgt",
         );
-        failure.message = format!("{}; {sent}", failure.message);
+        failure.message = format!("{}; {sent}", failure.message.get(self.lang)).into();
         if ["operation-enabled", "quick-stop-active", "unknown"].contains(&seen.state.as_str()) {
-            failure.message = format!("{}: {}", may_turn(self.lang), failure.message);
+            failure.message = format!("{}: {}", may_turn(self.lang), failure.message.get(self.lang)).into();
         }
         failure.hint(self.lang.pick(
             "its enable or start contact, its keypad or the mains stop it; --take-control takes it over for the run",

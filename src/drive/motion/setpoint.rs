@@ -351,7 +351,7 @@ impl Motor<'_, '_> {
         let taken = control.zip(mode).is_some_and(|(control, mode)| mode != control.obeys);
         if taken {
             let failure = self.taken().await;
-            self.notes.push(failure.message);
+            self.notes.push(failure.message.get(self.lang).to_owned());
         }
         taken
     }

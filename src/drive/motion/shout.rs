@@ -253,8 +253,10 @@ async fn first_word(
     }
     let label = family.role_label("control-mode");
     session.tell(Event::Note(match session.lang() {
-        Lang::En => format!("{label} did not tell in time what the control word is: a quick stop in place of the ramp"),
-        Lang::De => format!("{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"),
+        Lang::En => {
+            format!("{label} did not tell in time what the control word is: a quick stop in place of the ramp").into()
+        }
+        Lang::De => format!("{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe").into(),
     }));
     Ok(FirstWord { word: word_of("quick-stop"), instead: true })
 }

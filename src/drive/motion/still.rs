@@ -121,7 +121,7 @@ impl Motor<'_, '_> {
                 )
             }
         };
-        self.session.tell(Event::Note(text));
+        self.session.tell(Event::Note(text.into()));
         let wait = self.wait().at_most(COASTING);
         self.standstill_within(wait).await
     }

@@ -171,7 +171,7 @@ impl Motor<'_, '_> {
             Lang::En => format!("{label} is 2, and contacts know no quick stop: {slug} in its place"),
             Lang::De => format!("{label} ist 2, und Kontakte kennen keinen Schnellhalt: stattdessen {slug}"),
         };
-        self.session.tell(Event::Note(text.clone()));
+        self.session.tell(Event::Note(text.clone().into()));
         self.instead = Some(text);
         way
     }
@@ -192,7 +192,7 @@ impl Motor<'_, '_> {
             (choice, Lang::En) => format!("running; Ctrl-C stops: {}", choice.slug()),
             (choice, Lang::De) => format!("läuft; Ctrl-C hält an: {}", choice.slug()),
         };
-        self.session.tell(Event::Note(text));
+        self.session.tell(Event::Note(text.into()));
     }
 
     /// Says that the stop is under way, and what another interrupt does.
@@ -204,7 +204,7 @@ impl Motor<'_, '_> {
             (None, Lang::En) => format!("stopping: {slug}; another Ctrl-C waits no longer"),
             (None, Lang::De) => format!("der Halt läuft: {slug}; noch ein Ctrl-C wartet ihn nicht ab"),
         };
-        self.session.tell(Event::Note(text));
+        self.session.tell(Event::Note(text.into()));
     }
 
     fn tell_stronger(&mut self, way: StopChoice, next: StopChoice, interrupted: bool) {
@@ -215,7 +215,7 @@ impl Motor<'_, '_> {
             (false, Lang::En) => format!("{way} is not obeyed: {next} in its place"),
             (false, Lang::De) => format!("{way} wird nicht befolgt: stattdessen {next}"),
         };
-        self.session.tell(Event::Note(text.clone()));
+        self.session.tell(Event::Note(text.clone().into()));
         self.notes.push(text);
     }
 

@@ -73,10 +73,10 @@ pub(super) fn unmoved(place: Place, lang: Lang) -> Failure {
 /// A failure that leaves the drive at a known place.
 pub(super) fn left(cause: Failure, how: &str, place: Place, lang: Lang) -> Failure {
     let message = match lang {
-        Lang::En => format!("{}; the drive answers at {place} ({how})", cause.message),
-        Lang::De => format!("{}; der Antrieb antwortet unter {place} ({how})", cause.message),
+        Lang::En => format!("{}; the drive answers at {place} ({how})", cause.message.get(lang)),
+        Lang::De => format!("{}; der Antrieb antwortet unter {place} ({how})", cause.message.get(lang)),
     };
-    Failure { message, ..cause }
+    Failure { message: message.into(), ..cause }
 }
 
 /// A failure that leaves the drive nobody knows where.
@@ -89,13 +89,18 @@ pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&out
         Lang::De => format!("; nach einem Neustart vielleicht unter {}", later.text),
     });
     let message = match lang {
-        Lang::En => format!("{}; where the drive is now is not known: look at {places}{later}", cause.message),
+        Lang::En => {
+            format!("{}; where the drive is now is not known: look at {places}{later}", cause.message.get(lang))
+        }
         Lang::De => {
-            format!("{}; wo der Antrieb jetzt ist, ist unbekannt: zu suchen unter {places}{later}", cause.message)
+            format!(
+                "{}; wo der Antrieb jetzt ist, ist unbekannt: zu suchen unter {places}{later}",
+                cause.message.get(lang)
+            )
         }
     };
     let class = if cause.class == Class::Port { Class::Port } else { Class::Silence };
-    Failure { message, class, code: "silence.lost".to_owned(), ..cause }.hint(lang.pick(
+    Failure { message: message.into(), class, code: "silence.lost".to_owned(), ..cause }.hint(lang.pick(
         "check the cable; `antrieb scan --protocol auto --baud auto --parity auto` finds the drive wherever it is",
         "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist",
     ))

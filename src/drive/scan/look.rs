@@ -126,7 +126,7 @@ fn late(sign: &Sign, lang: Lang) -> Warning {
              verloren gehen: --thorough lässt niemanden aus"
         ),
     };
-    Warning { code: "scan.late".to_owned(), message }
+    Warning { code: "scan.late".to_owned(), message: message.into() }
 }
 
 /// The warning about somebody who was heard once and is gone.
@@ -135,7 +135,7 @@ pub(super) fn gone(address: u8, lang: Lang) -> Warning {
         Lang::En => format!("address {address} was heard once and does not answer any more"),
         Lang::De => format!("Adresse {address} war einmal zu hören und antwortet nicht mehr"),
     };
-    Warning { code: "scan.gone".to_owned(), message }
+    Warning { code: "scan.gone".to_owned(), message: message.into() }
 }
 
 /// The warning about an address where only garbage came. `is_clear`: others are understood at this setting.
@@ -144,7 +144,7 @@ pub(super) fn garbled(address: u8, is_clear: bool, lang: Lang) -> Warning {
         true => ("scan.same_address", same_address(address, lang)),
         false => ("scan.garbage", garbage(address, lang)),
     };
-    Warning { code: code.to_owned(), message }
+    Warning { code: code.to_owned(), message: message.into() }
 }
 
 /// The warning about a port whose line cannot be set from here.
@@ -159,13 +159,14 @@ pub(super) fn fixed_line(port: &str, known: Tuning, lang: Lang) -> Warning {
              rfc2217:// kann sie einstellen"
         ),
     };
-    Warning { code: "scan.fixed_line".to_owned(), message }
+    Warning { code: "scan.fixed_line".to_owned(), message: message.into() }
 }
 
 /// What is odd about what a survey heard.
 pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn = |code: &str, message: String| warnings.push(Warning { code: format!("scan.{code}"), message });
+    let mut warn =
+        |code: &str, message: String| warnings.push(Warning { code: format!("scan.{code}"), message: message.into() });
     if survey.is_shared() {
         warn("other_master", other_master(tuning, lang));
     } else if survey.is_occupied() {

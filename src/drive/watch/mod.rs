@@ -234,7 +234,7 @@ impl Watch<'_> {
         let note = match (failure, station.silent) {
             (Some(failure), None) => {
                 station.silent = Some(now);
-                format!("{} ({})", failure.message, self.words("going on"))
+                format!("{} ({})", failure.message.get(self.terms.lang()), self.words("going on"))
             }
             (None, Some(since)) => {
                 station.silent = None;
@@ -243,7 +243,7 @@ impl Watch<'_> {
             }
             _ => return,
         };
-        session.tell(Event::Note(note));
+        session.tell(Event::Note(note.into()));
     }
 
     /// What to do when the session is over: end with this reason, or go on without a port.
@@ -255,7 +255,9 @@ impl Watch<'_> {
             let change = self.port_change(session, Some(&failure));
             self.emit(session, Record::Lost(change));
             if reconnect {
-                session.tell(Event::Note(format!("{}; {}", failure.message, self.words("waiting for it"))));
+                session.tell(Event::Note(
+                    format!("{}; {}", failure.message.get(self.terms.lang()), self.words("waiting for it")).into(),
+                ));
             }
         }
         self.lost = Some(failure);
@@ -268,7 +270,7 @@ impl Watch<'_> {
         if reopened.is_ok() {
             self.lost = None;
             let change = self.port_change(session, None);
-            session.tell(Event::Note(format!("{}: {}", change.port, self.words("the port is back"))));
+            session.tell(Event::Note(format!("{}: {}", change.port, self.words("the port is back")).into()));
             self.emit(session, Record::Reopened(change));
             return Ok(());
         }
@@ -278,7 +280,7 @@ impl Watch<'_> {
             && self.lost.as_ref().is_some_and(|known| known.message != failure.message)
         {
             let waits = self.words("waiting for the one that was lost");
-            session.tell(Event::Note(format!("{}; {waits}", failure.message)));
+            session.tell(Event::Note(format!("{}; {waits}", failure.message.get(self.terms.lang())).into()));
             self.lost = Some(failure);
         }
         let pause = TRY_AGAIN.min(until.since(session.now()));

@@ -5,7 +5,7 @@ use crate::profile::machine::{Command, Transition};
 use crate::profile::motion::{Mode, MotionRules};
 use crate::profile::param::{Access, BitsWhen, Effective, HazardKind, Sets, Type};
 use crate::profile::row::{BitRow, CounterRow, DriveState, EnumRow, ErrorRow, FaultCodes, FaultGroup, FaultRow};
-use crate::profile::text::Text;
+use crate::text::Text;
 use serde::de;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;

@@ -5,10 +5,11 @@ use super::place::{CatalogueError, Origin, Position, shorten};
 use crate::profile::family::Family;
 use crate::profile::machine::Transition;
 use crate::profile::motion::Mode;
+use crate::profile::names::fold;
 use crate::profile::param::Param;
 use crate::profile::row::{BitRow, CatalogueRow, EnumRow, FaultRow};
-use crate::profile::text::{Text, fold};
 use crate::profile::value::parse_decimal;
+use crate::text::Text;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,7 +52,7 @@ impl Origin {
         for (name, table) in tables {
             let mut into = family.enums.remove(&name).unwrap_or_default();
             for (value, row) in self.table(("enums", &name), table, |value| into.contains_key(&value))? {
-                into.insert(value, Text { en: row.en, de: row.de });
+                into.insert(value, Text { en: row.en.into(), de: row.de.into() });
             }
             family.enums.insert(name, into);
         }
@@ -144,9 +145,14 @@ impl Origin {
     }
 
     fn param(&self, at: Position<'_>, row: ParamRow, family: &Family) -> Result<Param, CatalogueError> {
-        let texts =
-            [&row.de, &row.en].into_iter().chain(&row.slug).chain(&row.short).chain(&row.unit).chain(&row.source);
-        for text in texts.chain(row.note.iter().flat_map(|note| [&note.en, &note.de])) {
+        let texts = [&row.de, &row.en]
+            .into_iter()
+            .chain(&row.slug)
+            .chain(&row.short)
+            .chain(&row.unit)
+            .chain(&row.source)
+            .map(String::as_str);
+        for text in texts.chain(row.note.iter().flat_map(Text::both)) {
             self.check_text(at, text)?;
         }
         let [min, max, default] = self.limits(at, &row)?;
@@ -155,7 +161,7 @@ impl Origin {
             id: row.id,
             slug: row.slug.unwrap_or_else(|| fold(&row.en).replace(' ', "-")),
             short: row.short,
-            name: Text { en: row.en, de: row.de },
+            name: Text { en: row.en.into(), de: row.de.into() },
             unit: row.unit,
             kind: row.kind,
             decimals: row.decimals,

@@ -10,7 +10,7 @@ mod place;
 pub use place::CatalogueError;
 
 use super::family::Family;
-use super::text::Text;
+use crate::text::Text;
 use format::{Body, Head, SCHEMA};
 use place::{Origin, Position, shorten};
 use std::borrow::Cow;
@@ -84,8 +84,11 @@ impl Registry {
     /// Id and title of every drive, in the order of the catalogues.
     pub fn drives(&self) -> Vec<DriveTitle> {
         let rows = self.files.iter().flat_map(|file| &file.head.drives);
-        rows.map(|row| DriveTitle { id: row.id.clone(), title: Text { en: row.en.clone(), de: row.de.clone() } })
-            .collect()
+        rows.map(|row| DriveTitle {
+            id: row.id.clone(),
+            title: Text { en: row.en.clone().into(), de: row.de.clone().into() },
+        })
+        .collect()
     }
 
     /// Every drive, in the order of the catalogues.

@@ -59,7 +59,7 @@ impl Origin {
             Origin::Shipped { .. } => "",
             Origin::File { text, .. } => text,
         };
-        let (line, column) = crate::profile::text::place(text, place.offset(text).unwrap_or(0));
+        let (line, column) = crate::profile::names::place(text, place.offset(text).unwrap_or(0));
         CatalogueError { path: self.path().to_owned(), line, column, message }
     }
 

@@ -1,13 +1,23 @@
-//! The rows with the fields of the first as head line; lists and objects as JSON in a cell.
+//! The rows under a head line with the fields of all of them; lists and objects as JSON in a cell.
 
 use super::Print;
+use crate::render::spoken::pick;
 use crate::render::{clean, finding};
 use std::io::{self, Write};
 
 pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let rows: Vec<_> = page.outcome.data.iter().flat_map(|data| finding::of(data).rows()).collect();
-    let Some(first) = rows.first() else { return Ok(()) };
-    let columns: Vec<String> = first.fields.keys().cloned().collect();
+    let mut rows: Vec<_> = page.outcome.data.iter().flat_map(|data| finding::of(data).rows()).collect();
+    rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.lang));
+    // Rows of several kinds stand in one table: every field of any of them has its column.
+    let mut columns: Vec<String> = Vec::new();
+    for column in rows.iter().flat_map(|row| row.fields.keys()) {
+        if !columns.contains(column) {
+            columns.push(column.clone());
+        }
+    }
+    if rows.is_empty() {
+        return Ok(());
+    }
     let mut writer = ::csv::Writer::from_writer(out);
     writer.write_record(&columns).map_err(io_error)?;
     for row in &rows {

@@ -6,9 +6,8 @@ mod ndjson;
 mod table;
 
 use super::{Console, Format};
-use crate::failure::Failure;
 use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
-use crate::profile::Lang;
+use crate::text::{Lang, Text};
 use std::io::{self, Write};
 
 /// What is to be printed, and for whom.
@@ -39,20 +38,12 @@ pub fn print(
     form(&Print { outcome, command, lang, width }, out)?;
     out.flush()?;
     for warning in &outcome.warnings {
-        console.line(&format!("warning: {}", warning.message));
+        console.warning(&warning.message);
     }
     if let Some(failure) = &outcome.failure {
-        print_failure(failure, console);
+        console.failure(failure);
     }
     Ok(())
-}
-
-/// Says on the console what went wrong and what to do.
-pub fn print_failure(failure: &Failure, console: &Console) {
-    console.line(&format!("error: {}", failure.message));
-    if let Some(hint) = &failure.hint {
-        console.line(&format!("hint: {hint}"));
-    }
 }
 
 /// Says on the console how a run ended whose document nobody reads.
@@ -67,12 +58,12 @@ pub fn print_end(outcome: &Outcome, lang: Lang, console: &Console) {
                 true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
                 false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
             };
-            console.line(&format!("note: {}: {proof}", stop.escalated.unwrap_or(stop.choice)));
+            console.note(&Text::name(format!("{}: {proof}", stop.escalated.unwrap_or(stop.choice))));
         }
-        motion.notes.iter().for_each(|note| console.line(&format!("note: {note}")));
+        motion.notes.iter().for_each(|note| console.note(&Text::name(note)));
     }
     if let Some(failure) = &outcome.failure {
-        print_failure(failure, console);
+        console.failure(failure);
     }
 }
 

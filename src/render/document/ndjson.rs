@@ -2,6 +2,7 @@
 
 use super::Print;
 use crate::render::finding;
+use crate::render::spoken::spoken;
 use std::io::{self, Write};
 
 pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
@@ -14,10 +15,10 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
         line
     };
     for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows()) {
-        serde_json::to_writer(&mut *out, &tagged(row.kind, row.fields))?;
+        serde_json::to_writer(&mut *out, &spoken(&tagged(row.kind, row.fields), page.lang)?)?;
         writeln!(out)?;
     }
-    if let serde_json::Value::Object(mut fields) = serde_json::to_value(page.envelope(None::<()>))? {
+    if let serde_json::Value::Object(mut fields) = spoken(&page.envelope(None::<()>), page.lang)? {
         fields.remove("data");
         serde_json::to_writer(&mut *out, &tagged("end", fields))?;
         writeln!(out)?;

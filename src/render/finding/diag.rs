@@ -20,7 +20,7 @@ impl Page {
     fn diagnosis(self, report: &Diagnosis) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(&error.message));
+            return text + &format!("{}\n", clean(error.message.get(self.lang)));
         }
         let mut rows = Vec::new();
         if let Some(status) = &report.status {

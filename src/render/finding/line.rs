@@ -53,7 +53,7 @@ impl Page {
                 text += &self.histogram(&test.histogram);
             }
             if let Some(error) = &drive.error {
-                text += &format!("{}\n", clean(&error.message));
+                text += &format!("{}\n", clean(error.message.get(self.lang)));
             }
         }
         let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text));

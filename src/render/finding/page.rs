@@ -102,7 +102,7 @@ impl Page {
     /// What a value stands for: the error, the text, the state and set bits.
     pub(super) fn meaning(self, value: &Value) -> String {
         if let Some(error) = &value.error {
-            return error.message.clone();
+            return error.message.get(self.lang).to_owned();
         }
         let mut parts = Vec::new();
         parts.extend(value.text.clone());

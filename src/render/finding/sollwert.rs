@@ -24,7 +24,7 @@ impl Page {
     fn setpoints(self, report: &SetpointReport) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(&error.message));
+            return text + &format!("{}\n", clean(error.message.get(self.lang)));
         }
         for (name, values) in
             [("setpoints", &report.setpoints), ("actual values", &report.actual), ("sources", &report.sources)]

@@ -19,7 +19,7 @@ impl Page {
     fn state(self, report: &StateReport) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(&error.message));
+            return text + &format!("{}\n", clean(error.message.get(self.lang)));
         }
         let mut rows = Vec::new();
         rows.extend(report.state.iter().map(|state| ("state", state.name.clone())));

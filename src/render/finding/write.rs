@@ -18,7 +18,7 @@ impl Page {
     pub(super) fn written(self, values: &[Written]) -> String {
         let rows = values.iter().map(|row| {
             let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
-            let mut remark = row.error.as_ref().map(|error| error.message.clone());
+            let mut remark = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
             remark = remark.or_else(|| row.text.clone());
             let mut remark = remark.into_iter().chain(row.note.clone()).collect::<Vec<_>>();
             if row.result == WriteResult::Planned {

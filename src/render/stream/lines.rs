@@ -47,7 +47,7 @@ impl<'a> Lines<'a> {
             (None, None) => GAP.to_owned(),
         };
         let cells = self.board.values(sample).map(|(column, value)| short(column, value, self.lang)).collect();
-        let error = sample.error.as_ref().map_or("", |error| error.message.as_str());
+        let error = sample.error.as_ref().map_or("", |error| error.message.get(self.lang));
         self.line(&seconds(sample.t), &sample.address.to_string(), &state, cells, error)
     }
 

@@ -13,11 +13,11 @@ mod ticker;
 
 pub use live::{Key, Keys};
 
-use super::{Console, print_failure};
+use super::Console;
 use crate::outcome::{
     Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, SniffSummary, StreamEnd, StreamSummary,
 };
-use crate::profile::Lang;
+use crate::text::{Lang, Text, both};
 use std::io::{self, Write};
 
 /// Form of a stream.
@@ -87,7 +87,7 @@ impl<'a> Stream<'a> {
     pub fn open(view: View, out: &'a mut dyn Write, manner: Manner, console: &Console) -> io::Result<Self> {
         let view = if view == View::Live && !live::Terminal::is_there() { View::Lines } else { view };
         let form: Box<dyn Form + 'a> = match view {
-            View::Ndjson => Box::new(ndjson::Ndjson::new(out)),
+            View::Ndjson => Box::new(ndjson::Ndjson::new(out, manner.lang)),
             View::Csv => Box::new(csv::Csv::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
             View::Telegrams => Box::new(telegrams::Telegrams::new(out)),
@@ -118,7 +118,7 @@ impl<'a> Stream<'a> {
 
     fn tell(&mut self, event: Event) -> io::Result<()> {
         let text = match &event {
-            Event::Note(text) => text.clone(),
+            Event::Note(text) => text.get(self.manner.lang).to_owned(),
             Event::Telegram { direction, meaning, .. } => format!("{direction} {meaning}"),
             Event::Found(_) | Event::Progress { .. } | Event::Search { .. } | Event::Record(_) => String::new(),
         };
@@ -149,18 +149,18 @@ impl<'a> Stream<'a> {
             Some(Data::Sniff(sniff)) => Some(StreamSummary::Sniff(sniff.summary.clone())),
             _ => None,
         };
-        let (view, lang, console) = (self.view, self.manner.lang, self.console.clone());
+        let (view, console) = (self.view, self.console.clone());
         self.form.record(&Record::End(end(outcome, command, summary.clone())))?;
         // Gives the terminal back.
         drop(self);
         if let Some(summary) = summary
             && !matches!(view, View::Ndjson | View::Csv)
         {
-            console.observe(Event::Note(told(&summary, lang)));
+            console.observe(Event::Note(told(&summary)));
         }
-        outcome.warnings.iter().for_each(|warning| console.line(&format!("warning: {}", warning.message)));
+        outcome.warnings.iter().for_each(|warning| console.warning(&warning.message));
         if let Some(failure) = &outcome.failure {
-            print_failure(failure, &console);
+            console.failure(failure);
         }
         Ok(())
     }
@@ -183,19 +183,17 @@ fn end(outcome: &Outcome, command: &'static str, summary: Option<StreamSummary>)
     }
 }
 
-fn told(summary: &StreamSummary, lang: Lang) -> String {
-    match (summary, lang) {
-        (StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }), Lang::En) => {
-            format!("{samples} samples in {rounds} rounds and {} s, {gaps} of them gaps", cells::seconds(*t))
-        }
-        (StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }), Lang::De) => {
-            format!("{samples} Messpunkte in {rounds} Runden und {} s, davon {gaps} Lücken", cells::seconds(*t))
-        }
-        (StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }), Lang::En) => {
-            format!("{heard} telegrams in {} s, {garbled} of them disturbed", cells::seconds(*t))
-        }
-        (StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }), Lang::De) => {
-            format!("{heard} Telegramme in {} s, davon {garbled} gestört", cells::seconds(*t))
-        }
+fn told(summary: &StreamSummary) -> Text {
+    match summary {
+        StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }) => both!(
+            "{samples} samples in {rounds} rounds and {t} s, {gaps} of them gaps",
+            "{samples} Messpunkte in {rounds} Runden und {t} s, davon {gaps} Lücken",
+            t = cells::seconds(*t)
+        ),
+        StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }) => both!(
+            "{heard} telegrams in {t} s, {garbled} of them disturbed",
+            "{heard} Telegramme in {t} s, davon {garbled} gestört",
+            t = cells::seconds(*t)
+        ),
     }
 }

@@ -34,7 +34,7 @@ impl<'a> Ticker<'a> {
     fn sample(&self, sample: &Sample) -> String {
         let mut parts = vec![match (&sample.state, &sample.error) {
             (Some(state), _) => state.name.clone(),
-            (None, Some(error)) => format!("{GAP} {}", error.message),
+            (None, Some(error)) => format!("{GAP} {}", error.message.get(self.lang)),
             (None, None) => String::new(),
         }];
         for (column, value) in self.board.values(sample) {

@@ -169,7 +169,7 @@ fn two_drives_with_one_address_are_named() {
     let played = play(&drives(&[(1, ""), (17, ""), (17, "")]), &whole_line());
     assert_eq!(played.addresses(), [1]);
     assert_eq!(played.warnings(), ["scan.same_address"]);
-    assert!(played.result.warnings[0].message.contains("address 17: every reply is garbage"));
+    assert!(played.result.warnings[0].message.get(Lang::En).contains("address 17: every reply is garbage"));
     assert!(played.took < Span::from_secs(11), "{}", played.took);
     // One answers behind the other: both are heard, and the status words differ.
     let other = "reply_delay = \"28ms\"\nset = { \"411\" = \"0x0021\" }";

@@ -473,7 +473,7 @@ fn control_that_is_taken_away_ends_the_run_at_once() {
         let told = format!("P.412 = {mode}: {:?} {:?} {:?}", came.took, came.ended, came.notes);
         let failure = came.ended.result.as_ref().err().unwrap_or_else(|| panic!("{told}"));
         assert_eq!(failure.code, "forbidden.control_taken", "{told}");
-        assert!(failure.message.contains(&format!(" {mode},")), "{told}");
+        assert!(failure.to_string().contains(&format!(" {mode},")), "{told}");
         assert_eq!(came.stop().escalated, None, "{told}");
         assert!(
             came.sent

@@ -139,7 +139,7 @@ impl Screen {
         let Some(sample) = &drive.last else { return Line::raw(format!("{marker}{}", drive.about.address)) };
         let mut spans = vec![Span::styled(format!("{marker}{} {}  ", sample.address, clean(&sample.drive)), bold)];
         if let Some(error) = &sample.error {
-            let text = format!("{}: {}", self.word("gap"), clean(&error.message));
+            let text = format!("{}: {}", self.word("gap"), clean(error.message.get(self.lang)));
             spans.push(Span::styled(text, self.tint(Color::Red).add_modifier(Modifier::BOLD)));
             return Line::from(spans);
         }
@@ -206,7 +206,9 @@ impl Screen {
     fn why(&self, drive: &Drive, column: &Column) -> String {
         let Some(sample) = drive.last.as_ref().filter(|sample| sample.error.is_none()) else { return String::new() };
         let value = sample.values.iter().find(|value| column.holds(&value.value));
-        value.and_then(|value| value.value.error.as_ref()).map_or_else(String::new, |error| error.message.clone())
+        value
+            .and_then(|value| value.value.error.as_ref())
+            .map_or_else(String::new, |error| error.message.get(self.lang).to_owned())
     }
 
     pub(super) fn tint(&self, color: Color) -> Style {

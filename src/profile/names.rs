@@ -1,76 +1,9 @@
-//! Texts in two languages, and how names are compared.
-
-use serde::Deserialize;
-use std::str::FromStr;
-
-/// Language of names and texts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Lang {
-    /// English.
-    #[default]
-    En,
-    /// German.
-    De,
-}
-
-impl Lang {
-    /// The language of a POSIX locale name such as `de_DE.UTF-8`; English for all but German.
-    pub fn of_locale(locale: &str) -> Self {
-        let is_german = locale == "de" || ["de_", "de-", "de.", "de@"].iter().any(|start| locale.starts_with(start));
-        if is_german { Lang::De } else { Lang::En }
-    }
-}
-
-impl Lang {
-    /// One of two texts.
-    pub fn pick<T>(self, en: T, de: T) -> T {
-        match self {
-            Lang::En => en,
-            Lang::De => de,
-        }
-    }
-}
+//! How names are compared, and where a place in a text is.
 
 /// Line and column of a byte of a text, both from 1, the column in characters: what an editor shows.
 pub fn place(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or("");
     (before.matches('\n').count() + 1, before.rsplit('\n').next().unwrap_or("").chars().count() + 1)
-}
-
-impl FromStr for Lang {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "en" => Ok(Lang::En),
-            "de" => Ok(Lang::De),
-            _ => Err(format!("expected en or de, got '{text}'")),
-        }
-    }
-}
-
-/// A text in both languages.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Text {
-    /// English.
-    pub en: String,
-    /// German.
-    pub de: String,
-}
-
-impl Text {
-    /// The text in `lang`.
-    pub fn get(&self, lang: Lang) -> &str {
-        match lang {
-            Lang::En => &self.en,
-            Lang::De => &self.de,
-        }
-    }
-
-    /// Both languages, English first.
-    pub fn both(&self) -> [&str; 2] {
-        [&self.en, &self.de]
-    }
 }
 
 /// Folds a name for comparison: lower case, blanks for punctuation, umlauts spelt out (`ä` as `ae`).
@@ -134,13 +67,5 @@ mod tests {
         }
         assert!(!starts("Übergang 5", "gang"));
         assert!(same("max. Regelabweichung", "MAX REGELABWEICHUNG"));
-    }
-
-    #[test]
-    fn locales_choose_the_language() {
-        assert_eq!(Lang::of_locale("de_DE.UTF-8"), Lang::De);
-        assert_eq!(Lang::of_locale("de"), Lang::De);
-        assert_eq!(Lang::of_locale("den"), Lang::En);
-        assert_eq!(Lang::of_locale("C"), Lang::En);
     }
 }

@@ -1,0 +1,222 @@
+//! Texts for people, in both languages from the moment they are made. Whoever finds, refuses or asks something says it in
+//! both; only who prints it picks one. A text in one language alone does not compile where a [`Text`] is wanted.
+//!
+//! What is the same in every language (a name, a number, a path, the words of the operating system) is a [`Text::name`].
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+/// Language of names and texts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// German.
+    De,
+}
+
+impl Lang {
+    /// Both.
+    pub const ALL: [Lang; 2] = [Lang::En, Lang::De];
+
+    /// The language of a POSIX locale name such as `de_DE.UTF-8`; English for all but German.
+    pub fn of_locale(locale: &str) -> Self {
+        let is_german = locale == "de" || ["de_", "de-", "de.", "de@"].iter().any(|start| locale.starts_with(start));
+        if is_german { Lang::De } else { Lang::En }
+    }
+
+    /// One of two texts.
+    pub fn pick<T>(self, en: T, de: T) -> T {
+        match self {
+            Lang::En => en,
+            Lang::De => de,
+        }
+    }
+}
+
+impl FromStr for Lang {
+    type Err = String;
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "en" => Ok(Lang::En),
+            "de" => Ok(Lang::De),
+            _ => Err(format!("expected en or de, got '{text}'")),
+        }
+    }
+}
+
+/// A text in both languages. Serialised it has both, as `{"en": …, "de": …}`; `render` puts the one in its place that was
+/// chosen, which is why its JSON Schema is that of a string.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Text {
+    /// English.
+    pub en: Cow<'static, str>,
+    /// German.
+    pub de: Cow<'static, str>,
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Text::name(text)
+    }
+}
+
+impl From<String> for Text {
+    fn from(text: String) -> Self {
+        Text::name(text)
+    }
+}
+
+impl Text {
+    /// A text that stands in the program; see [`both!`] for one that is put together.
+    pub const fn new(en: &'static str, de: &'static str) -> Self {
+        Text { en: Cow::Borrowed(en), de: Cow::Borrowed(de) }
+    }
+
+    /// What is called so in every language: a name, a number, a path, bytes, what the operating system or a device says.
+    pub fn name(name: impl fmt::Display) -> Self {
+        let name = name.to_string();
+        Text { en: Cow::Owned(name.clone()), de: Cow::Owned(name) }
+    }
+
+    /// What `say` says in each language.
+    pub fn by(say: impl Fn(Lang) -> String) -> Self {
+        Text { en: Cow::Owned(say(Lang::En)), de: Cow::Owned(say(Lang::De)) }
+    }
+
+    /// The texts one after the other, with `between` between them.
+    pub fn join<'t>(texts: impl IntoIterator<Item = &'t Text>, between: &str) -> Self {
+        let texts: Vec<_> = texts.into_iter().collect();
+        Text::by(|lang| texts.iter().map(|text| text.get(lang)).collect::<Vec<_>>().join(between))
+    }
+
+    /// The text in `lang`.
+    pub fn get(&self, lang: Lang) -> &str {
+        match lang {
+            Lang::En => &self.en,
+            Lang::De => &self.de,
+        }
+    }
+
+    /// Both languages, English first.
+    pub fn both(&self) -> [&str; 2] {
+        Lang::ALL.map(|lang| self.get(lang))
+    }
+
+    /// Whether it says nothing in either language.
+    pub fn is_empty(&self) -> bool {
+        self.en.is_empty() && self.de.is_empty()
+    }
+
+    /// Reads a text that was printed in one language.
+    pub fn as_printed<'de, D: Deserializer<'de>>(printed: D) -> Result<Self, D::Error> {
+        String::deserialize(printed).map(Text::name)
+    }
+
+    /// For [`both!`].
+    pub(crate) fn formatted(en: fmt::Arguments<'_>, de: fmt::Arguments<'_>) -> Self {
+        let one = |text: fmt::Arguments<'_>| text.as_str().map_or_else(|| text.to_string().into(), Cow::Borrowed);
+        Text { en: one(en), de: one(de) }
+    }
+}
+
+impl JsonSchema for Text {
+    fn schema_name() -> Cow<'static, str> {
+        String::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        String::json_schema(generator)
+    }
+    fn inline_schema() -> bool {
+        String::inline_schema()
+    }
+}
+
+/// What can stand in a text: itself, or another text in the language of the whole.
+pub trait Say {
+    /// How it is shown.
+    type Said<'s>: fmt::Display
+    where
+        Self: 's;
+    /// Itself, in a language.
+    fn say(&self, lang: Lang) -> Self::Said<'_>;
+}
+
+impl<T: fmt::Display + ?Sized> Say for T {
+    type Said<'s>
+        = &'s T
+    where
+        T: 's;
+    fn say(&self, _lang: Lang) -> &T {
+        self
+    }
+}
+
+impl Say for Text {
+    type Said<'s> = &'s str;
+    fn say(&self, lang: Lang) -> &str {
+        self.get(lang)
+    }
+}
+
+impl Say for &Text {
+    type Said<'s>
+        = &'s str
+    where
+        Self: 's;
+    fn say(&self, lang: Lang) -> &str {
+        self.get(lang)
+    }
+}
+
+/// A [`Text`] of two formats. What is captured by its name in the braces is the same in both; what is another `Text` is named
+/// behind them: `both!("{part} refused: {why}", "{part} abgelehnt: {why}", why)`, or `why = error.text()`.
+macro_rules! both {
+    ($en:literal, $de:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::text::Text::formatted(
+            ::std::format_args!($en $(, $name = $crate::text::Say::say(
+                &$crate::text::both!(@ $name $(= $value)?), $crate::text::Lang::En))*),
+            ::std::format_args!($de $(, $name = $crate::text::Say::say(
+                &$crate::text::both!(@ $name $(= $value)?), $crate::text::Lang::De))*),
+        )
+    };
+    (@ $name:ident) => { $name };
+    (@ $name:ident = $value:expr) => { $value };
+}
+pub(crate) use both;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn locales_choose_the_language() {
+        assert_eq!(Lang::of_locale("de_DE.UTF-8"), Lang::De);
+        assert_eq!(Lang::of_locale("de"), Lang::De);
+        assert_eq!(Lang::of_locale("den"), Lang::En);
+        assert_eq!(Lang::of_locale("C"), Lang::En);
+    }
+
+    #[test]
+    fn a_text_says_what_stands_in_it_in_its_own_language() {
+        let (address, why) = (3, both!("silent", "stumm"));
+        let text = both!("drive {address:02}: {why}, {n}", "Antrieb {address:02}: {why}, {n}", why, n = address + 1);
+        assert_eq!(text.both(), ["drive 03: silent, 4", "Antrieb 03: stumm, 4"]);
+        assert!(
+            matches!(both!("fault", "Störung").de, Cow::Borrowed("Störung")),
+            "nothing to format, nothing to allocate"
+        );
+        assert_eq!(Text::join([&Text::name("P.11"), &why], ": ").both(), ["P.11: silent", "P.11: stumm"]);
+    }
+
+    #[test]
+    fn serialised_it_has_both_languages() {
+        let text = both!("fault", "Störung");
+        assert_eq!(serde_json::to_value(&text).unwrap(), serde_json::json!({"en": "fault", "de": "Störung"}));
+    }
+}
