@@ -156,7 +156,7 @@ mod tests {
 
     /// A station that has answered after 10 ms and after 30 ms.
     fn known() -> Heard {
-        let (mut heard, asked) = (Heard::default(), question(1));
+        let mut heard = Heard::default();
         for after in [10_000, 30_000, 20_000] {
             heard.learn(1, 3, after);
         }
@@ -193,9 +193,11 @@ mod tests {
         let stale = Weight::Stale(Span::from_millis(35));
         assert_eq!(weigh(&heard, &asked, 1_100, 50_001, false), stale, "so late it may be a copy");
         assert_eq!(weigh(&heard, &asked, 1_100, 15_000, true), stale, "behind garbage too");
-        assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Copy, "it was the answer to something else");
+        assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Again, "it was the answer to something else");
+        assert_eq!(weigh(&heard, &other, 1_100, 50_001, false), Weight::Again);
         heard.sees_surplus();
         assert!(heard.has_surplus());
+        assert_eq!(weigh(&heard, &other, 1_100, 15_000, false), Weight::Copy, "of which copies come here");
         assert_eq!(weigh(&heard, &asked, 1_600, 15_000, false), stale);
         assert_eq!(weigh(&heard, &asked, 1_601, 15_000, false), Weight::Answer, "nothing is copied so late");
         assert_eq!(heard.weigh(&sample(&other, &[9], 1_100, 15_000), true), Weight::Answer, "new bytes are no copy");

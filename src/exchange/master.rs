@@ -441,7 +441,9 @@ impl Master {
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
     fn is_doubted(&self, said: &Said) -> bool {
         let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let doubted = |job: &Job| !job.is_fenced() && (job.again || job.doubted && !names && !job.question.is_write());
+        let garbled =
+            |job: &Job| job.doubted && !names && !job.question.is_write() && !self.twins.is_vouched(job.station);
+        let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
         !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
     }
 
@@ -454,6 +456,7 @@ impl Master {
         match job.first.replace((said.clone(), after)) {
             Some((first, earlier)) if first == *said => {
                 self.heard.learn(job.station, job.question.function(), after.max(earlier));
+                self.twins.vouches(job.station);
                 true
             }
             _ => false,
@@ -492,7 +495,12 @@ impl Master {
             return self.ask_behind_fence(at, sent_end + LATEST_REPLY);
         }
         if self.is_doubted(&said) && !self.is_said_again(&said) {
-            return self.ask_behind_fence(at, at);
+            let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
+            return self.ask_behind_fence(at, due);
+        }
+        if let Some(job) = self.job.as_ref().filter(|job| job.first.is_some() && !job.is_fenced()) {
+            // Behind the fence it was answered once: what was doubted is no reply that is still to come.
+            self.debts.forgives(job.station, &job.question);
         }
         if self.is_suspected(at) {
             return self.count(at, sent_end, said);
