@@ -152,6 +152,13 @@ impl Debts {
         arrived.is_some()
     }
 
+    /// A reply that was only doubted is not to come any more, where replies come in order.
+    pub(super) fn forgives(&mut self, station: u8, question: &Question) {
+        if let Some(overtaken) = self.overtaken.get_mut(&station).filter(|_| !self.mixes) {
+            overtaken.retain(|old| old.missing != *question);
+        }
+    }
+
     /// Whether a reply came after a later one.
     pub(super) fn mixes(&self) -> bool {
         self.mixes

@@ -68,8 +68,10 @@ pub(super) enum Weight {
     Wait(Span),
     /// It answers the question, but the true reply may still come.
     Stale(Span),
-    /// It may be a copy of the answer to another question.
+    /// It may be a copy of the answer to another question, on a line that sends copies.
     Copy,
+    /// The same words came a moment ago, and this comes late or behind noise: said again, it is the answer.
+    Again,
 }
 
 impl Heard {
@@ -117,7 +119,8 @@ impl Heard {
         let other = alike.any(|old| old.answered.as_ref() != Some(sample.question));
         let late = pace.is_some_and(|pace| sample.after > pace.slowest + DAWDLE_US);
         match (is_new, self.surplus || doubtful || late) {
-            (false, true) if other => Weight::Copy,
+            (false, true) if other && self.surplus => Weight::Copy,
+            (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
@@ -125,11 +128,10 @@ impl Heard {
     }
 
     /// An answer was believed without doubt: so soon does the station answer.
-    pub(super) fn learn(&mut self, sample: &Sample<'_>) {
-        let pace = Pace { fastest: sample.after, slowest: sample.after };
-        let pace = self.paces.entry((sample.station, sample.function)).or_insert(pace);
-        pace.fastest = pace.fastest.min(sample.after);
-        pace.slowest = pace.slowest.max(sample.after);
+    pub(super) fn learn(&mut self, station: u8, function: u8, after: i64) {
+        let pace = self.paces.entry((station, function)).or_insert(Pace { fastest: after, slowest: after });
+        pace.fastest = pace.fastest.min(after);
+        pace.slowest = pace.slowest.max(after);
     }
 }
 
@@ -154,9 +156,9 @@ mod tests {
 
     /// A station that has answered after 10 ms and after 30 ms.
     fn known() -> Heard {
-        let (mut heard, asked) = (Heard::default(), question(1));
+        let mut heard = Heard::default();
         for after in [10_000, 30_000, 20_000] {
-            heard.learn(&sample(&asked, &BYTES, 0, after));
+            heard.learn(1, 3, after);
         }
         heard
     }
@@ -174,7 +176,7 @@ mod tests {
         let other = Sample { station: 2, ..sample(&asked, &BYTES, 0, 1) };
         assert_eq!(heard.weigh(&other, false), Weight::Answer);
         let mut slow = Heard::default();
-        slow.learn(&sample(&asked, &BYTES, 0, 2_000_000));
+        slow.learn(1, 3, 2_000_000);
         let held = Weight::Wait(Span::from_millis(155));
         assert_eq!(slow.weigh(&sample(&asked, &BYTES, 0, 1_000), false), held, "no true one is waited for without end");
     }
@@ -191,9 +193,11 @@ mod tests {
         let stale = Weight::Stale(Span::from_millis(35));
         assert_eq!(weigh(&heard, &asked, 1_100, 50_001, false), stale, "so late it may be a copy");
         assert_eq!(weigh(&heard, &asked, 1_100, 15_000, true), stale, "behind garbage too");
-        assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Copy, "it was the answer to something else");
+        assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Again, "it was the answer to something else");
+        assert_eq!(weigh(&heard, &other, 1_100, 50_001, false), Weight::Again);
         heard.sees_surplus();
         assert!(heard.has_surplus());
+        assert_eq!(weigh(&heard, &other, 1_100, 15_000, false), Weight::Copy, "of which copies come here");
         assert_eq!(weigh(&heard, &asked, 1_600, 15_000, false), stale);
         assert_eq!(weigh(&heard, &asked, 1_601, 15_000, false), Weight::Answer, "nothing is copied so late");
         assert_eq!(heard.weigh(&sample(&other, &[9], 1_100, 15_000), true), Weight::Answer, "new bytes are no copy");

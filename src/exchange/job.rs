@@ -47,6 +47,10 @@ pub(super) struct Job {
     pub(super) witnesses: Vec<Said>,
     /// The answer came behind garbage as long as a telegram.
     pub(super) doubted: bool,
+    /// The answer came in words that were heard a moment ago, and later than ever.
+    pub(super) again: bool,
+    /// What was said first, when it was doubted only for how it came, and how long after the question.
+    pub(super) first: Option<(Said, i64)>,
     /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
     pub(super) echoed: bool,
     /// The station sent something valid meanwhile: it is there, and late.

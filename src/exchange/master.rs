@@ -207,6 +207,8 @@ impl Master {
             rounds: 0,
             witnesses: Vec::new(),
             doubted: false,
+            again: false,
+            first: None,
             echoed: false,
             heard: false,
             counted: None,
@@ -439,16 +441,34 @@ impl Master {
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
     fn is_doubted(&self, said: &Said) -> bool {
         let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let doubted = |job: &Job| job.doubted && !job.is_fenced() && !job.question.is_write();
-        !names && !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
+        let garbled =
+            |job: &Job| job.doubted && !names && !job.question.is_write() && !self.twins.is_vouched(job.station);
+        let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
+        !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
+    }
+
+    /// Whether an answer that is doubted for how it came was given before in the same words: then it is the answer, and so
+    /// late does the station answer.
+    fn is_said_again(&mut self, said: &Said) -> bool {
+        let Some(job) = &mut self.job else { return false };
+        let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return false };
+        let after = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
+        match job.first.replace((said.clone(), after)) {
+            Some((first, earlier)) if first == *said => {
+                self.heard.learn(job.station, job.question.function(), after.max(earlier));
+                self.twins.vouches(job.station);
+                true
+            }
+            _ => false,
+        }
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
-    fn ask_behind_fence(&mut self, at: Tick, sent_end: Tick) {
+    fn ask_behind_fence(&mut self, at: Tick, due: Tick) {
         let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else {
             return;
         };
-        self.debts.owes(station, question.clone(), sent_end + LATEST_REPLY, at);
+        self.debts.owes(station, question.clone(), due, at);
         let parting = self.part(station, &question);
         let Some(job) = &mut self.job else { return };
         job.phase = match job.rounds {
@@ -471,8 +491,16 @@ impl Master {
             let stations = [Some(job.station), last.map(|last| last.0)];
             stations.into_iter().flatten().for_each(|station| self.suspect(station, at));
         }
-        if self.is_doubted(&said) || self.may_be_old(&said, at) {
-            return self.ask_behind_fence(at, sent_end);
+        if self.may_be_old(&said, at) {
+            return self.ask_behind_fence(at, sent_end + LATEST_REPLY);
+        }
+        if self.is_doubted(&said) && !self.is_said_again(&said) {
+            let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
+            return self.ask_behind_fence(at, due);
+        }
+        if let Some(job) = self.job.as_ref().filter(|job| job.first.is_some() && !job.is_fenced()) {
+            // Behind the fence it was answered once: what was doubted is no reply that is still to come.
+            self.debts.forgives(job.station, &job.question);
         }
         if self.is_suspected(at) {
             return self.count(at, sent_end, said);

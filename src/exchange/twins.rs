@@ -36,12 +36,17 @@ struct Standing {
     two: Option<Tick>,
 }
 
+/// So often an answer behind garbage must have been said again in the same words until garbage is only garbage.
+const VOUCHED: u8 = 2;
+
 /// Addresses at which two drives may answer.
 #[derive(Debug, Default)]
 pub(super) struct Twins {
     by_station: BTreeMap<u8, Standing>,
     /// How often a question was lost right behind an answer.
     lost: BTreeMap<u8, u8>,
+    /// How often an answer that was doubted for how it came was said again, and nothing spoke against it.
+    vouched: BTreeMap<u8, u8>,
 }
 
 impl Twins {
@@ -57,8 +62,20 @@ impl Twins {
         *lost >= LOST
     }
 
+    /// An answer that was doubted for how it came was said again in the same words.
+    pub(super) fn vouches(&mut self, station: u8) {
+        let vouched = self.vouched.entry(station).or_default();
+        *vouched = vouched.saturating_add(1);
+    }
+
+    /// Whether what comes before its answers is garbage and nothing else.
+    pub(super) fn is_vouched(&self, station: u8) -> bool {
+        self.vouched.get(&station).is_some_and(|&vouched| vouched >= VOUCHED) && !self.is_suspect(station)
+    }
+
     /// A second answer came in other words, but the first or the second may be to something older.
     pub(super) fn marks(&mut self, station: u8, now: Tick) {
+        self.vouched.remove(&station);
         let standing = self.by_station.entry(station).or_default();
         (standing.marks, standing.singles) = (standing.marks.saturating_add(1), 0);
         if standing.marks >= MARKS {
@@ -68,6 +85,7 @@ impl Twins {
 
     /// Two answers to one question, and nothing older could come.
     pub(super) fn proves(&mut self, station: u8, now: Tick) {
+        self.vouched.remove(&station);
         let standing = self.by_station.entry(station).or_default();
         (standing.marks, standing.two) = (standing.marks.saturating_add(1), Some(now));
     }

@@ -6,6 +6,7 @@
 mod adversary;
 mod dice;
 mod endless;
+mod jitter;
 mod line;
 mod thrown;
 

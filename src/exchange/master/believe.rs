@@ -28,7 +28,7 @@ impl Master {
                 .came
                 .get(..start)
                 .is_some_and(|before| !self.dialect.behind_echo(before, &waiting.sent).is_empty());
-            let doubtful = noise || !waiting.garbage.is_empty();
+            let doubtful = (noise || !waiting.garbage.is_empty()) && !self.twins.is_vouched(job.station);
             let another = waiting.came.get(end..).and_then(|rest| self.dialect.find(rest, job.station, job.asks()));
             let weight = match self.weigh(job, waiting.sent_end, &bytes, at, doubtful) {
                 // Two in one piece: the other is looked at first.
@@ -37,9 +37,13 @@ impl Master {
                 }
                 weight => weight,
             };
-            let rivals = matches!(weight, Some(Weight::Answer | Weight::Wait(_))) && self.rivals(at, &bytes);
+            let is_one = matches!(weight, Some(Weight::Answer | Weight::Wait(_) | Weight::Again));
+            let rivals = is_one && self.rivals(at, &bytes);
             match weight {
-                Some(Weight::Answer) if !rivals => return self.accept(at, start, end, found.said),
+                Some(Weight::Answer | Weight::Again) if !rivals => {
+                    self.job.as_mut()?.again = weight == Some(Weight::Again);
+                    return self.accept(at, start, end, found.said);
+                }
                 Some(_) if rivals => self.hold(at, start, end, found.said, Some(Weight::Answer)),
                 weight => self.hold(at, start, end, found.said, weight),
             }
@@ -105,7 +109,8 @@ impl Master {
         if let Some(held) = held {
             self.note_stray(held.at, &held.bytes);
         }
-        self.reply(at, sent_end, reply, true);
+        let is_sure = self.job.as_ref().is_some_and(|job| !job.again);
+        self.reply(at, sent_end, reply, is_sure);
         if !behind.is_empty() {
             // Nothing follows an answer but what somebody else says.
             if let Some(station) = self.job.as_ref().map(|job| job.station) {
@@ -130,7 +135,7 @@ impl Master {
             let sample = self.sample(&job, sent_end, bytes, at);
             self.heard.note(at, bytes, Some(sample.question));
             if is_sure && !job.is_fenced() {
-                self.heard.learn(&sample);
+                self.heard.learn(sample.station, sample.function, sample.after);
             }
             self.job = Some(job);
         }
@@ -188,18 +193,28 @@ impl Master {
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
             job.doubted = held.doubted;
-            self.reply(held.at, sent_end, &held.bytes, is_sure);
+            let copies = self.heard.has_surplus();
+            self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);
             self.take(held.at, sent_end, held.said);
             if !is_sure {
-                self.debts.owes(station, question, sent_end + LATEST_REPLY, now);
+                let due = if copies { sent_end + LATEST_REPLY } else { now };
+                self.debts.owes(station, question, due, now);
             }
             return Some(self.step(now));
         }
-        self.note_stray(held.at, &held.bytes);
+        self.discard(held.at, held.bytes);
         self.debts.owes(station, question, sent_end + LATEST_REPLY, now);
         let quiet = self.heard.quiet_at(now);
         self.tally.garbled += 1;
         Some(self.ask_anew(now, Parting::Quiet(quiet)))
+    }
+
+    /// An answer that we do not believe: our doubt is no sign that more came than was asked for.
+    fn discard(&mut self, at: Tick, bytes: Vec<u8>) {
+        self.heard.note(at, &bytes, None);
+        self.tally.strays += 1;
+        let Some(station) = self.job.as_ref().map(|job| job.station) else { return };
+        self.record(Record { at, verdict: Verdict::Stray { station }, bytes });
     }
 
     fn ask_anew(&mut self, now: Tick, parting: Parting) -> Step<Outcome> {

@@ -70,7 +70,7 @@ impl Master {
         if !job.is_fenced() && job.counted.is_none() && !is_named {
             // Once for each question: that is no round.
             let rounds = std::mem::take(&mut job.rounds);
-            self.ask_behind_fence(at, sent_end);
+            self.ask_behind_fence(at, sent_end + LATEST_REPLY);
             if let Some(job) = &mut self.job {
                 (job.rounds, job.kept) = (rounds, true);
             }
