@@ -3,7 +3,7 @@
 use super::route::{Cell, Content, Inquiry, No, Route, no, register};
 use super::session::{AccessError, Refusal, Session};
 use super::transfer::Target;
-use crate::exchange::{Answer, ExchangeError, Question, Said};
+use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
 use crate::outcome::Evidence;
 use crate::profile::{Family, Lang, Registry, Route as Way, Type};
 use crate::protocol::Protocol;
@@ -28,8 +28,8 @@ pub struct Finding {
     pub drive: Option<String>,
     /// What tells so.
     pub evidence: Vec<Evidence>,
-    /// What the error register held before it was overwritten by asking.
-    pub kept_register: Option<u16>,
+    /// What the error register held before it was overwritten by asking; an error if the answer that told it was lost.
+    pub kept_register: Option<Result<u16, ExchangeError>>,
     /// It refused a question on the way, which is its last synchronous error now.
     pub refused: bool,
     /// Product code, where it told one (code 43, object 1).
@@ -45,7 +45,7 @@ impl Finding {
     /// The drive as a target, if it is one that we know.
     pub fn target(&self, address: u8, registry: &Registry) -> Option<Target> {
         let mut target = Target::new(address, registry.family(self.drive.as_ref()?)?);
-        target.kept_register = self.kept_register;
+        target.kept_register = self.kept_register.clone();
         target.introduced = true;
         target.refused_on_the_way = self.refused;
         Some(target)
@@ -119,8 +119,7 @@ pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> 
     if session.protocol() == Protocol::Vabus {
         return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak it
     }
-    let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
-    Ok(match said(session.ask(address, Question::from(request)).await)? {
+    Ok(match said(session.ask(address, describe_yourself(identification::VENDOR_NAME)).await)? {
         Ok(Said::Modbus(Reply::Identification(_))) => Some(true),
         Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => Some(false),
         _ => None,
@@ -263,7 +262,10 @@ impl<'q, 's> Inquest<'q, 's> {
         }
         let Some(family) = self.registry.family("acu") else { return Ok(()) };
         if keep_register && let Some(question) = register(&family).and_then(|inquiry| self.route.question(inquiry)) {
-            self.finding.kept_register = self.session.number_once(self.route, question).await?;
+            self.finding.kept_register = match said(self.session.ask_once(self.route, question).await)? {
+                Ok(said) => self.route.number(&said).map(Ok),
+                Err(error) => Some(Err(error)),
+            };
         }
         self.reads_setpoint(&family).await
     }
@@ -300,10 +302,9 @@ impl<'q, 's> Inquest<'q, 's> {
     /// Code 43, once, before anything else: tells the drive if the answer comes. If none comes, nothing is noted, because
     /// [`Inquest::identification`] asks again where it matters.
     async fn introduction(&mut self) -> Result<(), AccessError> {
-        let retries = self.session.set_retries(0);
-        let answer = self.ask_for(identification::VENDOR_NAME).await;
-        self.session.set_retries(retries);
-        if let Ok(Said::Modbus(Reply::Identification(first))) = answer? {
+        let once = Limits { retries: 0, ..self.session.limits() };
+        let answer = self.session.ask_within(self.route.address, describe_yourself(identification::VENDOR_NAME), once);
+        if let Ok(Said::Modbus(Reply::Identification(first))) = said(answer.await)? {
             let told = self.rest_of(first).await?;
             self.described(&told);
         }
@@ -382,14 +383,18 @@ impl<'q, 's> Inquest<'q, 's> {
     }
 
     async fn ask_for(&mut self, object: u8) -> Result<Result<Said, ExchangeError>, AccessError> {
-        let request = Request::ReadIdentification { category: identification::BASIC, object };
-        said(self.session.ask(self.route.address, Question::from(request)).await)
+        said(self.session.ask(self.route.address, describe_yourself(object)).await)
     }
 
     async fn put(&mut self, inquiry: Inquiry) -> Result<Result<Said, ExchangeError>, AccessError> {
         let question = self.route.question(inquiry).ok_or(AccessError::Unspeakable)?;
         said(self.session.ask(self.route.address, question).await)
     }
+}
+
+/// Code 43: asks for the basic objects from this one on.
+fn describe_yourself(object: u8) -> Request {
+    Request::ReadIdentification { category: identification::BASIC, object }
 }
 
 /// Telegrams that a description may take behind the first. The basic objects are three (V1.1b3, 6.21), so that each may

@@ -232,25 +232,49 @@ impl<'a> Session<'a> {
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
     /// knows yet whether the adapter echoes, something else is asked first that tells.
     pub async fn ask(&mut self, station: u8, question: impl Into<Question>) -> Result<Answer, AccessError> {
+        self.ask_within(station, question, self.limits()).await
+    }
+
+    /// Like [`Session::ask`], within time limits of its own.
+    pub async fn ask_within(
+        &mut self,
+        station: u8,
+        question: impl Into<Question>,
+        limits: Limits,
+    ) -> Result<Answer, AccessError> {
         let question = question.into();
         if self.master.needs_sounding(station, &question) {
-            self.put(station, super::family::sounding().into()).await?;
+            self.put(station, super::family::sounding().into(), limits).await?;
         }
-        self.put(station, question).await
+        self.put(station, question, limits).await
+    }
+
+    /// Asks for what is gone once it has been read: once, because asked again it would say that nothing has happened, and
+    /// as patiently as one repeat would be, for a slow drive. What comes later still is an older answer as likely as this
+    /// one. An answer that is lost, or may be another's, is an error: what was there then is not known.
+    pub(super) async fn ask_once(&mut self, route: Route, question: Question) -> Result<Answer, AccessError> {
+        let limits = self.limits();
+        let reply_timeout = limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1);
+        self.ask_within(route.address, question, Limits { witness: false, retries: 0, reply_timeout, ..limits }).await
     }
 
     /// Asks a station although the line may echo: for a stop, which must not wait until that is known. What comes back may be
     /// its own echo, and proves nothing.
     pub(super) async fn blurt(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.put(station, question).await
+        self.put(station, question, self.limits()).await
     }
 
-    async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.
+    pub(super) async fn hail(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        self.put(station, question, Limits { retries: 0, ..self.limits() }).await
+    }
+
+    async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
         if self.is_over() {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..self.master.limits() };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         let records = self.master.take_records();
@@ -348,7 +372,18 @@ impl<'a> Session<'a> {
         family: &Family,
         question: Question,
     ) -> Result<Option<(Said, Span)>, AccessError> {
-        let (said, after) = match self.ask(route.address, question).await? {
+        self.demand_within(route, family, question, self.limits()).await
+    }
+
+    /// Like [`Session::demand`], within time limits of its own; the cause has the usual ones.
+    pub async fn demand_within(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+        limits: Limits,
+    ) -> Result<Option<(Said, Span)>, AccessError> {
+        let (said, after) = match self.ask_within(route.address, question, limits).await? {
             Answer::Broadcast => return Ok(None),
             Answer::Reply { said, after } => (said, after),
         };
@@ -361,33 +396,27 @@ impl<'a> Session<'a> {
         Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))
     }
 
-    /// Asks why the drive said no, and tells whether the answer was lost. What is cleared by reading is asked once: asked
-    /// again it would say that nothing was refused.
+    /// Asks why the drive said no, and tells whether the answer was lost.
     async fn cause(
         &mut self,
         route: Route,
         family: &Family,
         question: Question,
     ) -> Result<(Option<u16>, bool), AccessError> {
-        let limits = self.limits();
-        let (reply_timeout, retries) = match family.link.cause {
-            // Twice as patiently, for a slow drive; what comes later still is an older answer as likely as this one.
-            Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1), 0),
-            _ => (limits.reply_timeout, limits.retries),
+        let answer = match family.link.cause {
+            Cause::ErrorRegister => self.ask_once(route, question).await,
+            // It stands until the next one. A witness may be refused, and be the next one.
+            Cause::Diagnostics(_) => {
+                let limits = Limits { witness: false, ..self.limits() };
+                self.ask_within(route.address, question, limits).await
+            }
         };
-        let patient = Limits { witness: false, reply_timeout, retries, ..limits };
-        match self.within(patient, async |session: &mut Self| session.ask(route.address, question).await).await {
+        match answer {
             Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
             Ok(Answer::Broadcast) => Ok((None, false)),
             Err(AccessError::Exchange(_)) => Ok((None, true)),
             Err(error) => Err(error),
         }
-    }
-
-    /// Asks for a number that is gone once it has been read.
-    pub(super) async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
-        let once = Limits { witness: false, ..self.limits() };
-        self.within(once, async |session: &mut Self| session.number(route, question).await).await
     }
 
     /// Asks for a 16-bit number; `None` if the station answers with something else.

@@ -1,12 +1,12 @@
 //! Reading and writing parameters of one drive: widths, data sets, refusals, proof of writes.
 
-use super::route::{Cell, Content, Inquiry, No, Route, Width};
+use super::route::{Cell, Content, Inquiry, No, Route, Width, no};
 use super::session::{AccessError, Refusal, Session};
-use crate::exchange::{ExchangeError, Limits};
+use crate::exchange::{Answer, ExchangeError, Limits};
 use crate::gate::Permit;
 use crate::profile::{DataSets, Family, Param, Sets, Type, value};
-use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{Exception, WordOrder};
+use crate::protocol::modbus::{BROADCAST, Framing};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -32,8 +32,8 @@ pub struct Target {
     pub(super) introduced: bool,
     /// Widths that were found out by asking, for this run.
     widths: BTreeMap<u32, Type>,
-    /// What the error register held before identifying the drive could overwrite it.
-    pub(super) kept_register: Option<u16>,
+    /// What the error register held before identifying the drive could overwrite it, or why nobody knows that any more.
+    pub(super) kept_register: Option<Result<u16, ExchangeError>>,
     /// It refused a question while it was recognised, which is its last synchronous error now.
     pub refused_on_the_way: bool,
     /// The drive's watchdog in seconds, as it was read last.
@@ -139,12 +139,8 @@ impl Target {
         param: &Param,
         set: u8,
     ) -> Result<Reading, AccessError> {
-        let is_register = self.family.role("error-register").is_some_and(|register| register.id == param.id);
-        if is_register && let Some(kept) = self.kept_register.take() {
-            return Ok(Reading { set, raw: kept.into(), text: None, kind: Type::Uint, corrected: false });
-        }
         let cell = Cell { number: param.id, set };
-        if is_register {
+        if self.family.role("error-register").is_some_and(|register| register.id == param.id) {
             return self.read_once(session, param, cell).await;
         }
         let stated = self.widths.get(&param.id).copied().or(param.kind);
@@ -174,16 +170,30 @@ impl Target {
         }
     }
 
-    /// Reads what is cleared by reading: asked again after a lost reply it would say that nothing happened.
+    /// Reads what is cleared by reading, unless recognising the drive has read it: then what was heard there counts, also
+    /// that nothing was heard.
     async fn read_once(
         &mut self,
         session: &mut Session<'_>,
         param: &Param,
         cell: Cell,
     ) -> Result<Reading, AccessError> {
-        let (once, kind) =
-            (Limits { witness: false, retries: 0, ..session.limits() }, param.kind.unwrap_or(Type::Uint));
-        session.within(once, async |session: &mut Session<'_>| self.read_as(session, param, cell, kind).await).await
+        let kind = param.kind.unwrap_or(Type::Uint);
+        if let Some(kept) = self.kept_register.take() {
+            return Ok(reading(param, cell.set, Content::Bits(kept?.into(), Width::Word), kind));
+        }
+        let route = self.route(session).await?;
+        let question = route.question(Inquiry::Read(cell, kind)).ok_or(AccessError::Unspeakable)?;
+        let Answer::Reply { said, .. } = session.ask_once(route, question).await? else {
+            return Err(AccessError::Unspeakable);
+        };
+        if let Some(no) = no(&said) {
+            return Err(AccessError::Refused(Refusal { no, cause: None, unheard: false }));
+        }
+        match route.misshapen(&said, kind) {
+            Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),
+            None => Ok(reading(param, cell.set, route.content(&said).ok_or(AccessError::Unspeakable)?, kind)),
+        }
     }
 
     /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not
@@ -224,52 +234,71 @@ impl Target {
         Ok(chunk.iter().zip(values).map(read).collect())
     }
 
-    /// The way to this drive on the line of the session. Where values take two registers, which half comes first is
-    /// asked once: by the address, which is never 0 and so proves the order in force. The setting of the order proves it
-    /// only if it is not 0, and may hold from the next power-on.
+    /// The way to this drive on the line of the session. Before the first question it is greeted.
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
-        let route = Route {
+        let mut route = Route {
             node: session.node(),
             order: self.order.unwrap_or_default(),
             ..Route::new(session.protocol(), &self.family.link, self.address)
         };
         session.knows(self.address, &self.family, route.order);
-        let asks = self.order.is_none() && self.address != BROADCAST;
-        let family = self.family.clone();
-        let Some(order) = family.role("word-order").filter(|_| asks) else {
+        if self.address == BROADCAST {
             return Ok(route);
-        };
-        let mut proven = None;
-        for param in family.role("address").into_iter().chain([order]) {
+        }
+        if self.order.is_none()
+            && let Some(setting) = self.family.clone().role("word-order")
+        {
+            route.order = self.order_in_force(session, route, setting).await?;
+            self.order = Some(route.order);
+            session.knows(self.address, &self.family, route.order);
+        }
+        // Behind the word order, so that nothing is asked that it refuses.
+        self.greet(session, route).await?;
+        Ok(route)
+    }
+
+    /// Which half of a value in two registers comes first: told by the address, which is never 0 and so proves the order in
+    /// force. The setting of the order proves it only if it is not 0, and may hold from the next power-on.
+    async fn order_in_force(
+        &self,
+        session: &mut Session<'_>,
+        route: Route,
+        setting: &Param,
+    ) -> Result<WordOrder, AccessError> {
+        for param in self.family.role("address").into_iter().chain([setting]) {
             let cell = Cell { number: param.id, set: 0 };
             let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
             let answer = match session.demand(route, &self.family, question).await {
                 Err(AccessError::Refused(_)) => None,
                 answer => answer?,
             };
-            proven = answer.and_then(|(said, _)| route.content(&said)).and_then(|content| order_told(param, &content));
-            if proven.is_some() {
-                break;
+            let content = answer.and_then(|(said, _)| route.content(&said));
+            if let Some(order) = content.and_then(|content| order_told(param, &content)) {
+                return Ok(order);
             }
         }
-        self.introduce(session, route).await?;
         // Without an answer that tells, the factory setting is presumed.
-        let order = proven.unwrap_or_default();
-        self.order = Some(order);
-        session.knows(self.address, &self.family, order);
-        Ok(Route { order, ..route })
+        Ok(WordOrder::default())
     }
 
-    /// Asks a drive that somebody named, and that was not recognised, for something whose answer cannot be mistaken: where two
-    /// drives answer at the address, the second answer is the sign of it, before any value is read.
-    async fn introduce(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
+    /// Asks a drive that somebody named, and that was not recognised, for a counter, once: it touches nothing in the drive,
+    /// and its answer cannot be mistaken. Where two drives answer at the address, the second answer is the sign of it,
+    /// before any value is believed. Whoever does not know counters is asked for the value all the same. A stop greets
+    /// nobody, and behind a gateway every answer names its question.
+    async fn greet(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
         if self.introduced || session.is_insisting() {
             return Ok(());
         }
         self.introduced = true;
-        let Some(counter) = self.family.counters.first() else { return Ok(()) };
-        let Some(question) = route.question(Inquiry::Counter(counter.sub)) else { return Ok(()) };
-        session.ask(self.address, question).await.map(|_| ())
+        let counter = self.family.counters.first().filter(|_| route.protocol != Framing::Tcp.into());
+        let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) else {
+            return Ok(());
+        };
+        match session.hail(self.address, question).await {
+            Err(error @ AccessError::Exchange(ExchangeError::TwoAnswers { .. })) => Err(error),
+            Ok(_) | Err(AccessError::Exchange(_)) => Ok(()),
+            Err(error) => Err(error),
+        }
     }
 
     async fn read_as(
@@ -370,13 +399,11 @@ impl Target {
         let both =
             route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
         let mut question = both.unwrap_or_else(|| plain.clone());
-        let limits = session.limits();
+        let (limits, once) = (session.limits(), Limits { retries: 0, ..session.limits() });
         let mut tries = 0;
         loop {
             tries += 1;
-            session.set_limits(Limits { retries: 0, ..limits });
-            let sent = session.demand(route, &self.family, question.clone()).await;
-            session.set_limits(limits);
+            let sent = session.demand_within(route, &self.family, question.clone(), once).await;
             if self.family.role("word-order").is_some_and(|order| order.id == param.id) {
                 self.order = None; // it may hold at once
             }

@@ -115,12 +115,15 @@ impl Master {
             return Step::Wait(now);
         };
         let (station, is_fenced) = (job.station, job.is_fenced());
+        // A counter that was asked for once has one count, and older answers have counted less. Copies do not differ.
+        let two_counts = is_fenced && job.same_fence == 1 && second.as_ref().is_some_and(|second| *second != said);
         if is_fenced || is_named {
             self.twins.counts(station, second.is_some());
         }
         if is_fenced {
             job.counted = Some(if second.is_some() { Count::Twice } else { Count::Once });
-        } else if second.is_some_and(|second| second != said) {
+        }
+        if two_counts || !is_fenced && second.is_some_and(|second| second != said) {
             self.twins.proves(station, now);
             return self.finish(Err(ExchangeError::TwoAnswers { station }));
         }

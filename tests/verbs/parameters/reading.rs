@@ -238,7 +238,7 @@ fn a_width_whose_question_was_lost_is_no_refusal() {
 
 #[test]
 fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
-    let bench = format!("{DIFFERING}[[disturb]]\nonce = 2\nkind = \"lost\"\n");
+    let bench = format!("{DIFFERING}[[disturb]]\nonce = 3\nkind = \"lost\"\n");
     let run = antrieb("-a 1 --drive act read 372").on(&bench).json().exits(0);
     assert_eq!(names(&run), ["372@1", "372@2", "372@3", "372@4"]);
     for (lang, words) in [("en", "cause not known"), ("de", "Ursache unbekannt")] {
@@ -249,11 +249,46 @@ fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
     }
 }
 
+/// Number of the first reply that tells the register of P.11, and a verb that reads it: named, or recognised on the way.
+const CLEARED_BY_READING: [(u64, &str); 3] = [(2, "--drive act read 11"), (4, "read 11"), (4, "diag")];
+
+/// The exit code, what is told of the register, and how often it was asked for, with its first answer disturbed.
+fn register(verb: &str, reply: u64, disturbed: &str) -> (u8, Value, usize) {
+    let bench = format!(
+        "[[drive]]\nmodel = \"act\"\nset = {{ \"11\" = 9 }}\n[[disturb]]\nonce = {reply}\nkind = {disturbed}\n"
+    );
+    let run = antrieb(&format!("-v -a 1 {verb}")).on(&bench).json();
+    let place = if verb == "diag" { "/drives/0/error_register" } else { "/values/0/raw" };
+    let told = run.value["data"]
+        .pointer(place)
+        .map_or(&Value::Null, |told| if told.is_object() { &told["raw"] } else { told });
+    (run.exit, told.clone(), run.err.matches("> 01 03 00 0B").count())
+}
+
 #[test]
-fn the_register_that_reading_clears_is_asked_once() {
-    for (kind, exit) in [("lost", 4), ("garbled", 5), ("truncated", 5)] {
-        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nonce = 1\nkind = \"{kind}\"\n");
-        let run = antrieb("-v -a 1 --drive act read 11").on(&bench).run();
-        assert_eq!((run.exit, run.sent().len()), (exit, 1), "{kind}: {}{}", run.out, run.err);
+fn what_reading_clears_is_asked_once_and_a_lost_answer_is_never_told_as_nothing() {
+    for (reply, verb) in CLEARED_BY_READING {
+        for (kind, exit) in [("lost", 4), ("garbled", 5), ("truncated", 5)] {
+            let exit = if verb == "diag" { 9 } else { exit };
+            assert_eq!(register(verb, reply, &format!("\"{kind}\"")), (exit, Value::Null, 1), "{kind}, {verb}");
+        }
+    }
+}
+
+#[test]
+fn what_reading_clears_is_waited_for_twice_as_long() {
+    for (reply, verb) in CLEARED_BY_READING {
+        assert_eq!(register(verb, reply, "\"late\"\nby = \"800ms\""), (0, 9.into(), 1), "{verb}");
+    }
+}
+
+#[test]
+fn a_refusal_of_something_older_is_not_taken_for_an_answer_without_a_cause() {
+    for by in (1_000..=7_000).step_by(350) {
+        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = 2\nkind = \"late\"\nby = \"{by}ms\"\n");
+        for verb in ["--drive act read 241", "read 241"] {
+            let run = antrieb(&format!("-v -a 1 {verb}")).on(&bench).run();
+            assert_ne!(run.exit, 6, "{by} ms, {verb}: {}{}", run.out, run.err);
+        }
     }
 }
