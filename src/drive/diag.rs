@@ -1,8 +1,9 @@
 //! Diagnosis of the line to a drive: its counters (code 8) and a link test.
 
+use super::access::AccessError;
 use super::route::{Cell, Inquiry};
-use super::session::{AccessError, Session};
-use super::transfer::Target;
+use super::session::Session;
+use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::Permit;
 use crate::outcome::{Bucket, Counter, Event, LinkTest};

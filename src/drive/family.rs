@@ -1,19 +1,19 @@
 //! Which drive is it? Asked so that nothing in the drive changes and nothing is read away.
 
+use super::access::{AccessError, Refusal};
+use super::probe::{STATUS_WORD, presumed};
 use super::route::{Cell, Content, Inquiry, No, Route, no, register};
-use super::session::{AccessError, Refusal, Session};
-use super::transfer::Target;
-use crate::exchange::{Answer, ExchangeError, Limits, Question, Said};
+use super::session::Session;
+use super::target::Target;
+use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Lang, Registry, Route as Way, Type};
+use crate::profile::{Family, Lang, Registry, Type};
 use crate::protocol::Protocol;
-use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, WordOrder, identification};
+use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
 use std::rc::Rc;
 
 /// Stator frequency: 32 bits on both families, proved by telegrams (sources B), so code 100 reads it.
 const STATOR_FREQUENCY: Cell = Cell { number: 210, set: 0 };
-/// Status word of both families (CM-485 manual 9, 10).
-const STATUS_WORD: Cell = Cell { number: 411, set: 0 };
 /// Frequency setpoint in RAM: write-only on the ACU (CM-485 manual 10.2.3), readable on the ACT (chapter 9).
 const SETPOINT_RAM: Cell = Cell { number: 484, set: 0 };
 /// Bit 4 of the status word: mains present on the ACU, always 0 on the ACT (CM-485 manual 9.1.3, 10.1).
@@ -50,22 +50,6 @@ impl Finding {
         target.refused_on_the_way = self.refused;
         Some(target)
     }
-}
-
-/// The way to a device that nobody knows yet: as if it were an ACTIVE drive.
-fn presumed(protocol: Protocol, address: u8) -> Route {
-    Route { protocol, way: Way::Active, address, node: 0, order: WordOrder::default() }
-}
-
-/// The question that every device is asked first: its status word. An ACTIVE drive answers it without touching its
-/// error register; any other Modbus device says something too. `None` if the protocol has no such address.
-pub(super) fn probe(protocol: Protocol, address: u8) -> Option<Question> {
-    presumed(protocol, address).question(Inquiry::Read(STATUS_WORD, Type::Uint))
-}
-
-/// A question whose echo cannot be taken for its reply.
-pub(super) fn sounding() -> Request {
-    Request::ReadRegisters { start: STATUS_WORD.number as u16, count: 1 }
 }
 
 /// Asks a device what it is. Ends with an error only if it does not answer at all.
@@ -126,7 +110,7 @@ pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> 
     })
 }
 
-/// Asks on from the answer to [`probe`] what the device is. A survey asks everybody for the status word: any device
+/// Asks on from the answer to [`super::probe::probe`] what the device is. A survey asks everybody for the status word: any device
 /// answers that somehow, but many are silent to codes that they do not know.
 pub(super) async fn judge(
     session: &mut Session<'_>,

@@ -2,9 +2,11 @@
 
 use super::said::unmoved;
 use super::{Leg, Place, Then, number, parities, protocols};
-use crate::drive::family::probe;
-use crate::drive::session::{AccessError, Session};
-use crate::drive::transfer::{Order, Target, WriteFate};
+use crate::drive::access::AccessError;
+use crate::drive::probe::probe;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
+use crate::drive::write::{Order, WriteFate};
 use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
 use crate::gate::Permit;

@@ -61,8 +61,11 @@ fn a_description_that_goes_on_without_end_is_cut_off_with_a_word() {
 
 #[test]
 fn a_port_that_was_lost_at_the_question_leaves_a_row_that_was_not_begun() {
-    // The old value, then nobody is there any more.
-    let address = server(1, |question| rtu::encode(question[0], &[3, 2, 0, 100]));
+    // The greeting and the old value, then nobody is there any more.
+    let address = server(2, |question| match question[1] {
+        8 => rtu::encode(question[0], &[8, 0, 11, 0, 1]),
+        _ => rtu::encode(question[0], &[3, 2, 0, 100]),
+    });
     let line = format!("-p tcp://{address} -a 1 --drive act write 372=5 --json");
     let output = antrieb(&line).answered("y").exits(3);
     let document: serde_json::Value = serde_json::from_str(&output.out).unwrap();
