@@ -1,8 +1,9 @@
 //! Diagnosis of the line to a drive: its counters (code 8) and a link test.
 
+use super::access::AccessError;
 use super::route::{Cell, Inquiry};
-use super::session::{AccessError, Session};
-use super::transfer::Target;
+use super::session::Session;
+use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::Permit;
 use crate::outcome::{Bucket, Counter, Event, LinkTest};
@@ -72,14 +73,13 @@ pub async fn link_test(
     count: u64,
 ) -> Result<(LinkTest, Option<AccessError>), AccessError> {
     let question = harmless(session, target).await?;
-    let limits = session.limits();
-    session.set_limits(Limits { retries: 0, ..limits });
+    let once = Limits { retries: 0, ..session.limits() };
     let strays = session.tally().strays;
     let (mut times, mut silent, mut garbled, mut asked) = (Vec::new(), 0u64, 0u64, 0u64);
     let mut cut = None;
     for done in 0..count {
         session.tell(Event::Progress { done, total: count, what: format!("link test, address {}", target.address) });
-        match session.ask(target.address, question.clone()).await {
+        match session.ask_within(target.address, question.clone(), once).await {
             Ok(Answer::Reply { after, .. }) => times.push(after.as_micros()),
             Ok(Answer::Broadcast) => {}
             Err(AccessError::Exchange(ExchangeError::Silence { .. })) => silent += 1,
@@ -91,7 +91,6 @@ pub async fn link_test(
         }
         asked += 1;
     }
-    session.set_limits(limits);
     times.sort_unstable();
     let rank = |percent: usize| times.get((times.len().saturating_sub(1)) * percent / 100).copied();
     let failed = silent + garbled;

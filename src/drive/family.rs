@@ -1,19 +1,19 @@
 //! Which drive is it? Asked so that nothing in the drive changes and nothing is read away.
 
+use super::access::{AccessError, Refusal};
+use super::probe::{STATUS_WORD, presumed};
 use super::route::{Cell, Content, Inquiry, No, Route, no, register};
-use super::session::{AccessError, Refusal, Session};
-use super::transfer::Target;
-use crate::exchange::{Answer, ExchangeError, Question, Said};
+use super::session::Session;
+use super::target::Target;
+use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Lang, Registry, Route as Way, Type};
+use crate::profile::{Family, Lang, Registry, Type};
 use crate::protocol::Protocol;
-use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, WordOrder, identification};
+use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
 use std::rc::Rc;
 
 /// Stator frequency: 32 bits on both families, proved by telegrams (sources B), so code 100 reads it.
 const STATOR_FREQUENCY: Cell = Cell { number: 210, set: 0 };
-/// Status word of both families (CM-485 manual 9, 10).
-const STATUS_WORD: Cell = Cell { number: 411, set: 0 };
 /// Frequency setpoint in RAM: write-only on the ACU (CM-485 manual 10.2.3), readable on the ACT (chapter 9).
 const SETPOINT_RAM: Cell = Cell { number: 484, set: 0 };
 /// Bit 4 of the status word: mains present on the ACU, always 0 on the ACT (CM-485 manual 9.1.3, 10.1).
@@ -28,8 +28,8 @@ pub struct Finding {
     pub drive: Option<String>,
     /// What tells so.
     pub evidence: Vec<Evidence>,
-    /// What the error register held before it was overwritten by asking.
-    pub kept_register: Option<u16>,
+    /// What the error register held before it was overwritten by asking; an error if the answer that told it was lost.
+    pub kept_register: Option<Result<u16, ExchangeError>>,
     /// It refused a question on the way, which is its last synchronous error now.
     pub refused: bool,
     /// Product code, where it told one (code 43, object 1).
@@ -45,27 +45,11 @@ impl Finding {
     /// The drive as a target, if it is one that we know.
     pub fn target(&self, address: u8, registry: &Registry) -> Option<Target> {
         let mut target = Target::new(address, registry.family(self.drive.as_ref()?)?);
-        target.kept_register = self.kept_register;
+        target.kept_register = self.kept_register.clone();
         target.introduced = true;
         target.refused_on_the_way = self.refused;
         Some(target)
     }
-}
-
-/// The way to a device that nobody knows yet: as if it were an ACTIVE drive.
-fn presumed(protocol: Protocol, address: u8) -> Route {
-    Route { protocol, way: Way::Active, address, node: 0, order: WordOrder::default() }
-}
-
-/// The question that every device is asked first: its status word. An ACTIVE drive answers it without touching its
-/// error register; any other Modbus device says something too. `None` if the protocol has no such address.
-pub(super) fn probe(protocol: Protocol, address: u8) -> Option<Question> {
-    presumed(protocol, address).question(Inquiry::Read(STATUS_WORD, Type::Uint))
-}
-
-/// A question whose echo cannot be taken for its reply.
-pub(super) fn sounding() -> Request {
-    Request::ReadRegisters { start: STATUS_WORD.number as u16, count: 1 }
 }
 
 /// Asks a device what it is. Ends with an error only if it does not answer at all.
@@ -119,15 +103,14 @@ pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> 
     if session.protocol() == Protocol::Vabus {
         return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak it
     }
-    let request = Request::ReadIdentification { category: identification::BASIC, object: identification::VENDOR_NAME };
-    Ok(match said(session.ask(address, Question::from(request)).await)? {
+    Ok(match said(session.ask(address, describe_yourself(identification::VENDOR_NAME)).await)? {
         Ok(Said::Modbus(Reply::Identification(_))) => Some(true),
         Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => Some(false),
         _ => None,
     })
 }
 
-/// Asks on from the answer to [`probe`] what the device is. A survey asks everybody for the status word: any device
+/// Asks on from the answer to [`super::probe::probe`] what the device is. A survey asks everybody for the status word: any device
 /// answers that somehow, but many are silent to codes that they do not know.
 pub(super) async fn judge(
     session: &mut Session<'_>,
@@ -263,7 +246,10 @@ impl<'q, 's> Inquest<'q, 's> {
         }
         let Some(family) = self.registry.family("acu") else { return Ok(()) };
         if keep_register && let Some(question) = register(&family).and_then(|inquiry| self.route.question(inquiry)) {
-            self.finding.kept_register = self.session.number_once(self.route, question).await?;
+            self.finding.kept_register = match said(self.session.ask_once(self.route, question).await)? {
+                Ok(said) => self.route.number(&said).map(Ok),
+                Err(error) => Some(Err(error)),
+            };
         }
         self.reads_setpoint(&family).await
     }
@@ -300,10 +286,9 @@ impl<'q, 's> Inquest<'q, 's> {
     /// Code 43, once, before anything else: tells the drive if the answer comes. If none comes, nothing is noted, because
     /// [`Inquest::identification`] asks again where it matters.
     async fn introduction(&mut self) -> Result<(), AccessError> {
-        let retries = self.session.set_retries(0);
-        let answer = self.ask_for(identification::VENDOR_NAME).await;
-        self.session.set_retries(retries);
-        if let Ok(Said::Modbus(Reply::Identification(first))) = answer? {
+        let once = Limits { retries: 0, ..self.session.limits() };
+        let answer = self.session.ask_within(self.route.address, describe_yourself(identification::VENDOR_NAME), once);
+        if let Ok(Said::Modbus(Reply::Identification(first))) = said(answer.await)? {
             let told = self.rest_of(first).await?;
             self.described(&told);
         }
@@ -382,14 +367,18 @@ impl<'q, 's> Inquest<'q, 's> {
     }
 
     async fn ask_for(&mut self, object: u8) -> Result<Result<Said, ExchangeError>, AccessError> {
-        let request = Request::ReadIdentification { category: identification::BASIC, object };
-        said(self.session.ask(self.route.address, Question::from(request)).await)
+        said(self.session.ask(self.route.address, describe_yourself(object)).await)
     }
 
     async fn put(&mut self, inquiry: Inquiry) -> Result<Result<Said, ExchangeError>, AccessError> {
         let question = self.route.question(inquiry).ok_or(AccessError::Unspeakable)?;
         said(self.session.ask(self.route.address, question).await)
     }
+}
+
+/// Code 43: asks for the basic objects from this one on.
+fn describe_yourself(object: u8) -> Request {
+    Request::ReadIdentification { category: identification::BASIC, object }
 }
 
 /// Telegrams that a description may take behind the first. The basic objects are three (V1.1b3, 6.21), so that each may

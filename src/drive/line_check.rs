@@ -1,8 +1,9 @@
 //! How good is the line? The adapter, the pauses that we keep, the reply times, and what to do about them.
 
+use super::access::AccessError;
 use super::diag::link_test;
-use super::session::{AccessError, Session};
-use super::transfer::Target;
+use super::session::Session;
+use super::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, LinkTest, Pauses};
 use crate::profile::Lang;

@@ -3,8 +3,11 @@
 //! This room turns parameters into questions and answers into [`crate::outcome`] types. It asks nobody for permission
 //! (that is `gate`, held by `command`) and prints nothing.
 
+mod access;
+mod account;
 pub mod bench;
 pub mod decode;
+mod demand;
 pub mod describe;
 mod diag;
 mod family;
@@ -13,6 +16,7 @@ pub mod job;
 mod line_check;
 pub mod motion;
 mod opening;
+mod probe;
 mod pump;
 mod reader;
 pub mod relocate;
@@ -21,24 +25,30 @@ mod scan;
 mod session;
 mod sniff;
 mod tally;
+mod target;
 mod terms;
 mod transfer;
 mod trouble;
 mod watch;
+mod write;
 
+pub use access::{AccessError, Refusal};
 pub use diag::{clear_counters, counters, last_refusal, link_test};
 pub use family::{Finding, introduce, recognise};
 pub use interrupt::Interrupt;
 pub use line_check::check_line;
+pub use opening::{Opening, Recording, open_port};
 pub use reader::{InForce, Reader};
 pub use route::{Cell, Inquiry, No, Route};
 pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, scan};
-pub use session::{AccessError, Opening, Recording, Refusal, Session, open_port};
+pub use session::Session;
 pub use sniff::{Listening, sniff};
 pub use tally::{is_over, summary};
+pub use target::Target;
 pub use terms::{Terms, who};
-pub use transfer::{Order, Reading, Target, WriteFate};
+pub use transfer::Reading;
 pub use watch::{Item, Rounds, Select, watch};
+pub use write::{Order, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;
 pub use crate::transport::Port;

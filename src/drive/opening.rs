@@ -1,10 +1,48 @@
-//! What a line is opened with where nobody says otherwise.
+//! How a line is opened: what with where nobody says otherwise, at which port, and whether it is recorded.
 
-use super::session::Opening;
+use super::trouble;
+use crate::failure::{Class, Failure};
+use crate::files::{self, FileError};
+use crate::outcome::Event;
 use crate::profile::Lang;
+use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
-use crate::transport::{Port, Rs485};
+use crate::tick::Span;
+use crate::transport::{Port, Rs485, Trace, list_ports};
+use std::path::Path;
+
+/// How to open a line.
+#[derive(Debug)]
+pub struct Opening<'a> {
+    /// Where the drives are.
+    pub port: &'a Port,
+    /// Speed and character format.
+    pub line: LineSetting,
+    /// Who switches the direction of an RS-485 line.
+    pub rs485: Rs485,
+    /// What is spoken.
+    pub protocol: Protocol,
+    /// How long to wait for a reply; `None` for the manual's time.
+    pub timeout: Option<Span>,
+    /// How often to repeat a question; `None` for the usual number.
+    pub retries: Option<u8>,
+    /// File to record the line to, if anybody wants that.
+    pub trace: Option<Recording<'a>>,
+    /// Whether every telegram is told as an event.
+    pub verbose: bool,
+    /// Language of what is told.
+    pub lang: Lang,
+}
+
+/// Where a line is recorded to.
+#[derive(Clone, Copy, Debug)]
+pub struct Recording<'a> {
+    /// The file.
+    pub path: &'a Path,
+    /// Whether one that exists is replaced.
+    pub overwrite: bool,
+}
 
 impl<'a> Opening<'a> {
     /// A line as drives of the ACTIVE family speak on it from the factory: Modbus RTU, 19200 baud, even parity (CM-485
@@ -21,5 +59,56 @@ impl<'a> Opening<'a> {
             verbose: false,
             lang: Lang::En,
         }
+    }
+}
+
+/// The port that was named, or the one USB serial adapter that is plugged in, which is said.
+pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
+    if let Some(port) = named {
+        return Ok(port.clone());
+    }
+    let ports = list_ports();
+    let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
+    if let [only] = adapters.as_slice() {
+        let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
+        observe(Event::Note(format!("{taking} {only}")));
+        return Ok(Port::Serial(only.name.clone()));
+    }
+    let message = match (adapters.len(), lang) {
+        (0, Lang::En) => "no port given, and no USB serial adapter is plugged in",
+        (0, Lang::De) => "kein Anschluss angegeben, und kein USB-Adapter ist eingesteckt",
+        (_, Lang::En) => "no port given, and more than one USB serial adapter is plugged in",
+        (_, Lang::De) => "kein Anschluss angegeben, und mehr als ein USB-Adapter ist eingesteckt",
+    };
+    let hint = format!("{} -p; {}", lang.pick("name it with", "angeben mit"), trouble::found_ports(lang));
+    Err(Failure::new(Class::Port, "port.none", message).hint(hint))
+}
+
+/// The file that the line is recorded to.
+pub(super) fn open_trace(recording: Recording<'_>, about: &str, lang: Lang) -> Result<Trace, Failure> {
+    let Recording { path, overwrite } = recording;
+    let trace = files::create(path, overwrite).and_then(|file| Ok(Trace::new(Box::new(file), about)?));
+    trace.map_err(|error| {
+        let failure = Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display()));
+        match error {
+            FileError::Exists => failure.hint(lang.pick(
+                "name another file; --force replaces this one, and forces whatever else the verb would refuse",
+                "eine andere Datei nennen; --force ersetzt diese und erzwingt auch, was der Befehl sonst ablehnte",
+            )),
+            _ => failure,
+        }
+    })
+}
+
+/// Whether every character takes its time on the way: on the bench and on a serial port, but not on a pty, which hands over
+/// what it gets at once, nor behind a network.
+pub(super) fn is_wired(port: &Port) -> bool {
+    match port {
+        Port::Sim(_) => true,
+        Port::Serial(name) => {
+            let real = std::fs::canonicalize(name).unwrap_or_else(|_| name.into());
+            !(real.starts_with("/dev/pts") || real.starts_with("/dev/ttys"))
+        }
+        _ => false,
     }
 }

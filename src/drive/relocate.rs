@@ -12,7 +12,7 @@ pub use plot::course;
 
 use super::route::{Cell, Inquiry};
 use super::session::Session;
-use super::transfer::Target;
+use super::target::Target;
 use crate::failure::Failure;
 use crate::gate::Permit;
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};

@@ -1,25 +1,25 @@
 //! An open line: asks questions, tells what goes over it, and turns what goes wrong into failures with a hint.
 
+use super::access::AccessError;
+use super::account::Account;
 use super::interrupt::Interrupt;
+use super::opening::{Opening, is_wired, open_trace};
+use super::probe::sounding;
 use super::pump::{self, PumpError};
-use super::route::{No, Route, no};
-use super::{decode, trouble};
+use super::trouble;
 use crate::exchange::{
-    Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Said, Survey, Tally, Verdict,
+    Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Survey, Tally, Verdict,
 };
-use crate::failure::{Class, Failure};
-use crate::files::{self, FileError};
+use crate::failure::Failure;
 use crate::outcome::Event;
-use crate::profile::{Cause, Family, Lang, Registry};
+use crate::profile::{Family, Lang, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
+use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
-use crate::protocol::modbus::{Framing, Hex};
 use crate::simulator::Bench;
 use crate::tick::{Span, Tick};
-use crate::transport::{Link, LinkError, Port, Rs485, Trace, Wake, list_ports};
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use crate::transport::{Link, Port, Wake};
 use std::rc::Rc;
 
 /// A gateway waits for its stations itself and then says so; many wait for a second or more.
@@ -30,38 +30,6 @@ const GATEWAY_REPEATS: u8 = 0;
 /// Strange telegrams that are kept until somebody asks for them.
 const MOST_OVERHEARD: usize = 4_096;
 
-/// How to open a line.
-#[derive(Debug)]
-pub struct Opening<'a> {
-    /// Where the drives are.
-    pub port: &'a Port,
-    /// Speed and character format.
-    pub line: LineSetting,
-    /// Who switches the direction of an RS-485 line.
-    pub rs485: Rs485,
-    /// What is spoken.
-    pub protocol: Protocol,
-    /// How long to wait for a reply; `None` for the manual's time.
-    pub timeout: Option<Span>,
-    /// How often to repeat a question; `None` for the usual number.
-    pub retries: Option<u8>,
-    /// File to record the line to, if anybody wants that.
-    pub trace: Option<Recording<'a>>,
-    /// Whether every telegram is told as an event.
-    pub verbose: bool,
-    /// Language of what is told.
-    pub lang: Lang,
-}
-
-/// Where a line is recorded to.
-#[derive(Clone, Copy, Debug)]
-pub struct Recording<'a> {
-    /// The file.
-    pub path: &'a Path,
-    /// Whether one that exists is replaced.
-    pub overwrite: bool,
-}
-
 /// An open line.
 pub struct Session<'a> {
     port: String,
@@ -69,7 +37,6 @@ pub struct Session<'a> {
     master: Master,
     /// System-bus node behind every drive that is asked; 0 is the drive itself.
     node: u8,
-    observe: &'a mut dyn FnMut(Event),
     interrupt: Interrupt,
     /// Whether telegrams go out by the clock, whatever is on the line.
     insists: bool,
@@ -81,56 +48,13 @@ pub struct Session<'a> {
     unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
     overheard: Option<Vec<Record>>,
-    /// What is known of the drives by address, to name what goes over the line.
-    known: BTreeMap<u8, Known>,
-    /// Drives of which it was told that they answer twice.
-    twice: BTreeSet<u8>,
-    verbose: bool,
-    lang: Lang,
-}
-
-/// A drive whose telegrams can be told in the words of its family.
-struct Known {
-    family: Rc<Family>,
-    /// The upper half of a value in two registers comes first.
-    order: WordOrder,
+    account: Account<'a>,
 }
 
 impl std::fmt::Debug for Session<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Session").field("link", &self.link).field("master", &self.master).finish_non_exhaustive()
     }
-}
-
-/// The drive understood the question and said no.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Refusal {
-    /// What the reply tells.
-    pub no: No,
-    /// The cause, read back at once from where the family keeps it: P.11 of the ACTIVE family.
-    pub cause: Option<u16>,
-    /// The answer that told the cause was lost, and reading had cleared it.
-    pub unheard: bool,
-}
-
-/// Why a question brought no value.
-#[derive(Debug, thiserror::Error)]
-pub enum AccessError {
-    /// The drive said no.
-    #[error("refused: {:?}", .0.no)]
-    Refused(Refusal),
-    /// No valid reply.
-    #[error(transparent)]
-    Exchange(#[from] ExchangeError),
-    /// The protocol on the line, or the family, has no telegram for this.
-    #[error("there is no telegram for this")]
-    Unspeakable,
-    /// The port is gone.
-    #[error(transparent)]
-    Link(#[from] LinkError),
-    /// Somebody pressed Ctrl-C.
-    #[error("interrupted")]
-    Interrupted,
 }
 
 impl<'a> Session<'a> {
@@ -170,17 +94,13 @@ impl<'a> Session<'a> {
             link,
             master,
             node: 0,
-            observe,
             interrupt,
             insists: false,
             ends_at: None,
             since: None,
             unanswered: None,
             overheard: None,
-            known: BTreeMap::new(),
-            twice: BTreeSet::new(),
-            verbose,
-            lang,
+            account: Account::new(observe, verbose, lang),
         })
     }
 
@@ -232,35 +152,52 @@ impl<'a> Session<'a> {
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
     /// knows yet whether the adapter echoes, something else is asked first that tells.
     pub async fn ask(&mut self, station: u8, question: impl Into<Question>) -> Result<Answer, AccessError> {
+        self.ask_within(station, question, self.limits()).await
+    }
+
+    /// Like [`Session::ask`], within time limits of its own.
+    pub async fn ask_within(
+        &mut self,
+        station: u8,
+        question: impl Into<Question>,
+        limits: Limits,
+    ) -> Result<Answer, AccessError> {
         let question = question.into();
         if self.master.needs_sounding(station, &question) {
-            self.put(station, super::family::sounding().into()).await?;
+            self.put(station, sounding().into(), limits).await?;
         }
-        self.put(station, question).await
+        self.put(station, question, limits).await
     }
 
     /// Asks a station although the line may echo: for a stop, which must not wait until that is known. What comes back may be
     /// its own echo, and proves nothing.
     pub(super) async fn blurt(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.put(station, question).await
+        self.put(station, question, self.limits()).await
     }
 
-    async fn put(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.
+    pub(super) async fn hail(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
+        self.put(station, question, Limits { retries: 0, ..self.limits() }).await
+    }
+
+    async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
         if self.is_over() {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..self.master.limits() };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         let records = self.master.take_records();
-        self.show(&records, Some(station));
+        self.account.show(self.master.protocol(), &records, Some(station));
         if let Some(overheard) = &mut self.overheard {
             let strange = |record: &Record| matches!(record.verdict, Verdict::Stray { .. } | Verdict::Garbage);
             let room = MOST_OVERHEARD.saturating_sub(overheard.len());
             overheard.extend(records.into_iter().filter(strange).take(room));
         }
-        self.tell_twice(station);
+        if self.master.answers_twice(station) {
+            self.account.tell_twice(station);
+        }
         match outcome {
             Err(PumpError::TimeUp) => return Err(self.too_late()),
             Ok(Err(ref error)) => self.unanswered = Some(error.clone()),
@@ -271,28 +208,12 @@ impl<'a> Session<'a> {
 
     /// The language in which things are told.
     pub fn lang(&self) -> Lang {
-        self.lang
+        self.account.lang()
     }
 
     /// Fails where two answers to one question differed: whatever is started there could be started twice.
     pub fn demand_one_drive(&self, station: u8) -> Result<(), AccessError> {
         if self.master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }
-    }
-
-    /// Tells once that everything is answered twice: what is read may come from either of two drives.
-    fn tell_twice(&mut self, station: u8) {
-        if self.master.answers_twice(station) && self.twice.insert(station) {
-            let note = match self.lang {
-                Lang::En => format!(
-                    "address {station}: every question is answered twice: two drives with one address, or a repeater"
-                ),
-                Lang::De => format!(
-                    "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
-                     Repeater"
-                ),
-            };
-            (self.observe)(Event::Note(note.into()));
-        }
     }
 
     /// What a question ends with that has no time left: with what the line was like before.
@@ -303,7 +224,7 @@ impl<'a> Session<'a> {
     /// Carries a survey on until it has something to tell.
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
         let outcome = pump::run(survey, &mut self.link, &self.interrupt, None).await;
-        self.show(&survey.take_records(), None);
+        self.account.show(self.master.protocol(), &survey.take_records(), None);
         Ok(outcome?)
     }
 
@@ -320,83 +241,7 @@ impl<'a> Session<'a> {
     /// Remembers what a drive is, for what is told of its telegrams from now on.
     pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, order: WordOrder) {
         self.master.has_counters(address, family.counters.iter().map(|row| row.sub));
-        if self.verbose {
-            self.known.insert(address, Known { family: family.clone(), order });
-        }
-    }
-
-    /// Tells what went over the line while `asked` was asked.
-    fn show(&mut self, records: &[Record], asked: Option<u8>) {
-        if !self.verbose {
-            return;
-        }
-        for record in records {
-            let station = match record.verdict {
-                Verdict::Stray { station } => Some(station),
-                _ => asked,
-            };
-            let known = station.and_then(|station| self.known.get(&station));
-            (self.observe)(telegram_event(self.master.protocol(), self.lang, known, record));
-        }
-    }
-
-    /// Asks a drive for an answer that is no refusal; after one asks for the cause at once, because anything else could
-    /// overwrite it. A broadcast answers nothing.
-    pub async fn demand(
-        &mut self,
-        route: Route,
-        family: &Family,
-        question: Question,
-    ) -> Result<Option<(Said, Span)>, AccessError> {
-        let (said, after) = match self.ask(route.address, question).await? {
-            Answer::Broadcast => return Ok(None),
-            Answer::Reply { said, after } => (said, after),
-        };
-        let Some(no) = no(&said) else { return Ok(Some((said, after))) };
-        let (cause, unheard) = match route.cause(family, no) {
-            Some(question) => self.cause(route, family, question).await?,
-            None => (None, false),
-        };
-        // 0 is "nothing was refused": the register belongs to something else, or there is none.
-        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))
-    }
-
-    /// Asks why the drive said no, and tells whether the answer was lost. What is cleared by reading is asked once: asked
-    /// again it would say that nothing was refused.
-    async fn cause(
-        &mut self,
-        route: Route,
-        family: &Family,
-        question: Question,
-    ) -> Result<(Option<u16>, bool), AccessError> {
-        let limits = self.limits();
-        let (reply_timeout, retries) = match family.link.cause {
-            // Twice as patiently, for a slow drive; what comes later still is an older answer as likely as this one.
-            Cause::ErrorRegister => (limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1), 0),
-            _ => (limits.reply_timeout, limits.retries),
-        };
-        let patient = Limits { witness: false, reply_timeout, retries, ..limits };
-        match self.within(patient, async |session: &mut Self| session.ask(route.address, question).await).await {
-            Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
-            Ok(Answer::Broadcast) => Ok((None, false)),
-            Err(AccessError::Exchange(_)) => Ok((None, true)),
-            Err(error) => Err(error),
-        }
-    }
-
-    /// Asks for a number that is gone once it has been read.
-    pub(super) async fn number_once(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
-        let once = Limits { witness: false, ..self.limits() };
-        self.within(once, async |session: &mut Self| session.number(route, question).await).await
-    }
-
-    /// Asks for a 16-bit number; `None` if the station answers with something else.
-    pub(super) async fn number(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
-        match self.ask(route.address, question).await {
-            Ok(Answer::Reply { said, .. }) => Ok(route.number(&said)),
-            Ok(Answer::Broadcast) | Err(AccessError::Exchange(_)) => Ok(None),
-            Err(error) => Err(error),
-        }
+        self.account.knows(address, family, order);
     }
 
     /// Other speed, format or protocol from now on.
@@ -488,7 +333,7 @@ impl<'a> Session<'a> {
 
     /// Tells an event to whoever watches.
     pub fn tell(&mut self, event: Event) {
-        (self.observe)(event);
+        self.account.tell(event);
     }
 
     /// Counts of what happened on the line.
@@ -565,97 +410,5 @@ impl Drop for Session<'_> {
         if let Some(until) = self.master.owes_until(self.link.now()) {
             self.link.outlast(until);
         }
-    }
-}
-
-/// Whether every character takes its time on the way: on the bench and on a serial port, but not on a pty, which hands over
-/// what it gets at once, nor behind a network.
-fn is_wired(port: &Port) -> bool {
-    match port {
-        Port::Sim(_) => true,
-        Port::Serial(name) => {
-            let real = std::fs::canonicalize(name).unwrap_or_else(|_| name.into());
-            !(real.starts_with("/dev/pts") || real.starts_with("/dev/ttys"))
-        }
-        _ => false,
-    }
-}
-
-/// The port that was named, or the one USB serial adapter that is plugged in, which is said.
-pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
-    if let Some(port) = named {
-        return Ok(port.clone());
-    }
-    let ports = list_ports();
-    let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
-    if let [only] = adapters.as_slice() {
-        let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
-        observe(Event::Note(format!("{taking} {only}").into()));
-        return Ok(Port::Serial(only.name.clone()));
-    }
-    let message = match (adapters.len(), lang) {
-        (0, Lang::En) => "no port given, and no USB serial adapter is plugged in",
-        (0, Lang::De) => "kein Anschluss angegeben, und kein USB-Adapter ist eingesteckt",
-        (_, Lang::En) => "no port given, and more than one USB serial adapter is plugged in",
-        (_, Lang::De) => "kein Anschluss angegeben, und mehr als ein USB-Adapter ist eingesteckt",
-    };
-    let hint = format!("{} -p; {}", lang.pick("name it with", "angeben mit"), trouble::found_ports(lang));
-    Err(Failure::new(Class::Port, "port.none", message).hint(hint))
-}
-
-fn open_trace(recording: Recording<'_>, about: &str, lang: Lang) -> Result<Trace, Failure> {
-    let Recording { path, overwrite } = recording;
-    let trace = files::create(path, overwrite).and_then(|file| Ok(Trace::new(Box::new(file), about)?));
-    trace.map_err(|error| {
-        let failure = Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display()));
-        match error {
-            FileError::Exists => failure.hint(lang.pick(
-                "name another file; --force replaces this one, and forces whatever else the verb would refuse",
-                "eine andere Datei nennen; --force ersetzt diese und erzwingt auch, was der Befehl sonst ablehnte",
-            )),
-            _ => failure,
-        }
-    })
-}
-
-fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record: &Record) -> Event {
-    let (direction, is_request) = match record.verdict {
-        Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
-        Verdict::Reply => ('<', Some(false)),
-        Verdict::Echo => ('~', Some(true)),
-        Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
-    };
-    let family = known.map(|known| &*known.family);
-    let order = known.map_or_else(WordOrder::default, |known| known.order);
-    let reader = decode::Reader { protocol, node: 0, family, order, lang };
-    let told = reader.telegram(&record.bytes, is_request);
-    let meaning = match record.verdict {
-        Verdict::Fence => format!("fence: {}", told.meaning),
-        Verdict::Echo => format!("{}: {}", lang.pick("echo of the adapter", "Echo des Adapters"), told.meaning),
-        Verdict::Stray { station } => format!("not the answer, from address {station}: {}", told.meaning),
-        _ => told.meaning,
-    };
-    Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
-}
-
-impl From<PumpError> for AccessError {
-    fn from(error: PumpError) -> Self {
-        match error {
-            PumpError::Link(error) => error.into(),
-            PumpError::Interrupted => AccessError::Interrupted,
-            PumpError::TimeUp => ExchangeError::Unproven { asked: 0 }.into(),
-        }
-    }
-}
-
-impl AccessError {
-    /// Whether the whole session is over, not just this question.
-    pub fn is_fatal(&self) -> bool {
-        matches!(self, AccessError::Link(_) | AccessError::Interrupted)
-    }
-
-    /// Whether the drive said no.
-    pub fn is_refused(&self) -> bool {
-        matches!(self, AccessError::Refused(_))
     }
 }

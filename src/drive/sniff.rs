@@ -3,8 +3,9 @@
 //! A listener may miss the silences that part RTU telegrams, because adapters deliver bytes in chunks. So an RTU telegram
 //! is taken when it is one of a known function code with a right CRC; what such a cut leaves is settled by a longer silence.
 
+use super::access::AccessError;
 use super::decode::Reader;
-use super::session::{AccessError, Session};
+use super::session::Session;
 use crate::outcome::{Decimal, Event, Record, Sniff, SniffSummary, TelegramDoc};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;

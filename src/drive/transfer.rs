@@ -1,14 +1,12 @@
-//! Reading and writing parameters of one drive: widths, data sets, refusals, proof of writes.
+//! Reading parameters of one drive: widths, data sets, refusals, what is cleared by reading.
 
-use super::route::{Cell, Content, Inquiry, No, Route, Width};
-use super::session::{AccessError, Refusal, Session};
-use crate::exchange::{ExchangeError, Limits};
-use crate::gate::Permit;
-use crate::profile::{DataSets, Family, Param, Sets, Type, value};
-use crate::protocol::modbus::BROADCAST;
-use crate::protocol::modbus::pdu::{Exception, WordOrder};
-use std::collections::BTreeMap;
-use std::rc::Rc;
+use super::access::{AccessError, Refusal};
+use super::route::{Cell, Content, Inquiry, No, Width, no};
+use super::session::Session;
+use super::target::Target;
+use crate::exchange::{Answer, ExchangeError};
+use crate::profile::{DataSets, Param, Sets, Type, value};
+use crate::protocol::modbus::pdu::Exception;
 
 /// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
 const SETS_DIFFER: u16 = 9;
@@ -16,29 +14,6 @@ const SETS_DIFFER: u16 = 9;
 const WRONG_WIDTH: u16 = 14;
 /// Error register: wrong type (CM-485 manual 6.6).
 const WRONG_TYPE: u16 = 10;
-
-/// A drive on the line.
-#[derive(Debug)]
-pub struct Target {
-    /// Address of the drive; 0 is everybody.
-    pub address: u8,
-    /// What it is.
-    pub family: Rc<Family>,
-    /// Which half of a value in two registers comes first, once it is known or given.
-    pub order: Option<WordOrder>,
-    /// It refused the code that writes and reads back in one exchange.
-    lacks_exchange: bool,
-    /// It was asked for something whose answer cannot be mistaken.
-    pub(super) introduced: bool,
-    /// Widths that were found out by asking, for this run.
-    widths: BTreeMap<u32, Type>,
-    /// What the error register held before identifying the drive could overwrite it.
-    pub(super) kept_register: Option<u16>,
-    /// It refused a question while it was recognised, which is its last synchronous error now.
-    pub refused_on_the_way: bool,
-    /// The drive's watchdog in seconds, as it was read last.
-    pub(super) known_watchdog: Option<i64>,
-}
 
 /// A value as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,56 +30,7 @@ pub struct Reading {
     pub corrected: bool,
 }
 
-/// A value to write.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Order {
-    /// Data set on the wire, 0-9.
-    pub set: u8,
-    /// The value without its decimal point.
-    pub raw: i64,
-    /// Its type.
-    pub kind: Type,
-    /// Read it back; not where the line or the drive is gone at once.
-    pub read_back: bool,
-}
-
-/// What became of a write.
-#[derive(Debug)]
-pub enum WriteFate {
-    /// Echoed, and read back the same.
-    Verified,
-    /// Echoed; not read back, because that is impossible or would disturb.
-    Written,
-    /// Echoed, but reads back as this.
-    Differs(i64),
-    /// The reply is missing and reading back does not settle it.
-    Unknown(AccessError),
-    /// Sent to everybody.
-    Broadcast,
-}
-
 impl Target {
-    /// A drive of a known family.
-    pub fn new(address: u8, family: Rc<Family>) -> Self {
-        Target {
-            address,
-            family,
-            order: None,
-            lacks_exchange: false,
-            introduced: false,
-            widths: BTreeMap::new(),
-            kept_register: None,
-            refused_on_the_way: false,
-            known_watchdog: None,
-        }
-    }
-
-    /// The same with the word order that somebody gave, if any.
-    #[must_use]
-    pub fn in_word_order(self, order: Option<WordOrder>) -> Self {
-        Target { order, ..self }
-    }
-
     /// Reads a parameter in the data sets that are meant. Asks set 0 first; if the sets differ (P.11 = 9), reads each
     /// of the four.
     pub async fn read(
@@ -139,12 +65,8 @@ impl Target {
         param: &Param,
         set: u8,
     ) -> Result<Reading, AccessError> {
-        let is_register = self.family.role("error-register").is_some_and(|register| register.id == param.id);
-        if is_register && let Some(kept) = self.kept_register.take() {
-            return Ok(Reading { set, raw: kept.into(), text: None, kind: Type::Uint, corrected: false });
-        }
         let cell = Cell { number: param.id, set };
-        if is_register {
+        if self.family.role("error-register").is_some_and(|register| register.id == param.id) {
             return self.read_once(session, param, cell).await;
         }
         let stated = self.widths.get(&param.id).copied().or(param.kind);
@@ -174,16 +96,30 @@ impl Target {
         }
     }
 
-    /// Reads what is cleared by reading: asked again after a lost reply it would say that nothing happened.
+    /// Reads what is cleared by reading, unless recognising the drive has read it: then what was heard there counts, also
+    /// that nothing was heard.
     async fn read_once(
         &mut self,
         session: &mut Session<'_>,
         param: &Param,
         cell: Cell,
     ) -> Result<Reading, AccessError> {
-        let (once, kind) =
-            (Limits { witness: false, retries: 0, ..session.limits() }, param.kind.unwrap_or(Type::Uint));
-        session.within(once, async |session: &mut Session<'_>| self.read_as(session, param, cell, kind).await).await
+        let kind = param.kind.unwrap_or(Type::Uint);
+        if let Some(kept) = self.kept_register.take() {
+            return Ok(reading(param, cell.set, Content::Bits(kept?.into(), Width::Word), kind));
+        }
+        let route = self.route(session).await?;
+        let question = route.question(Inquiry::Read(cell, kind)).ok_or(AccessError::Unspeakable)?;
+        let Answer::Reply { said, .. } = session.ask_once(route, question).await? else {
+            return Err(AccessError::Unspeakable);
+        };
+        if let Some(no) = no(&said) {
+            return Err(AccessError::Refused(Refusal { no, cause: None, unheard: false }));
+        }
+        match route.misshapen(&said, kind) {
+            Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),
+            None => Ok(reading(param, cell.set, route.content(&said).ok_or(AccessError::Unspeakable)?, kind)),
+        }
     }
 
     /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not
@@ -222,54 +158,6 @@ impl Target {
             (param.id, reading(param, 0, Content::Bits(bits, Width::AsAsked), kind))
         };
         Ok(chunk.iter().zip(values).map(read).collect())
-    }
-
-    /// The way to this drive on the line of the session. Where values take two registers, which half comes first is
-    /// asked once: by the address, which is never 0 and so proves the order in force. The setting of the order proves it
-    /// only if it is not 0, and may hold from the next power-on.
-    pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
-        let route = Route {
-            node: session.node(),
-            order: self.order.unwrap_or_default(),
-            ..Route::new(session.protocol(), &self.family.link, self.address)
-        };
-        session.knows(self.address, &self.family, route.order);
-        let asks = self.order.is_none() && self.address != BROADCAST;
-        let family = self.family.clone();
-        let Some(order) = family.role("word-order").filter(|_| asks) else {
-            return Ok(route);
-        };
-        let mut proven = None;
-        for param in family.role("address").into_iter().chain([order]) {
-            let cell = Cell { number: param.id, set: 0 };
-            let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
-            let answer = match session.demand(route, &self.family, question).await {
-                Err(AccessError::Refused(_)) => None,
-                answer => answer?,
-            };
-            proven = answer.and_then(|(said, _)| route.content(&said)).and_then(|content| order_told(param, &content));
-            if proven.is_some() {
-                break;
-            }
-        }
-        self.introduce(session, route).await?;
-        // Without an answer that tells, the factory setting is presumed.
-        let order = proven.unwrap_or_default();
-        self.order = Some(order);
-        session.knows(self.address, &self.family, order);
-        Ok(Route { order, ..route })
-    }
-
-    /// Asks a drive that somebody named, and that was not recognised, for something whose answer cannot be mistaken: where two
-    /// drives answer at the address, the second answer is the sign of it, before any value is read.
-    async fn introduce(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
-        if self.introduced || session.is_insisting() {
-            return Ok(());
-        }
-        self.introduced = true;
-        let Some(counter) = self.family.counters.first() else { return Ok(()) };
-        let Some(question) = route.question(Inquiry::Counter(counter.sub)) else { return Ok(()) };
-        session.ask(self.address, question).await.map(|_| ())
     }
 
     async fn read_as(
@@ -345,82 +233,6 @@ impl Target {
     pub fn set_width(&mut self, param: u32, kind: Type) {
         self.widths.insert(param, kind);
     }
-
-    /// Writes a parameter in one data set and proves it.
-    ///
-    /// A missing echo is settled by reading back, never by guessing. The permit says that somebody agreed.
-    pub async fn write(
-        &mut self,
-        session: &mut Session<'_>,
-        param: &Param,
-        order: Order,
-        _permit: &Permit,
-    ) -> Result<WriteFate, AccessError> {
-        let Order { set, raw, kind, read_back } = order;
-        let fits = value::check_width(raw, kind, 0);
-        let bits = fits.and_then(|()| value::to_wire(raw, self.family.link.route.carried(kind)));
-        let bits = bits.map_err(|_| AccessError::Unspeakable)?;
-        let cell = Cell { number: param.id, set };
-        let route = self.route(session).await?;
-        let plain = route.question(Inquiry::Write(cell, kind, bits)).ok_or(AccessError::Unspeakable)?;
-        if self.address == BROADCAST {
-            session.ask(self.address, plain).await?;
-            return Ok(WriteFate::Broadcast);
-        }
-        let both =
-            route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
-        let mut question = both.unwrap_or_else(|| plain.clone());
-        let limits = session.limits();
-        let mut tries = 0;
-        loop {
-            tries += 1;
-            session.set_limits(Limits { retries: 0, ..limits });
-            let sent = session.demand(route, &self.family, question.clone()).await;
-            session.set_limits(limits);
-            if self.family.role("word-order").is_some_and(|order| order.id == param.id) {
-                self.order = None; // it may hold at once
-            }
-            let missing = match sent {
-                Ok(_) if !read_back => return Ok(WriteFate::Written),
-                Ok(Some((said, _))) if route.tells(&said, bits) => return Ok(WriteFate::Verified),
-                Ok(_) => None,
-                // The drive does not know the code that writes and reads.
-                Err(AccessError::Refused(Refusal { no: No::Exception(Exception::IllegalFunction), .. }))
-                    if question != plain =>
-                {
-                    self.lacks_exchange = true;
-                    question = plain.clone();
-                    continue;
-                }
-                Err(AccessError::Exchange(error)) => Some(AccessError::Exchange(error)),
-                Err(error) => return Err(error),
-            };
-            if !read_back {
-                return Ok(WriteFate::Unknown(missing.unwrap_or(AccessError::Interrupted)));
-            }
-            match (self.read_set(session, param, set).await, missing) {
-                (Ok(reading), _) if reading.raw == raw => return Ok(WriteFate::Verified),
-                (Ok(reading), None) => return Ok(WriteFate::Differs(reading.raw)),
-                // The old value still stands: the telegram never arrived, so it may be sent again.
-                (Ok(_), Some(_)) if tries <= limits.retries => {}
-                (Ok(_), Some(error)) => return Err(error),
-                (Err(AccessError::Refused(_)), None) => return Ok(WriteFate::Written),
-                (Err(error), None) => return Ok(WriteFate::Unknown(error)),
-                (Err(_), Some(error)) => return Ok(WriteFate::Unknown(error)),
-            }
-        }
-    }
-}
-
-/// The word order that a value of a small parameter proves, read with the upper half first; 0 proves nothing.
-fn order_told(param: &Param, content: &Content) -> Option<WordOrder> {
-    let Content::Bits(bits, _) = content else { return None };
-    let fits = |half: u32| half != 0 && param.max.is_none_or(|max| i64::from(half) <= max);
-    match (bits >> 16, bits & 0xFFFF) {
-        (0, low) if fits(low) => Some(WordOrder::HighFirst),
-        (high, 0) if fits(high) => Some(WordOrder::LowFirst),
-        _ => None,
-    }
 }
 
 /// A value from what came, with the type that its width proves: `kind` where the width is the same.
@@ -443,23 +255,5 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         }
         Content::Text(characters) => text(characters),
         Content::Done => blank,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::profile::Registry;
-
-    #[test]
-    fn the_address_proves_the_word_order_in_force_and_a_setting_of_0_proves_nothing() {
-        let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
-        let told = |role, bits| order_told(family.role(role).unwrap(), &Content::Bits(bits, Width::AsAsked));
-        assert_eq!(told("address", 0x0000_0001), Some(WordOrder::HighFirst));
-        assert_eq!(told("address", 0x00F7_0000), Some(WordOrder::LowFirst));
-        assert_eq!(told("word-order", 0x0001_0000), Some(WordOrder::LowFirst));
-        for (role, bits) in [("word-order", 0), ("address", 0), ("address", 0x00F8_0000), ("address", 0x0001_0001)] {
-            assert_eq!(told(role, bits), None, "{role} {bits:08X}");
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! What went wrong, said in both languages, with what to do next.
 
+use super::access::{AccessError, Refusal};
 use super::route::No;
-use super::session::{AccessError, Refusal};
 use crate::exchange::ExchangeError;
 use crate::failure::{Class, Failure};
 use crate::profile::{Cause, Family, Lang};

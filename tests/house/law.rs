@@ -75,6 +75,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
         "protocol",
         &[
             "drive",
+            "drive::account",
             "drive::decode",
             "drive::decode::modbus",
             "drive::decode::registers",
@@ -83,6 +84,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::diag",
             "drive::family",
             "drive::opening",
+            "drive::probe",
             "drive::relocate",
             "drive::relocate::journey",
             "drive::relocate::plot",
@@ -91,9 +93,11 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::scan::order",
             "drive::session",
             "drive::sniff",
+            "drive::target",
             "drive::terms",
             "drive::transfer",
             "drive::trouble",
+            "drive::write",
         ],
     ),
     ("simulator", &["drive::bench", "drive::session"]),
@@ -119,8 +123,6 @@ pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
 pub(crate) const CIRCLES: &[(&str, &str)] = &[
     ("args::address", "args::low"),
     ("command::sollwert::wanted", "command::sollwert::zero"),
-    ("drive::session", "drive::family"),
-    ("drive::session", "drive::trouble"),
     ("exchange::job", "exchange::master"),
     ("render::console", "render::ask"),
 ];

@@ -64,8 +64,11 @@ fn a_description_that_goes_on_without_end_is_cut_off_with_a_word() {
 #[test]
 fn a_port_that_was_lost_at_the_question_leaves_a_row_that_was_not_begun() {
     let _alone = alone();
-    // The old value, then nobody is there any more.
-    let (address, _) = server(1, |question| rtu::encode(question[0], &[3, 2, 0, 100]));
+    // The greeting and the old value, then nobody is there any more.
+    let (address, _) = server(2, |question| match question[1] {
+        8 => rtu::encode(question[0], &[8, 0, 11, 0, 1]),
+        _ => rtu::encode(question[0], &[3, 2, 0, 100]),
+    });
     let line = format!("-p tcp://{address} -a 1 --timeout 5s --drive act write 372=5 --json");
     let mut run = AtTerminal::start_into(&line, Stdio::piped());
     let mut out = run.child.stdout.take().unwrap();

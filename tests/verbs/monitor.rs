@@ -266,7 +266,7 @@ fn sets_that_differ_are_four_columns() {
     }
     // Found out once; from then on every set is asked at once.
     let asked = antrieb("-v --drive act -a 1 monitor 480 --count 3 --unpaced").on(bench).exits(0).sent();
-    assert_eq!(asked.len(), (1 + 1 + 4) + 4 + 4, "{asked:?}");
+    assert_eq!(asked.len(), 1 + (1 + 1 + 4) + 4 + 4, "greeted, asked: {asked:?}");
 }
 
 #[test]

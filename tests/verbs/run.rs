@@ -169,6 +169,11 @@ impl Output {
         self.telegrams('>')
     }
 
+    /// The same without the greeting of a drive that was named: a counter (code 8).
+    pub(crate) fn questions(&self) -> Vec<String> {
+        self.sent().into_iter().filter(|sent| !sent.starts_with("01 08 ")).collect()
+    }
+
     /// Telegrams in one direction, in hex.
     pub(crate) fn telegrams(&self, direction: char) -> Vec<String> {
         let marker = format!(" ms {direction} ");

@@ -2,7 +2,7 @@
 
 use super::look::{raw, working};
 use crate::drive::session::Session;
-use crate::drive::transfer::Target;
+use crate::drive::target::Target;
 use crate::failure::Failure;
 use crate::profile::value::format_decimal;
 use crate::profile::{Lang, Param};

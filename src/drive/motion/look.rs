@@ -1,9 +1,10 @@
 //! What a drive says that matters for moving it, and what keeps it from running, in words.
 
 use super::shaft::Watch;
+use crate::drive::access::AccessError;
 use crate::drive::describe;
-use crate::drive::session::{AccessError, Session};
-use crate::drive::transfer::Target;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;

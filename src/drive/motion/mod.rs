@@ -32,8 +32,10 @@ pub use stop::StopChoice;
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
 
-use super::session::{AccessError, Session};
-use super::transfer::{Order, Target, WriteFate};
+use super::access::AccessError;
+use super::session::Session;
+use super::target::Target;
+use super::write::{Order, WriteFate};
 use crate::failure::{Class, Failure};
 use crate::gate::Permit;
 use crate::outcome::{Change, Setpoint, State, Step, Stop};

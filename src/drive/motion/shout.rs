@@ -27,10 +27,11 @@
 
 use super::look::{raw, role_raw};
 use super::relief::command_of;
+use crate::drive::access::AccessError;
 use crate::drive::family;
 use crate::drive::route::{Cell, Inquiry, Meant};
-use crate::drive::session::{AccessError, Session};
-use crate::drive::transfer::Target;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
 use crate::exchange::{Answer, Limits, Question};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;

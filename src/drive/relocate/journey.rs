@@ -2,10 +2,12 @@
 
 use super::said::unmoved;
 use super::{Leg, Place, Then, number, parities, protocols};
-use crate::drive::family::probe;
-use crate::drive::session::{AccessError, Session};
-use crate::drive::transfer::{Order, Target, WriteFate};
-use crate::exchange::ExchangeError;
+use crate::drive::access::AccessError;
+use crate::drive::probe::probe;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
+use crate::drive::write::{Order, WriteFate};
+use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
 use crate::gate::Permit;
 use crate::profile::{Lang, Type};
@@ -209,18 +211,17 @@ impl Journey<'_, '_> {
     /// usual number.
     async fn answers(&mut self, place: Place, retries: Option<u8>) -> Result<bool, AccessError> {
         follow(self.session, self.target, place).await?;
-        let usual = retries.map(|retries| self.session.set_retries(retries));
+        let usual = self.session.limits();
+        let limits = Limits { retries: retries.unwrap_or(usual.retries), ..usual };
         let protocol = self.target.family.role("protocol").cloned();
         let spoken = number(&protocols(&self.target.family), &place.protocol);
         // Where a drive speaks one protocol only, its address is as good a sign as any.
         let Some(param) = protocol.clone().or_else(|| self.target.family.role("address").cloned()) else {
             return Ok(false);
         };
-        let reading = self.target.read_set(self.session, &param, 0).await;
-        if let Some(usual) = usual {
-            self.session.set_retries(usual);
-        }
-        match reading {
+        let target = &mut *self.target;
+        let read = async |session: &mut Session<'_>| target.read_set(session, &param, 0).await;
+        match self.session.within(limits, read).await {
             Ok(reading) => Ok(protocol.is_none() || Some(reading.raw) == spoken),
             Err(error) if error.is_fatal() => Err(error),
             Err(_) => Ok(false),
@@ -249,10 +250,8 @@ pub(super) async fn is_taken(
 ) -> Result<bool, AccessError> {
     follow(session, target, place).await?;
     let Some(question) = probe(place.protocol, place.address) else { return Ok(false) };
-    let usual = session.set_retries(0);
-    let answer = session.ask(place.address, question).await;
-    session.set_retries(usual);
-    match answer {
+    let once = Limits { retries: 0, ..session.limits() };
+    match session.ask_within(place.address, question, once).await {
         Ok(_) => Ok(true),
         Err(AccessError::Exchange(ExchangeError::Silence { .. })) => Ok(false),
         Err(AccessError::Exchange(_)) => Ok(true),

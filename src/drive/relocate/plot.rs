@@ -3,7 +3,7 @@
 use super::said::{behind_another, cannot_follow, out_of_range, speaks_one_only, unknown_settings};
 use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, parities, protocols};
 use crate::drive::session::Session;
-use crate::drive::transfer::Target;
+use crate::drive::target::Target;
 use crate::failure::Failure;
 use crate::profile::{Holds, Lang, Param};
 use crate::protocol::Protocol;

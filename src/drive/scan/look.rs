@@ -1,9 +1,11 @@
 //! A look at somebody who was heard, and what is odd about what was heard.
 
 use super::Tuning;
+use crate::drive::access::AccessError;
+use crate::drive::probe::probe;
 use crate::drive::route::Route;
-use crate::drive::session::{AccessError, Session};
-use crate::drive::transfer::Target;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
 use crate::drive::{describe, family};
 use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
@@ -106,7 +108,7 @@ async fn read(target: &mut Target, session: &mut Session<'_>, role: &str) -> Res
 
 /// Asks once more; `None` if there is no answer.
 async fn confirm(session: &mut Session<'_>, address: u8) -> Result<Option<Answer>, AccessError> {
-    let Some(question) = family::probe(session.protocol(), address) else { return Ok(None) };
+    let Some(question) = probe(session.protocol(), address) else { return Ok(None) };
     match session.ask(address, question).await {
         Ok(answer) => Ok(Some(answer)),
         Err(AccessError::Exchange(_)) => Ok(None),

@@ -3,9 +3,10 @@
 mod look;
 mod order;
 
-use super::family;
+use super::access::AccessError;
+use super::probe::probe;
 use super::route::{self, Inquiry};
-use super::session::{AccessError, Session};
+use super::session::Session;
 use super::trouble;
 use crate::exchange::News;
 use crate::exchange::survey::{Attendance, Patience, Sign, Survey};
@@ -226,7 +227,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         }
         let searched = order::tunings(known, unknown).into_iter().map(|tuning| {
             let before = || plan.before.iter().filter(|row| row.is_at(tuning));
-            let askable = |address: &&u8| family::probe(tuning.protocol, **address).is_some();
+            let askable = |address: &&u8| probe(tuning.protocol, **address).is_some();
             let asked = before().flat_map(|row| &row.addresses).copied();
             let asked = asked.filter(|address| plan.addresses.contains(address)).collect();
             let total = plan.addresses.iter().filter(askable).count();
@@ -286,7 +287,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let tuning = searched.tuning;
         let addresses =
             self.plan.addresses.iter().take(depth.first).filter(|&address| !searched.asked.contains(address));
-        let questions = addresses.filter_map(|&address| Some((address, family::probe(tuning.protocol, address)?)));
+        let questions = addresses.filter_map(|&address| Some((address, probe(tuning.protocol, address)?)));
         let questions: Vec<_> = questions.collect();
         let Some((_, question)) = questions.first() else { return Ok(()) };
         let patience = self.patience(tuning, depth, question);
@@ -338,7 +339,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
     }
 
     async fn look(&mut self, survey: &Survey, sign: &Sign, window: Span) -> Result<Sight, AccessError> {
-        let Some(question) = family::probe(self.session.protocol(), sign.station) else { return Ok(Sight::Nobody) };
+        let Some(question) = probe(self.session.protocol(), sign.station) else { return Ok(Sight::Nobody) };
         if survey.attendance().get(&sign.station).is_some_and(Attendance::owes) {
             self.session.expect(sign.station, question);
         }

@@ -115,12 +115,19 @@ impl Master {
             return Step::Wait(now);
         };
         let (station, is_fenced) = (job.station, job.is_fenced());
+        // A counter that was asked for once has one count, and copies do not differ.
+        let (asked, fence) = (job.same_fence, job.asks().clone());
+        let is_due = self.debts.missing(station).contains(&fence)
+            || self.debts.overtaken(station, now).any(|old| old.missing == fence);
+        let two_counts = is_fenced && asked == 1 && !is_due && second.as_ref().is_some_and(|second| *second != said);
         if is_fenced || is_named {
             self.twins.counts(station, second.is_some());
         }
+        let Some(job) = &mut self.job else { return Step::Wait(now) };
         if is_fenced {
             job.counted = Some(if second.is_some() { Count::Twice } else { Count::Once });
-        } else if second.is_some_and(|second| second != said) {
+        }
+        if two_counts || !is_fenced && second.is_some_and(|second| second != said) {
             self.twins.proves(station, now);
             return self.finish(Err(ExchangeError::TwoAnswers { station }));
         }

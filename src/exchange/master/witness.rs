@@ -33,7 +33,7 @@ impl Master {
     /// Values that never stay the same are believed at last where nothing was ever mixed up; elsewhere not before the
     /// missing ones cannot come any more.
     pub(super) fn witnessed(&mut self, at: Tick, said: Said) -> Option<Said> {
-        let plain = |job: &&Job| !job.is_fenced() && !job.question.is_write() && job.limits.witness;
+        let plain = |job: &&Job| !job.is_fenced() && !job.question.is_write();
         let Some(job) = self.job.as_ref().filter(plain) else {
             return Some(said);
         };
@@ -41,6 +41,15 @@ impl Master {
         let agree = job.witnesses.iter().filter(|&witness| *witness == said).count();
         if agree >= doubles.min(WITNESSES - 1) || self.dialect.is_numbered() {
             return Some(said);
+        }
+        if !job.limits.witness && !self.debts.mixes() {
+            return Some(said);
+        }
+        if !job.limits.witness {
+            // It cannot be asked for again, and what it says may be the answer to something else.
+            let error = unproven(&self.twins, job.station, job.asked);
+            self.job.as_mut()?.phase = Phase::Done(Err(error));
+            return None;
         }
         let more = self.heard.has_surplus() || self.twins.is_marked(job.station);
         let mixed = self.debts.mixes() || more && job.limits.insist.is_none();

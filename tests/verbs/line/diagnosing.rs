@@ -85,7 +85,7 @@ fn the_link_test_counts_and_measures() {
     let link = fine.data("/drives/0/link");
     assert_eq!((&link["asked"], &link["replies"], &link["error_rate_percent"]), (&json!(50), &json!(50), &json!(0.0)));
     assert!(link["fastest_us"].as_u64().unwrap() >= 10_000, "not before 10 ms (CM-485 manual 6.8)");
-    let lossy = "[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = 4\nkind = \"lost\"\n";
+    let lossy = "[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = 5\nkind = \"lost\"\n";
     let lossy = antrieb("-a 1 diag --link-test 100").on(lossy).json().exits(0);
     let link = lossy.data("/drives/0/link");
     assert_eq!(link["replies"].as_u64().unwrap() + link["silent"].as_u64().unwrap(), 100);

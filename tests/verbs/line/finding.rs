@@ -137,7 +137,7 @@ fn a_slow_drive_is_not_taken_for_silent() {
     let document = antrieb("-a 1 read 1600").on(slow).json().exits(6);
     assert_eq!(document.error()["context"]["p11"], "11", "the cause survives repeated questions");
     let run = antrieb("-a 1 --timeout 1s -v --drive act read 372").on(slow).exits(0);
-    assert_eq!(run.sent().len(), 1, "{}", run.err);
+    assert_eq!(run.questions().len(), 1, "{}", run.err);
     antrieb("-a 1 --timeout 1s scan").on(slow).json().exits(0);
 }
 

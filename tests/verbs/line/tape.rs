@@ -32,7 +32,7 @@ fn another_run_than_the_recorded_one_is_refused_with_the_line() {
     let refused = antrieb(&format!("-p tape:{trace} -a 1 --drive act read 412")).json().exits(3);
     assert_eq!(refused.error()["code"], "port.recording");
     let message = refused.error()["message"].as_str().unwrap();
-    assert!(message.contains("line 2: recorded was 01 03 01 9B 00 01"), "{message}");
+    assert!(message.contains("line 11: recorded was 01 03 01 9B 00 01"), "{message}");
 }
 
 #[test]

@@ -273,10 +273,10 @@ fn an_enable_that_is_lost_at_any_step_ends_the_run_and_does_not_start_it_again()
 fn a_held_run_outlives_what_is_lost_late_or_garbled() {
     for watchdog in [0, 2] {
         for kind in ["lost", "garbled", "noise", "late"] {
-            let by = if kind == "late" { "by = \"700ms\"" } else { "" };
+            let (every, by) = if kind == "late" { (8, "by = \"700ms\"") } else { (7, "") };
             // On such a line it takes a long holding time for a standstill to be seen under power.
             let bench = drive(&format!("{READY}, \"413\" = {watchdog}, \"638\" = 4"), "");
-            let bench = format!("{bench}[[disturb]]\nevery = 7\nkind = \"{kind}\"\n{by}\n");
+            let bench = format!("{bench}[[disturb]]\nevery = {every}\nkind = \"{kind}\"\n{by}\n");
             let came = held(&bench, &[], StopChoice::QuickStop, Span::ZERO, async |motor| {
                 run_at_20_hz(motor, Some(Span::from_secs(20))).await
             });

@@ -119,8 +119,10 @@ fn telegrams_are_shown_decoded_with_their_times() {
     let lines: Vec<_> = run.err.lines().collect();
     assert!(lines[0].starts_with("note: settings: port sim"), "{}", lines[0]);
     let lines = &lines[1..];
-    assert_eq!(lines.len(), 2);
-    assert!(lines[0].trim_start().starts_with("2.006 ms > 01 03 21 74 00 01 CE 2C  "), "{}", lines[0]);
+    assert_eq!(lines.len(), 4);
+    assert!(lines[0].trim_start().starts_with("2.006 ms > 01 08 00 0B 00 00 91 C9  "), "{}", lines[0]);
+    let lines = &lines[2..];
+    assert!(lines[0].contains(" ms > 01 03 21 74 00 01 CE 2C  "), "{}", lines[0]);
     assert!(lines[0].contains("P.372@2"), "{}", lines[0]);
     assert!(lines[1].contains(" ms < 01 03 02 05 6E 3A F8  ") && lines[1].contains("1390"), "{}", lines[1]);
     let german = antrieb("-p sim -a 1 --drive act -v --lang de read 372@2").exits(0);

@@ -21,7 +21,7 @@ fn read(what: &str) -> Vec<String> {
 
 /// Telegrams that reading takes, without those that tell the family.
 fn asked(what: &str) -> Vec<String> {
-    antrieb(&format!("--drive act -a 1 -v read {what}")).on(DIFFERING).exits(0).sent()
+    antrieb(&format!("--drive act -a 1 -v read {what}")).on(DIFFERING).exits(0).questions()
 }
 
 #[test]
@@ -97,19 +97,19 @@ fn ram_copies_differ_too() {
 #[test]
 fn an_unknown_width_is_found_by_asking_16_bits_then_32_and_remembered() {
     let run = antrieb("-p sim -a 1 --drive act -v read 241 241").exits(0);
-    let functions: Vec<String> = run.sent().iter().map(|hex| hex[3..11].to_owned()).collect();
+    let functions: Vec<String> = run.questions().iter().map(|hex| hex[3..11].to_owned()).collect();
     // Code 3 is refused, P.11 = 14; code 100 is right, and for the second time asked at once.
     assert_eq!(functions, ["03 00 F1", "03 00 0B", "64 00 F1", "64 00 F1"], "{}", run.err);
     assert_eq!(antrieb("-p sim -a 1 read 241").json().exits(0).data("/values/0/type"), "long");
     // A word is a word at the first question.
     let run = antrieb("-p sim -a 1 --drive act -v read 373").exits(0);
-    assert_eq!(run.sent().len(), 1);
+    assert_eq!(run.questions().len(), 1);
 }
 
 #[test]
 fn a_named_type_is_taken_whatever_the_catalogue_says() {
     let run = antrieb("-p sim -a 1 --drive act -v read 372 --type long").exits(6);
-    assert_eq!(run.sent()[0], "01 64 01 74 41 B0");
+    assert_eq!(run.questions()[0], "01 64 01 74 41 B0");
     assert!(run.err.contains("P.11 = 14"), "{}", run.err);
     let document = antrieb("-p sim -a 1 read 372 --decimals 2").json().exits(0);
     assert_eq!(document.data("/values/0/value"), 13.9);
@@ -127,7 +127,7 @@ fn a_parameter_that_no_catalogue_knows_is_asked_for_all_the_same() {
 #[test]
 fn the_cause_of_a_refusal_is_fetched_at_once_and_by_nobody_else() {
     let run = antrieb("-p sim -a 1 --drive act -v read 1600 11").exits(9);
-    let sent = run.sent();
+    let sent = run.questions();
     assert_eq!(sent[0][..11], *"01 03 06 40");
     assert_eq!(sent[1], "01 03 00 0B 00 01 F5 C8", "right behind the refused question");
     assert!(run.err.contains("P.11 = 11"), "{}", run.err);
@@ -238,7 +238,7 @@ fn a_width_whose_question_was_lost_is_no_refusal() {
 
 #[test]
 fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
-    let bench = format!("{DIFFERING}[[disturb]]\nonce = 2\nkind = \"lost\"\n");
+    let bench = format!("{DIFFERING}[[disturb]]\nonce = 3\nkind = \"lost\"\n");
     let run = antrieb("-a 1 --drive act read 372").on(&bench).json().exits(0);
     assert_eq!(names(&run), ["372@1", "372@2", "372@3", "372@4"]);
     for (lang, words) in [("en", "cause not known"), ("de", "Ursache unbekannt")] {
@@ -249,11 +249,44 @@ fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
     }
 }
 
+/// Number of the first reply that tells the register of P.11, and a verb that reads it: named, or recognised on the way.
+const CLEARED_BY_READING: [(u64, &str); 3] = [(2, "--drive act read 11"), (4, "read 11"), (4, "diag")];
+
+/// The exit code, what is told of the register, and how often it was asked for, with its first answer disturbed.
+fn register(verb: &str, reply: u64, disturbed: &str) -> (u8, Value, usize) {
+    let bench = format!(
+        "[[drive]]\nmodel = \"act\"\nset = {{ \"11\" = 9 }}\n[[disturb]]\nonce = {reply}\nkind = {disturbed}\n"
+    );
+    let run = antrieb(&format!("-v -a 1 {verb}")).on(&bench).json();
+    let place = if verb == "diag" { "/drives/0/error_register/code" } else { "/values/0/raw" };
+    let told = run.value["data"].pointer(place).unwrap_or(&Value::Null);
+    (run.exit, told.clone(), run.err.matches("> 01 03 00 0B").count())
+}
+
 #[test]
-fn the_register_that_reading_clears_is_asked_once() {
-    for (kind, exit) in [("lost", 4), ("garbled", 5), ("truncated", 5)] {
-        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nonce = 1\nkind = \"{kind}\"\n");
-        let run = antrieb("-v -a 1 --drive act read 11").on(&bench).run();
-        assert_eq!((run.exit, run.sent().len()), (exit, 1), "{kind}: {}{}", run.out, run.err);
+fn what_reading_clears_is_asked_once_and_a_lost_answer_is_never_told_as_nothing() {
+    for (reply, verb) in CLEARED_BY_READING {
+        for (kind, exit) in [("lost", 4), ("garbled", 5), ("truncated", 5)] {
+            let exit = if verb == "diag" { 9 } else { exit };
+            assert_eq!(register(verb, reply, &format!("\"{kind}\"")), (exit, Value::Null, 1), "{kind}, {verb}");
+        }
+    }
+}
+
+#[test]
+fn what_reading_clears_is_waited_for_twice_as_long() {
+    for (reply, verb) in CLEARED_BY_READING {
+        assert_eq!(register(verb, reply, "\"late\"\nby = \"800ms\""), (0, 9.into(), 1), "{verb}");
+    }
+}
+
+#[test]
+fn a_refusal_of_something_older_is_not_taken_for_an_answer_without_a_cause() {
+    for by in (1_000..=7_000).step_by(350) {
+        let bench = format!("[[drive]]\nmodel = \"act\"\n[[disturb]]\nevery = 2\nkind = \"late\"\nby = \"{by}ms\"\n");
+        for verb in ["--drive act read 241", "read 241"] {
+            let run = antrieb(&format!("-v -a 1 {verb}")).on(&bench).run();
+            assert_ne!(run.exit, 6, "{by} ms, {verb}: {}{}", run.out, run.err);
+        }
     }
 }

@@ -98,7 +98,7 @@ fn what_changes_nothing_is_not_sent_and_not_asked() {
 fn writes_are_read_back() {
     let run = antrieb("-p sim -a 1 --drive act --yes -v write 480@2=7.5").exits(0);
     let read = "01 64 21 E0 59 DF".to_owned();
-    let sent = run.sent();
+    let sent = run.questions();
     assert_eq!((&sent[0], &sent[2]), (&read, &read), "old value before, proof behind: {}", run.err);
     assert_eq!(sent.len(), 3);
 }
@@ -122,7 +122,7 @@ fn a_lost_echo_is_settled_by_reading() {
 
 #[test]
 fn what_cannot_be_settled_is_called_unknown() {
-    let dead = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"55ms\"\nsilent = \"1000s\"\n";
+    let dead = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"93ms\"\nsilent = \"1000s\"\n";
     let document = antrieb("-a 1 --drive act --yes write 480@2=7.5 481@2=8").on(dead).json().exits(4);
     assert_eq!(results(&document), ["480@2 eeprom unknown", "481@2 eeprom skipped"]);
     assert!(document.error()["message"].as_str().unwrap().contains("unknown"), "{}", document.error());

@@ -1,0 +1,59 @@
+//! Why a question brought no value.
+
+use super::pump::PumpError;
+use super::route::No;
+use crate::exchange::ExchangeError;
+use crate::transport::LinkError;
+
+/// The drive understood the question and said no.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// What the reply tells.
+    pub no: No,
+    /// The cause, read back at once from where the family keeps it: P.11 of the ACTIVE family.
+    pub cause: Option<u16>,
+    /// The answer that told the cause was lost, and reading had cleared it.
+    pub unheard: bool,
+}
+
+/// Why a question brought no value.
+#[derive(Debug, thiserror::Error)]
+pub enum AccessError {
+    /// The drive said no.
+    #[error("refused: {:?}", .0.no)]
+    Refused(Refusal),
+    /// No valid reply.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
+    /// The protocol on the line, or the family, has no telegram for this.
+    #[error("there is no telegram for this")]
+    Unspeakable,
+    /// The port is gone.
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    /// Somebody pressed Ctrl-C.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl AccessError {
+    /// Whether the whole session is over, not just this question.
+    pub fn is_fatal(&self) -> bool {
+        matches!(self, AccessError::Link(_) | AccessError::Interrupted)
+    }
+
+    /// Whether the drive said no.
+    pub fn is_refused(&self) -> bool {
+        matches!(self, AccessError::Refused(_))
+    }
+}
+
+impl From<PumpError> for AccessError {
+    fn from(error: PumpError) -> Self {
+        match error {
+            PumpError::Link(error) => error.into(),
+            PumpError::Interrupted => AccessError::Interrupted,
+            PumpError::TimeUp => ExchangeError::Unproven { asked: 0 }.into(),
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What is told of what goes over a line: every telegram in the words of its drive, and what is odd about a station.
+
+use super::decode;
+use crate::exchange::{Record, Verdict};
+use crate::outcome::Event;
+use crate::profile::{Family, Lang};
+use crate::protocol::Protocol;
+use crate::protocol::modbus::Hex;
+use crate::protocol::modbus::pdu::WordOrder;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// Tells whoever watches a line.
+pub(super) struct Account<'a> {
+    observe: &'a mut dyn FnMut(Event),
+    /// What is known of the drives by address, to name what goes over the line.
+    known: BTreeMap<u8, Known>,
+    /// Drives of which it was told that they answer twice.
+    twice: BTreeSet<u8>,
+    verbose: bool,
+    lang: Lang,
+}
+
+/// A drive whose telegrams can be told in the words of its family.
+struct Known {
+    family: Rc<Family>,
+    /// The upper half of a value in two registers comes first.
+    order: WordOrder,
+}
+
+impl<'a> Account<'a> {
+    /// Tells this observer; every telegram only if `verbose`.
+    pub(super) fn new(observe: &'a mut dyn FnMut(Event), verbose: bool, lang: Lang) -> Self {
+        Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), verbose, lang }
+    }
+
+    /// The language in which things are told.
+    pub(super) fn lang(&self) -> Lang {
+        self.lang
+    }
+
+    /// Tells an event.
+    pub(super) fn tell(&mut self, event: Event) {
+        (self.observe)(event);
+    }
+
+    /// Remembers what a drive is.
+    pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, order: WordOrder) {
+        if self.verbose {
+            self.known.insert(address, Known { family: family.clone(), order });
+        }
+    }
+
+    /// Tells what went over the line while `asked` was asked.
+    pub(super) fn show(&mut self, protocol: Protocol, records: &[Record], asked: Option<u8>) {
+        if !self.verbose {
+            return;
+        }
+        for record in records {
+            let station = match record.verdict {
+                Verdict::Stray { station } => Some(station),
+                _ => asked,
+            };
+            let known = station.and_then(|station| self.known.get(&station));
+            (self.observe)(telegram_event(protocol, self.lang, known, record));
+        }
+    }
+
+    /// Tells once that everything is answered twice: what is read may come from either of two drives.
+    pub(super) fn tell_twice(&mut self, station: u8) {
+        if self.twice.insert(station) {
+            let note = match self.lang {
+                Lang::En => format!(
+                    "address {station}: every question is answered twice: two drives with one address, or a repeater"
+                ),
+                Lang::De => format!(
+                    "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
+                     Repeater"
+                ),
+            };
+            (self.observe)(Event::Note(note));
+        }
+    }
+}
+
+fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record: &Record) -> Event {
+    let (direction, is_request) = match record.verdict {
+        Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
+        Verdict::Reply => ('<', Some(false)),
+        Verdict::Echo => ('~', Some(true)),
+        Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
+    };
+    let family = known.map(|known| &*known.family);
+    let order = known.map_or_else(WordOrder::default, |known| known.order);
+    let reader = decode::Reader { protocol, node: 0, family, order, lang };
+    let told = reader.telegram(&record.bytes, is_request);
+    let meaning = match record.verdict {
+        Verdict::Fence => format!("fence: {}", told.meaning),
+        Verdict::Echo => format!("{}: {}", lang.pick("echo of the adapter", "Echo des Adapters"), told.meaning),
+        Verdict::Stray { station } => format!("not the answer, from address {station}: {}", told.meaning),
+        _ => told.meaning,
+    };
+    Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
+}

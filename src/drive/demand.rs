@@ -1,0 +1,83 @@
+//! Asking for an answer that is no refusal; after one, for its cause. What tells the cause is cleared by reading.
+
+use super::access::{AccessError, Refusal};
+use super::route::{Route, no};
+use super::session::Session;
+use crate::exchange::{Answer, Limits, Question, Said};
+use crate::profile::{Cause, Family};
+use crate::tick::Span;
+
+impl Session<'_> {
+    /// Asks a drive for an answer that is no refusal; after one asks for the cause at once, because anything else could
+    /// overwrite it. A broadcast answers nothing.
+    pub async fn demand(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+    ) -> Result<Option<(Said, Span)>, AccessError> {
+        self.demand_within(route, family, question, self.limits()).await
+    }
+
+    /// Like [`Session::demand`], within time limits of its own; the cause has the usual ones.
+    pub async fn demand_within(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+        limits: Limits,
+    ) -> Result<Option<(Said, Span)>, AccessError> {
+        let (said, after) = match self.ask_within(route.address, question, limits).await? {
+            Answer::Broadcast => return Ok(None),
+            Answer::Reply { said, after } => (said, after),
+        };
+        let Some(no) = no(&said) else { return Ok(Some((said, after))) };
+        let (cause, unheard) = match route.cause(family, no) {
+            Some(question) => self.cause(route, family, question).await?,
+            None => (None, false),
+        };
+        // 0 is "nothing was refused": the register belongs to something else, or there is none.
+        Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))
+    }
+
+    /// Asks why the drive said no, and tells whether the answer was lost.
+    async fn cause(
+        &mut self,
+        route: Route,
+        family: &Family,
+        question: Question,
+    ) -> Result<(Option<u16>, bool), AccessError> {
+        let answer = match family.link.cause {
+            Cause::ErrorRegister => self.ask_once(route, question).await,
+            // It stands until the next one. A witness may be refused, and be the next one.
+            Cause::Diagnostics(_) => {
+                let limits = Limits { witness: false, ..self.limits() };
+                self.ask_within(route.address, question, limits).await
+            }
+        };
+        match answer {
+            Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
+            Ok(Answer::Broadcast) => Ok((None, false)),
+            Err(AccessError::Exchange(_)) => Ok((None, true)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Asks for a 16-bit number; `None` if the station answers with something else.
+    pub(super) async fn number(&mut self, route: Route, question: Question) -> Result<Option<u16>, AccessError> {
+        match self.ask(route.address, question).await {
+            Ok(Answer::Reply { said, .. }) => Ok(route.number(&said)),
+            Ok(Answer::Broadcast) | Err(AccessError::Exchange(_)) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Asks for what is gone once it has been read: once, because asked again it would say that nothing has happened, and
+    /// as patiently as one repeat would be, for a slow drive. What comes later still is an older answer as likely as this
+    /// one. An answer that is lost, or may be another's, is an error: what was there then is not known.
+    pub(super) async fn ask_once(&mut self, route: Route, question: Question) -> Result<Answer, AccessError> {
+        let limits = self.limits();
+        let reply_timeout = limits.reply_timeout.times(u64::from(limits.retries.min(1)) + 1);
+        self.ask_within(route.address, question, Limits { witness: false, retries: 0, reply_timeout, ..limits }).await
+    }
+}
