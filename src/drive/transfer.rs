@@ -3,7 +3,7 @@
 use super::route::{Cell, Content, Inquiry, No, Route, Width};
 use super::session::{AccessError, Refusal, Session};
 use crate::exchange::{ExchangeError, Limits};
-use crate::gate::Permit;
+use crate::gate::{Permit, Writes};
 use crate::profile::{DataSets, Family, Param, Sets, Type, value};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{Exception, WordOrder};
@@ -354,7 +354,7 @@ impl Target {
         session: &mut Session<'_>,
         param: &Param,
         order: Order,
-        _permit: &Permit,
+        _permit: &Permit<impl Writes>,
     ) -> Result<WriteFate, AccessError> {
         let Order { set, raw, kind, read_back } = order;
         let fits = value::check_width(raw, kind, 0);

@@ -7,7 +7,7 @@ use crate::drive::session::{AccessError, Session};
 use crate::drive::transfer::{Order, Target, WriteFate};
 use crate::exchange::ExchangeError;
 use crate::failure::Failure;
-use crate::gate::Permit;
+use crate::gate::{Line, Permit};
 use crate::profile::{Lang, Type};
 use crate::protocol::Protocol;
 use crate::tick::Span;
@@ -23,7 +23,7 @@ const PAUSE: Span = Span::from_millis(500);
 pub(super) struct Journey<'j, 's> {
     pub(super) session: &'j mut Session<'s>,
     pub(super) target: &'j mut Target,
-    pub(super) permit: &'j Permit,
+    pub(super) permit: &'j Permit<Line>,
     pub(super) lang: Lang,
     /// Where it answered last.
     pub(super) here: Place,
