@@ -53,6 +53,11 @@ impl Plan<'_> {
         self.runs || self.args.hold || before.state == "operation-enabled" || self.action == "contacts"
     }
 
+    /// Whether nothing of this run is obeyed but its setpoint.
+    fn is_started_by_others(&self, family: &Family, before: &Situation) -> bool {
+        !(before.obeys(family) || self.args.take_control && self.needs_control || self.action == "contacts")
+    }
+
     fn choice(&self) -> StopChoice {
         self.relief.map_or_else(|| choice(self.args.on_exit), StopChoice::beyond)
     }
@@ -176,7 +181,10 @@ pub(super) async fn run<'p, C>(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    let unseen = if motor.shouted && motor.powered && standing.is_none() { motor.why_unseen().await } else { None };
+    let unseen = match plan.relief {
+        Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
+        _ => None,
+    };
     let done = Done {
         standing,
         idle: motor.is_idle(),
@@ -301,7 +309,8 @@ fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended
         notes.push(keeps(plan, seen.after.as_ref(), done.standing, lang).to_owned());
     }
     let is_said = ended.stop.as_ref().is_some_and(|stop| stop.note.is_some());
-    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !done.idle && !is_said);
+    let is_theirs = done.idle && done.standing.is_none();
+    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !is_theirs && !is_said);
     notes.extend(coasts.map(str::to_owned));
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
@@ -369,6 +378,7 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     details.push(match (plan.args.hold, stop, lang) {
         (true, StopArg::Keep, Lang::En) => "it keeps running when this program ends (--on-exit keep)".to_owned(),
         (true, StopArg::Keep, Lang::De) => "er läuft weiter, wenn dieses Programm endet (--on-exit keep)".to_owned(),
+        (true, _, lang) if plan.is_started_by_others(&target.family, before) => started_by_others(&target.family, lang),
         (true, _, Lang::En) => format!("it is stopped when this program ends ({})", stop_name(stop)),
         (true, _, Lang::De) => format!("er wird angehalten, wenn dieses Programm endet ({})", stop_name(stop)),
         (false, _, lang) if powers => lang
@@ -387,6 +397,20 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     details.extend(plan.details.iter().cloned());
     details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
     Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+}
+
+/// What the end of a run is whose only hand is on the setpoint.
+fn started_by_others(family: &Family, lang: Lang) -> String {
+    let label = family.role_label("control-mode");
+    match lang {
+        Lang::En => format!(
+            "its contacts or its keypad start and stop it ({label}): when this program ends only the setpoint goes to 0"
+        ),
+        Lang::De => format!(
+            "seine Kontakte oder seine Bedieneinheit starten und halten ihn ({label}): endet dieses Programm, geht nur der \
+             Sollwert auf 0"
+        ),
+    }
 }
 
 fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>, lang: Lang) -> String {

@@ -45,6 +45,7 @@ mod motion {
     mod runs;
     mod stopping;
     mod stops;
+    mod unmeasured;
 }
 
 /// What needs no drive: catalogues, files, settings.

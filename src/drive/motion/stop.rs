@@ -1,7 +1,7 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
 use super::look::raw;
-use super::still::STOPPED;
+use super::still::{STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Stop};
@@ -226,7 +226,7 @@ impl Motor<'_, '_> {
         stop.acknowledged = off
             && match proof.standing {
                 Some(stands) => stands || !proof.owed,
-                // Of a drive that never had power there is nothing to prove.
+                // The state is the proof of a drive that never had power; of its shaft it is none, which the verdict knows.
                 None => !(proof.owed && self.powered),
             };
         if !off {
@@ -238,10 +238,11 @@ impl Motor<'_, '_> {
         } else if self.powered || proof.standing == Some(false) {
             stop.note = coasting(proof.standing, self.lang).map(str::to_owned);
             if !stop.acknowledged && proof.standing.is_none() && stop.because != "error" {
-                let why = self.why_unseen().await.map(|unseen| unseen.why);
-                stop.note =
-                    stop.note.map(|note| [Some(note), why].into_iter().flatten().collect::<Vec<_>>().join("; "));
+                let why = self.why_unseen().await.why;
+                stop.note = stop.note.map(|note| format!("{note}; {why}"));
             }
+        } else if proof.standing.is_none() && proof.owed && stop.because != "error" {
+            stop.note = Some(never_powered(self.lang).to_owned());
         }
         (stop.state, stop.standing) = (Some(proof.state), proof.standing);
         stop
@@ -249,14 +250,21 @@ impl Motor<'_, '_> {
 
     /// The stop was not proven: what does the drive say now?
     async fn last_look(&mut self, mut stop: Stop, owed: bool) -> Stop {
-        if let (Ok(state), true) = (self.state().await, self.lever != Lever::Setpoint) {
-            if STOPPED.contains(&state.slug.as_str()) {
+        let by_others = self.lever == Lever::Setpoint;
+        if let Ok(state) = self.state().await {
+            if STOPPED.contains(&state.slug.as_str()) && !by_others {
                 let standing = self.stands_now().await.ok().flatten();
                 return self.proven(stop, Proof { state, standing, owed }).await;
             }
             stop.state = Some(state);
         }
-        stop.note = Some(self.watchdog_note().await);
+        let watchdog = self.watchdog_note().await;
+        stop.note = Some(match &stop.state {
+            Some(state) if by_others && has_power(&state.slug) == Some(true) => {
+                format!("{}; {watchdog}", started_by_others(self.lang))
+            }
+            _ => watchdog,
+        });
         stop
     }
 
@@ -415,6 +423,14 @@ impl Motor<'_, '_> {
         self.write_control(command.word).await?;
         self.until(STOPPED, None, true).await
     }
+}
+
+/// What is said of a drive that turns on at a setpoint of 0 that is all we can give it.
+fn started_by_others(lang: Lang) -> &'static str {
+    lang.pick(
+        "its contacts or its keypad start and stop it, and only they take its power: a setpoint of 0 does not",
+        "seine Kontakte oder seine Bedieneinheit starten und halten ihn, nur sie nehmen ihm den Strom; ein Sollwert 0 nicht",
+    )
 }
 
 /// States from which a command of a stop would lead up.

@@ -121,7 +121,7 @@ fn the_watchdog_that_is_reported_is_the_one_in_force() {
     let bench = drive("\"412\" = 1, \"434\" = 2, \"413\" = 7", "");
     let kept = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s").on(&bench).json().exits(0);
     assert_eq!(kept.data("/watchdog_s"), &json!(2));
-    let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms");
+    let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms --on-exit coast");
     assert_eq!(held.on(&bench).json().exits(0).data("/watchdog_s"), &json!(7));
 }
 
