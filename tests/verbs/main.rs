@@ -45,6 +45,7 @@ mod motion {
     mod runs;
     mod stopping;
     mod stops;
+    mod to_the_letter;
     mod unmeasured;
 }
 

@@ -101,7 +101,11 @@ impl Motor<'_, '_> {
             self.trigger(command).await?;
         }
         let leaves_fault = transition.from == "fault";
-        let came = self.until(&[&transition.to], transition.takes, leaves_fault).await;
+        let family = self.target.family.clone();
+        // What is left by itself may be left before anybody looks: a quick stop of a shaft that hardly turned.
+        let on = family.machine.transitions.iter().filter(|row| row.from == transition.to && row.command.is_none());
+        let goals: Vec<_> = [&transition.to].into_iter().chain(on.map(|row| &row.to)).map(String::as_str).collect();
+        let came = self.until(&goals, transition.takes, leaves_fault).await;
         if let Some(command) = command.as_ref().filter(|command| command.edge) {
             // Also where it led nowhere: an edge that stands is none the next time.
             self.write_control(command.word & !command.mask).await?;
