@@ -104,7 +104,6 @@ pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
 /// Arrows that close a circle of files, and are still to go: from, to. The list only becomes shorter.
 pub(crate) const CIRCLES: &[(&str, &str)] = &[
     ("args::address", "args::low"),
-    ("command::sollwert::wanted", "command::sollwert::zero"),
     ("drive::session", "drive::family"),
     ("drive::session", "drive::trouble"),
     ("exchange::job", "exchange::master"),

@@ -1,6 +1,7 @@
 //! Whether a run ended as it was promised, and what its end is called if it did not.
 
-use super::{Done, Plan, Seen};
+use super::Plan;
+use super::done::{Done, Seen};
 use crate::args::StopArg;
 use crate::drive::motion::{Ended, Situation, has_power, may_turn, tripped};
 use crate::failure::{Class, Failure};
