@@ -26,7 +26,7 @@ const HURRIED: Span = Span::from_secs(3);
 const PURSUED_ALONE: Span = Span::from_secs(6);
 
 /// The state of a quick stop.
-const QUICK_STOP: &str = "quick-stop-active";
+pub(super) const QUICK_STOP: &str = "quick-stop-active";
 
 /// What proves a stop.
 struct Proof {
