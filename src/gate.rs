@@ -4,7 +4,8 @@
 //! away. So forgetting to ask does not compile:
 //!
 //! ```compile_fail
-//! let permit = antrieb::gate::Permit { _private: () };
+//! use antrieb::gate::{Motion, Permit};
+//! let permit: Permit<Motion> = Permit { _of: std::marker::PhantomData };
 //! ```
 //!
 //! ```compile_fail
@@ -19,13 +20,33 @@
 //!
 //! ```
 //! use antrieb::drive::{Session, Target, motion::Motor};
-//! use antrieb::gate::Permit;
+//! use antrieb::gate::{Motion, Permit};
 //! use antrieb::profile::Lang;
-//! fn after_asking(session: &mut Session<'_>, target: &mut Target, permit: &Permit) {
+//! fn after_asking(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Motion>) {
 //!     let motor = Motor::new(session, target, permit, Lang::En, None);
 //! }
 //! ```
+//!
+//! But not with one that was given for something else:
+//!
+//! ```compile_fail,E0308
+//! use antrieb::drive::{Session, Target, motion::Motor};
+//! use antrieb::gate::{Counters, Permit};
+//! use antrieb::profile::Lang;
+//! fn asked_about_counters(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Counters>) {
+//!     let motor = Motor::new(session, target, permit, Lang::En, None);
+//! }
+//! ```
+//!
+//! ```compile_fail,E0277
+//! use antrieb::gate::{Counters, Permit, Writes};
+//! fn writes(permit: &Permit<impl Writes>) {}
+//! fn asked_about_counters(permit: &Permit<Counters>) {
+//!     writes(permit);
+//! }
+//! ```
 
+use std::marker::PhantomData;
 use std::pin::Pin;
 
 /// What can happen.
@@ -41,12 +62,55 @@ pub enum Hazard {
     Line,
     /// The drive restarts, or its faults are reset.
     Reset,
+    /// What the drive has counted is lost.
+    Counters,
 }
 
-/// Proof that the user agreed to something, or that nobody needs to. Cannot be made but by [`ask`] and by a [`Relief`].
+/// What a permit can be for, as a type.
+pub trait Kind: sealed::Sealed {
+    /// What a question must name, so that a yes to it is such a permit.
+    const HAZARD: Hazard;
+}
+
+/// Kinds that come with writing parameters.
+pub trait Writes: Kind {}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+macro_rules! kinds {
+    ($($(#[doc = $doc:literal])* $kind:ident: $hazard:ident;)*) => {$(
+        $(#[doc = $doc])*
+        #[derive(Debug)]
+        pub enum $kind {}
+        impl sealed::Sealed for $kind {}
+        impl Kind for $kind {
+            const HAZARD: Hazard = Hazard::$hazard;
+        }
+    )*};
+}
+
+kinds! {
+    /// Turning a shaft, with everything that a run writes.
+    Motion: Motion;
+    /// Writing values.
+    Writing: Write;
+    /// Moving a drive to another line setting.
+    Line: Line;
+    /// Clearing counters.
+    Counters: Counters;
+}
+
+impl Writes for Motion {}
+impl Writes for Writing {}
+impl Writes for Line {}
+
+/// Proof that the user agreed to something of this kind, or that nobody needs to. Cannot be made but by [`ask`] and by a
+/// [`Relief`].
 #[derive(Debug)]
-pub struct Permit {
-    _private: (),
+pub struct Permit<K: Kind> {
+    _of: PhantomData<K>,
 }
 
 /// An act that can only take motion away. It needs nobody's word: its permit comes from what it is. Functions that take
@@ -65,8 +129,8 @@ pub enum Relief {
 
 impl Relief {
     /// The permit for this act.
-    pub fn permit(self) -> Permit {
-        Permit { _private: () }
+    pub fn permit(self) -> Permit<Motion> {
+        Permit { _of: PhantomData }
     }
 }
 
@@ -118,10 +182,14 @@ pub fn somebody(ask: &dyn Ask) -> Result<(), Denied> {
     if ask.is_there() { Ok(()) } else { Err(Denied::Nobody) }
 }
 
-/// Asks, and hands out the key if the answer is yes.
-pub async fn ask(somebody: &mut dyn Ask, question: &Question) -> Result<Permit, Denied> {
+/// Asks, and hands out the key if the answer is yes. A question that does not name the hazard of this kind is not put: nobody
+/// could agree to it.
+pub async fn ask<K: Kind>(somebody: &mut dyn Ask, question: &Question) -> Result<Permit<K>, Denied> {
+    if !question.hazards.contains(&K::HAZARD) {
+        return Err(Denied::Refused);
+    }
     match somebody.ask(question).await {
-        Answer::Yes => Ok(Permit { _private: () }),
+        Answer::Yes => Ok(Permit { _of: PhantomData }),
         Answer::No => Err(Denied::Refused),
         Answer::Nobody => Err(Denied::Nobody),
     }
@@ -144,19 +212,35 @@ mod tests {
         }
     }
 
+    fn asked<K: Kind>(answer: Answer, hazards: &[Hazard]) -> Option<Denied> {
+        let question = Question { hazards: hazards.to_vec(), title: String::new(), details: Vec::new() };
+        let mut says = Says(answer);
+        let mut asked = pin!(ask::<K>(&mut says, &question));
+        let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
+            unreachable!("the answer is there at once")
+        };
+        permit.err()
+    }
+
     #[test]
     fn only_a_yes_is_a_permit() {
-        let question = Question { hazards: vec![Hazard::Motion], title: String::new(), details: Vec::new() };
         for (answer, denied) in
             [(Answer::Yes, None), (Answer::No, Some(Denied::Refused)), (Answer::Nobody, Some(Denied::Nobody))]
         {
-            let mut says = Says(answer);
-            let mut asked = pin!(ask(&mut says, &question));
-            let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {
-                unreachable!("the answer is there at once")
-            };
-            assert_eq!(permit.err(), denied, "{answer:?}");
+            assert_eq!(asked::<Motion>(answer, &[Hazard::Motion]), denied, "{answer:?}");
         }
+    }
+
+    #[test]
+    fn a_yes_is_a_permit_for_what_was_asked_about_only() {
+        use Hazard::{Line as Cut, Motion as Turn, Reset, Wear, Write};
+        assert_eq!(asked::<Writing>(Answer::Yes, &[Write, Wear]), None);
+        assert_eq!(asked::<Line>(Answer::Yes, &[Write, Cut, Reset]), None);
+        assert_eq!(asked::<Counters>(Answer::Yes, &[Hazard::Counters]), None);
+        for hazards in [&[][..], &[Write, Wear, Cut, Reset], &[Hazard::Counters]] {
+            assert_eq!(asked::<Motion>(Answer::Yes, hazards), Some(Denied::Refused), "{hazards:?}");
+        }
+        assert_eq!(asked::<Counters>(Answer::Yes, &[Turn, Write]), Some(Denied::Refused));
     }
 
     #[test]

@@ -2,16 +2,16 @@
 
 use crate::drive::{AccessError, Interrupt, Session};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Ask, Denied, Permit, Question};
+use crate::gate::{self, Ask, Denied, Kind, Permit, Question};
 use crate::profile::Lang;
 
 /// Asks with the line open: it is kept going meanwhile, and the question ends if it is lost.
-pub(super) async fn on_line(
+pub(super) async fn on_line<K: Kind>(
     session: &mut Session<'_>,
     ask: &mut dyn Ask,
     question: &Question,
     lang: Lang,
-) -> Result<Permit, Failure> {
+) -> Result<Permit<K>, Failure> {
     match session.during(gate::ask(ask, question)).await {
         Ok(answer) => answer.map_err(|why| denied(why, lang)),
         Err(AccessError::Interrupted) => Err(interrupted(lang)),
@@ -20,12 +20,12 @@ pub(super) async fn on_line(
 }
 
 /// Asks before anything is opened.
-pub(super) async fn off_line(
+pub(super) async fn off_line<K: Kind>(
     interrupt: &Interrupt,
     ask: &mut dyn Ask,
     question: &Question,
     lang: Lang,
-) -> Result<Permit, Failure> {
+) -> Result<Permit<K>, Failure> {
     let answer = tokio::select! {
         biased;
         answer = gate::ask(ask, question) => answer,

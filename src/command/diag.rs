@@ -7,7 +7,7 @@ use crate::drive::{
     AccessError, Inquiry, Session, Target, clear_counters, counters, describe, last_refusal, link_test,
 };
 use crate::failure::{Class, Failure};
-use crate::gate::{Hazard, Permit, Question};
+use crate::gate::{Counters, Hazard, Permit, Question};
 use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value};
 use crate::profile::{Cause, DataSets, Family, Lang, Registry};
 use clap::Args as ClapArgs;
@@ -123,9 +123,9 @@ fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
     questions
 }
 
-async fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit, Failure> {
+async fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit<Counters>, Failure> {
     let question = Question {
-        hazards: vec![Hazard::Write],
+        hazards: vec![Hazard::Counters],
         title: "set the diagnostic counters of the drive to zero".to_owned(),
         details: vec!["what they counted so far is lost in the drive; this command shows it first".to_owned()],
     };
@@ -187,7 +187,7 @@ async fn diagnose(
     registry: &Registry,
     address: u8,
     args: &Args,
-    permit: Option<&Permit>,
+    permit: Option<&Permit<Counters>>,
 ) -> Result<Row<Diagnosis>, Failure> {
     let lang = settings.lang;
     let mut target = target(session, settings, registry, address, true).await?;

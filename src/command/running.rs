@@ -3,19 +3,21 @@
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
 use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    Ended, FirstWord, Meant, Motor, PROOF, Situation, StopChoice, Unseen, coasting, look, may_turn, shout, shout_zero,
-    watchdog_raw, watchdog_words,
+    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
+    watchdog_words,
 };
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{Hazard, Question, Relief};
-use crate::outcome::{Data, Decimal, Motion, Outcome};
+use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
+use crate::outcome::{Decimal, Outcome};
 use crate::profile::{Family, Lang, Mode, Registry};
 
+mod done;
+mod report;
 mod verdict;
 
-/// How often a drive that could not be reached for its stop may come back.
-const MOST_RETURNS: u8 = 5;
+use done::Seen;
+use report::{aftermath, report};
 
 /// The modes of a family in which something is meant.
 pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
@@ -42,7 +44,13 @@ pub(super) struct Plan<'p> {
     pub(super) said: bool,
 }
 
-impl Plan<'_> {
+impl<'p> Plan<'p> {
+    /// Something that needs the control word, may turn the shaft, and leaves the drive as it comes to stand.
+    pub(super) fn of(action: &'p str, announce: String, args: &'p MotionArgs) -> Self {
+        let (details, relief, zero) = (Vec::new(), None, None);
+        Plan { action, announce, details, args, needs_control: true, relief, runs: false, zero, said: false }
+    }
+
     /// What takes control or changes a setting does more than take motion away; what is held is a run.
     pub(super) fn only_relieves(args: &MotionArgs) -> bool {
         !(args.hold || args.take_control || args.watchdog.is_some())
@@ -51,6 +59,11 @@ impl Plan<'_> {
     /// Whether the drive is powered in it, or can be.
     fn powers(&self, before: &Situation) -> bool {
         self.runs || self.args.hold || before.state == "operation-enabled" || self.action == "contacts"
+    }
+
+    /// Whether nothing of this run is obeyed but its setpoint.
+    fn is_started_by_others(&self, family: &Family, before: &Situation) -> bool {
+        !(before.obeys(family) || self.args.take_control && self.needs_control || self.action == "contacts")
     }
 
     fn choice(&self) -> StopChoice {
@@ -109,39 +122,22 @@ pub(super) async fn run<'p, C>(
         interrupt.hear_only_keys();
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    // What can only take motion away goes out before anything is asked.
-    let mut first_word = FirstWord::default();
-    if let Some(act) = act {
-        (plan.said, first_word) = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
-        session.insist(true);
-        session.end_at(Some(session.now() + PROOF));
-    }
-    let begun = session.now();
-    let said = plan.said;
+    let first_word = match act {
+        Some(act) => relieve_first(&mut session, settings, registry, address, act, &mut plan).await?,
+        None => FirstWord::default(),
+    };
+    let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said, lang));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
-    // A command that relieves looks for itself, and goes out even where little can be seen.
-    let before = match act {
-        Some(Relief::Disable | Relief::QuickStop | Relief::DisableVoltage) => None,
-        act => match look(&mut session, &mut target, lang).await {
-            Err(failure) if act.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => {
-                return Err(unstopped(failure));
-            }
-            seen => seen.ok(),
-        },
-    };
+    let before = first_look(&mut session, &mut target, act, lang).await.map_err(unstopped)?;
     let blind = Situation::default();
     let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
     let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
         None => {
-            session.demand_one_drive(address).map_err(|error| error.failure(address, Some(&target.family), lang))?;
-            session.insist(false);
-            session.end_at(None);
-            let question = question(&plan, &target, settings.node, before.as_ref().unwrap_or(&blind), lang);
-            asking::on_line(&mut session, *ask, &question, lang).await?
+            agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)), lang).await?
         }
     };
     if plan.args.hold {
@@ -160,36 +156,58 @@ pub(super) async fn run<'p, C>(
             work(motor, checked).await
         })
         .await;
-    let mut after = motor.leave().await;
-    for _ in 0..MOST_RETURNS {
-        // A drive that answers again, and runs, gets its stop as soon as that is seen.
-        let Some(stop) = ended.stop.as_ref().filter(|_| motor.unheard) else { break };
-        if !after.as_ref().is_some_and(has_power) {
-            break;
-        }
-        ended.stop = Some(motor.stop_after_all(stop).await);
-        after = motor.leave().await;
-    }
-    let standing = match &ended.stop {
-        Some(stop) if after.is_none() => stop.standing,
-        Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
-        _ if after.is_some() => motor.stands_at_the_end().await,
-        _ => None,
-    };
-    let unseen = if motor.shouted && motor.powered && standing.is_none() { motor.why_unseen().await } else { None };
-    let done = Done {
-        standing,
-        idle: motor.is_idle(),
-        unseen,
-        steps: std::mem::take(&mut motor.steps),
-        changed: std::mem::take(&mut motor.changes),
-        setpoint: motor.setpoint.take(),
-        notes: std::mem::take(&mut motor.notes),
-        mode: motor.mode.take().map(|mode| mode.slug),
-        instead: motor.instead.take(),
-    };
+    let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
     Ok(report(&plan, &target, seen, done, ended, lang))
+}
+
+/// What can only take motion away goes out before anything is asked; from then on the end of the proof counts.
+async fn relieve_first(
+    session: &mut Session<'_>,
+    settings: &Settings,
+    registry: &Registry,
+    address: u8,
+    act: Relief,
+    plan: &mut Plan<'_>,
+) -> Result<FirstWord, Failure> {
+    let (said, first_word) = stop_first(session, settings, registry, address, act, plan.zero).await?;
+    plan.said = said;
+    session.insist(true);
+    session.end_at(Some(session.now() + PROOF));
+    Ok(first_word)
+}
+
+/// What the drive says before anything else is done. A command that relieves looks for itself, and goes out even where little
+/// can be seen; so does a setpoint of zero.
+async fn first_look(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    act: Option<Relief>,
+    lang: Lang,
+) -> Result<Option<Situation>, Failure> {
+    if act.is_some_and(|act| act != Relief::Zero) {
+        return Ok(None);
+    }
+    match look(session, target, lang).await {
+        Err(failure) if act.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+        seen => Ok(seen.ok()),
+    }
+}
+
+/// Asks, with what was seen of the node.
+async fn agreed(
+    session: &mut Session<'_>,
+    ask: &mut dyn Ask,
+    target: &Target,
+    plan: &Plan<'_>,
+    (node, before): (u8, &Situation),
+    lang: Lang,
+) -> Result<Permit<gate::Motion>, Failure> {
+    let one = session.demand_one_drive(target.address);
+    one.map_err(|error| error.failure(target.address, Some(&target.family), lang))?;
+    session.insist(false);
+    session.end_at(None);
+    asking::on_line(session, ask, &question(plan, target, node, before, lang), lang).await
 }
 
 /// Sends what stops the drive, before anything is asked that it does not need.
@@ -266,99 +284,6 @@ async fn prepare(
     Ok(())
 }
 
-/// What a run leaves in its motor.
-struct Done {
-    steps: Vec<crate::outcome::Step>,
-    changed: Vec<crate::outcome::Change>,
-    setpoint: Option<crate::outcome::Setpoint>,
-    notes: Vec<String>,
-    mode: Option<String>,
-    /// Whether the shaft stands.
-    standing: Option<bool>,
-    /// The drive had no power at any look.
-    idle: bool,
-    /// Why nothing shows whether a drive stands that was to be stopped.
-    unseen: Option<Unseen>,
-    /// Another stop was given than was asked for: which, and why.
-    instead: Option<String>,
-}
-
-/// What the drive said before and afterwards.
-struct Seen {
-    before: Option<Situation>,
-    /// The first look at a drive to which what takes motion away had gone out already.
-    first: Option<Situation>,
-    after: Option<Situation>,
-}
-
-fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended<()>, lang: Lang) -> Outcome {
-    let family = &target.family;
-    let state = |situation: &Situation| describe::state(family, situation.status, lang);
-    let to = seen.after.as_ref().map(state);
-    let running = seen.after.as_ref().map(has_power);
-    let mut notes = done.notes.clone();
-    if running == Some(true) {
-        notes.push(keeps(plan, seen.after.as_ref(), done.standing, lang).to_owned());
-    }
-    let is_said = ended.stop.as_ref().is_some_and(|stop| stop.note.is_some());
-    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !done.idle && !is_said);
-    notes.extend(coasts.map(str::to_owned));
-    let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
-    let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
-    let held = is_held(seen.after.as_ref(), done.standing);
-    if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
-        notes.push(nothing_stops_it(family, watchdog_s, lang));
-    }
-    if watchdog_s.is_some_and(|seconds| seconds.raw > 0) || (watchdog_s.is_none() && running == Some(true) && !held) {
-        notes.push(watchdog_words(family, watchdog_s, lang));
-    }
-    let failure = verdict::of(plan, family, &seen, &ended, running, &done, lang);
-    let data = Motion {
-        address: target.address,
-        drive: family.drive.clone(),
-        action: plan.action.to_owned(),
-        mode: done.mode,
-        from: seen.before.as_ref().map(state),
-        to,
-        steps: done.steps,
-        setpoint: done.setpoint,
-        changed: done.changed,
-        watchdog_s,
-        stop: ended.stop,
-        running,
-        standing: done.standing,
-        idle: done.idle,
-        notes,
-    };
-    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
-}
-
-/// What the drive does that keeps its power.
-fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
-    match (plan.relief, after.map(|seen| seen.state.as_str())) {
-        (Some(Relief::Zero), _) => {
-            lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
-        }
-        _ if is_held(after, standing) => lang.pick(
-            "the quick stop holds the shaft at standstill, with power",
-            "der Schnellhalt hält die Welle im Stillstand, mit Strom",
-        ),
-        (_, Some("quick-stop-active")) => {
-            lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
-        }
-        _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
-    }
-}
-
-/// A quick stop that has brought the shaft to rest and holds it there.
-fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
-    after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
-}
-
-fn has_power(situation: &Situation) -> bool {
-    crate::drive::motion::has_power(&situation.state) == Some(true)
-}
-
 /// Names address, family, present state and what will happen.
 fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang: Lang) -> Question {
     let state = describe::state(&target.family, before.status, lang);
@@ -369,6 +294,7 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     details.push(match (plan.args.hold, stop, lang) {
         (true, StopArg::Keep, Lang::En) => "it keeps running when this program ends (--on-exit keep)".to_owned(),
         (true, StopArg::Keep, Lang::De) => "er läuft weiter, wenn dieses Programm endet (--on-exit keep)".to_owned(),
+        (true, _, lang) if plan.is_started_by_others(&target.family, before) => started_by_others(&target.family, lang),
         (true, _, Lang::En) => format!("it is stopped when this program ends ({})", stop_name(stop)),
         (true, _, Lang::De) => format!("er wird angehalten, wenn dieses Programm endet ({})", stop_name(stop)),
         (false, _, lang) if powers => lang
@@ -387,6 +313,20 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     details.extend(plan.details.iter().cloned());
     details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
     Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+}
+
+/// What the end of a run is whose only hand is on the setpoint.
+fn started_by_others(family: &Family, lang: Lang) -> String {
+    let label = family.role_label("control-mode");
+    match lang {
+        Lang::En => format!(
+            "its contacts or its keypad start and stop it ({label}): when this program ends only the setpoint goes to 0"
+        ),
+        Lang::De => format!(
+            "seine Kontakte oder seine Bedieneinheit starten und halten ihn ({label}): endet dieses Programm, geht nur der \
+             Sollwert auf 0"
+        ),
+    }
 }
 
 fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>, lang: Lang) -> String {

@@ -131,15 +131,11 @@ async fn give(
     let bare = spoken.is_bare_zero() && args.mode.is_none();
     let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family, lang).ok(), family);
     let plan = Plan {
-        action: "sollwert",
-        announce: String::new(),
-        details: Vec::new(),
-        args: &motion,
         needs_control: enable,
         relief,
         runs: enable,
         zero: relief.map(|_| &zeros as &running::Modes<'_>),
-        said: false,
+        ..Plan::of("sollwert", String::new(), &motion)
     };
     running::run(
         context,

@@ -1,11 +1,13 @@
 //! `statemachine`: in which state is the drive, and walking it safely through its states.
 
+mod contacts;
+
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
-use crate::args::{MotionArgs, Settings, StopArg};
-use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault, runs_at, upon_enabling};
+use crate::args::{MotionArgs, Settings};
+use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault, upon_enabling};
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -86,7 +88,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         Some(Action::QuickStop(motion)) => ("quick-stop", motion),
         Some(Action::Reset(motion)) => ("reset", motion),
         Some(Action::Goto { state, motion }) => return go_to(context, state, motion).await,
-        Some(Action::Contacts { contacts, motion }) => return set_contacts(context, contacts, motion).await,
+        Some(Action::Contacts { contacts, motion }) => return contacts::set(context, contacts, motion).await,
     };
     let family = offline_family(context.settings, context.registry)?;
     let command = family.machine.command(slug).cloned();
@@ -99,17 +101,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             slug => told.command(slug),
         });
     }
-    let plan = Plan {
-        action: slug,
-        announce: command.name(lang).to_owned(),
-        details: Vec::new(),
-        args: motion,
-        needs_control: true,
-        relief,
-        runs: slug == "enable",
-        zero: None,
-        said: false,
-    };
+    let plan = Plan { relief, runs: slug == "enable", ..Plan::of(slug, command.name(lang).to_owned(), motion) };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
         context,
@@ -196,17 +188,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
     }
     let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
-    let plan = Plan {
-        action: "goto",
-        announce,
-        details: Vec::new(),
-        args: motion,
-        needs_control: true,
-        relief: None,
-        runs,
-        zero: None,
-        said: false,
-    };
+    let plan = Plan { runs, ..Plan::of("goto", announce, motion) };
     running::run(
         context,
         plan,
@@ -223,130 +205,6 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         },
     )
     .await
-}
-
-/// Closes virtual contacts by name. They act only with the hardware enable given (CM-485 manual 9.1.3, 10.1).
-async fn set_contacts(context: &mut Context<'_>, contacts: &[String], motion: &MotionArgs) -> Result<Outcome, Failure> {
-    let lang = context.settings.lang;
-    let family = offline_family(context.settings, context.registry)?;
-    let word = contact_word(&family, contacts, lang)?;
-    if motion.hold && motion.on_exit == StopArg::QuickStop {
-        let text = lang.pick("contacts know no quick stop", "Kontakte kennen keinen Schnellhalt");
-        return Err(Failure::new(Class::Usage, "usage.on_exit", text).hint(lang.pick(
-            "--on-exit ramp opens the start contacts first, --on-exit coast opens all at once",
-            "--on-exit ramp öffnet zuerst die Startkontakte, --on-exit coast alle zugleich",
-        )));
-    }
-    if context.settings.dry_run {
-        return dry_run(context, &family, motion, false, None, |told| {
-            let control = family.motion.control.filter(|_| motion.take_control);
-            if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
-                told.change(param, control.contacts);
-            }
-            told.control(word);
-        });
-    }
-    let shown = if contacts.is_empty() { "-".to_owned() } else { contacts.join(" ") };
-    let announce = format!(
-        "{}: {shown}",
-        lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen")
-    );
-    let plan = Plan {
-        action: "contacts",
-        announce,
-        details: Vec::new(),
-        args: motion,
-        needs_control: false,
-        relief: None,
-        runs: false,
-        zero: None,
-        said: false,
-    };
-    let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
-    running::run(
-        context,
-        plan,
-        async |session, target, before, plan| {
-            if plan.args.hold {
-                plan.details.push(opened(plan.args.on_exit, lang).to_owned());
-            }
-            let Some(control) = target.family.motion.control else {
-                let text =
-                    lang.pick("this drive has no virtual contacts", "dieser Antrieb hat keine virtuellen Kontakte");
-                return Err(Failure::new(Class::Forbidden, "forbidden.no_contacts", text));
-            };
-            if before.mode == Some(control.contacts) || take {
-                if word != 0 {
-                    let told = runs_at(session, target, lang).await?;
-                    told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
-                    plan.details.extend(told);
-                }
-                return Ok(control.contacts);
-            }
-            let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
-            let label = target.family.role_label("control-mode");
-            let needed = control.contacts;
-            let text = match lang {
-                Lang::En => {
-                    format!("the drive does not listen to virtual contacts: {label} is {mode}, it must be {needed}")
-                }
-                Lang::De => {
-                    format!("der Antrieb hört nicht auf virtuelle Kontakte: {label} ist {mode}, nötig ist {needed}")
-                }
-            };
-            Err(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
-                "--take-control sets it in RAM for the run and gives it back",
-                "--take-control stellt es für den Lauf im RAM um und danach zurück",
-            )))
-        },
-        async |motor, contacts| {
-            if take {
-                motor.change("control-mode", contacts).await?;
-            }
-            motor.contacts(word).await?;
-            if let Some(duration) = hold {
-                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
-            }
-            Ok(())
-        },
-    )
-    .await
-}
-
-/// What each way to stop is where contacts decide.
-fn opened(stop: StopArg, lang: Lang) -> &'static str {
-    match stop {
-        StopArg::Ramp => lang.pick(
-            "at the end the start contacts S2IND and S3IND open, the enable only once the drive is without power",
-            "am Ende öffnen die Startkontakte S2IND und S3IND, die Freigabe erst, wenn der Antrieb ohne Strom ist",
-        ),
-        StopArg::Coast | StopArg::QuickStop => {
-            lang.pick("at the end all contacts open, and the shaft coasts", "am Ende öffnen alle, die Welle läuft aus")
-        }
-        StopArg::Keep => lang.pick("the contacts stay closed", "die Kontakte bleiben geschlossen"),
-    }
-}
-
-/// The control word whose bits are the contacts with these names.
-fn contact_word(family: &Family, contacts: &[String], lang: Lang) -> Result<u16, Failure> {
-    let param = family.role("control-word");
-    let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
-    let bits = family.word(param, 0, |_| Some(2));
-    let fold = |name: &str| name.to_uppercase().replace(['-', '_', ' '], "");
-    let mut word = 0;
-    for contact in contacts {
-        let bit = bits.iter().find(|bit| bit.row.is_some_and(|row| fold(&row.en) == fold(contact)));
-        let bit = bit.ok_or_else(|| {
-            let known: Vec<_> = bits.iter().filter_map(|bit| bit.row.map(|row| row.en.as_str())).collect();
-            let message = match lang {
-                Lang::En => format!("there is no contact '{contact}' (expected: {})", known.join(", ")),
-                Lang::De => format!("es gibt keinen Kontakt '{contact}' (möglich: {})", known.join(", ")),
-            };
-            Failure::new(Class::Usage, "usage.contact", message)
-        })?;
-        word |= 1 << bit.bit;
-    }
-    Ok(word)
 }
 
 /// What a run would send: what it reads first, what the options set, the way, and its end.

@@ -6,7 +6,7 @@ use super::{Context, addresses_to_write, asking, connect, offline, target, terms
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, describe};
 use crate::failure::{Class, Failure};
-use crate::gate::{Ask, Permit};
+use crate::gate::{Ask, Permit, Writing};
 use crate::outcome::{Data, Document, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
 use crate::profile::{Family, Lang, Param, Selector, Type};
@@ -96,7 +96,7 @@ pub(super) async fn permit(
     ask: &mut dyn Ask,
     jobs: &[Job],
     lang: Lang,
-) -> Result<Option<Permit>, Failure> {
+) -> Result<Option<Permit<Writing>>, Failure> {
     match job::question(jobs, lang) {
         Some(question) => asking::on_line(session, ask, &question, lang).await.map(Some),
         None => Ok(None),

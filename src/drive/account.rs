@@ -78,7 +78,7 @@ impl<'a> Account<'a> {
                      Repeater"
                 ),
             };
-            (self.observe)(Event::Note(note));
+            (self.observe)(Event::Note(note.into()));
         }
     }
 }

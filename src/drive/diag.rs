@@ -5,7 +5,7 @@ use super::route::{Cell, Inquiry};
 use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
-use crate::gate::Permit;
+use crate::gate::{Counters, Permit};
 use crate::outcome::{Bucket, Counter, Event, LinkTest};
 use crate::profile::{Cause, Lang, Type};
 use crate::protocol::Protocol;
@@ -46,7 +46,7 @@ pub async fn last_refusal(session: &mut Session<'_>, target: &mut Target) -> Res
 pub async fn clear_counters(
     session: &mut Session<'_>,
     target: &mut Target,
-    _permit: &Permit,
+    _permit: &Permit<Counters>,
 ) -> Result<bool, AccessError> {
     let route = target.route(session).await?;
     let question = route.question(Inquiry::ClearCounters).ok_or(AccessError::Unspeakable)?;

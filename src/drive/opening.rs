@@ -71,7 +71,7 @@ pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event
     let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
     if let [only] = adapters.as_slice() {
         let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
-        observe(Event::Note(format!("{taking} {only}")));
+        observe(Event::Note(format!("{taking} {only}").into()));
         return Ok(Port::Serial(only.name.clone()));
     }
     let message = match (adapters.len(), lang) {

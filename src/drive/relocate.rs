@@ -14,7 +14,7 @@ use super::route::{Cell, Inquiry};
 use super::session::Session;
 use super::target::Target;
 use crate::failure::Failure;
-use crate::gate::Permit;
+use crate::gate::{Line, Permit};
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
 use crate::profile::{Family, Lang, Param, Text, Type};
 use crate::protocol::Protocol;
@@ -261,7 +261,7 @@ impl Course {
         &self,
         session: &mut Session<'_>,
         target: &mut Target,
-        permit: &Permit,
+        permit: &Permit<Line>,
         lang: Lang,
     ) -> (Relocation, Option<Failure>) {
         // Half a move is worse than one that takes some seconds longer.

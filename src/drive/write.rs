@@ -5,7 +5,7 @@ use super::route::{Cell, Inquiry, No};
 use super::session::Session;
 use super::target::Target;
 use crate::exchange::Limits;
-use crate::gate::Permit;
+use crate::gate::{Permit, Writes};
 use crate::profile::{Param, Type, value};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::Exception;
@@ -47,7 +47,7 @@ impl Target {
         session: &mut Session<'_>,
         param: &Param,
         order: Order,
-        _permit: &Permit,
+        _permit: &Permit<impl Writes>,
     ) -> Result<WriteFate, AccessError> {
         let Order { set, raw, kind, read_back } = order;
         let fits = value::check_width(raw, kind, 0);

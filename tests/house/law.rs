@@ -120,9 +120,5 @@ pub(crate) const SIBLINGS: &[(&str, &[&str])] = &[(
 pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
 
 /// Arrows that close a circle of files, and are still to go: from, to. The list only becomes shorter.
-pub(crate) const CIRCLES: &[(&str, &str)] = &[
-    ("args::address", "args::low"),
-    ("command::sollwert::wanted", "command::sollwert::zero"),
-    ("exchange::job", "exchange::master"),
-    ("render::console", "render::ask"),
-];
+pub(crate) const CIRCLES: &[(&str, &str)] =
+    &[("args::address", "args::low"), ("exchange::job", "exchange::master"), ("render::console", "render::ask")];

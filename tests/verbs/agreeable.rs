@@ -1,6 +1,6 @@
-//! Somebody who says yes to everything, and the permit that comes of it.
+//! Somebody who says yes to everything, and the permits that come of it.
 
-use antrieb::gate::{self, Answer, Ask, Hazard, Permit, Question, Reply};
+use antrieb::gate::{self, Answer, Ask, Kind, Permit, Question, Reply};
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
@@ -15,9 +15,9 @@ impl Ask for Agreeable {
     }
 }
 
-/// A permit for one hazard.
-pub(crate) fn permit(hazard: Hazard) -> Permit {
-    let question = Question { hazards: vec![hazard], title: String::new(), details: Vec::new() };
+/// A permit of one kind.
+pub(crate) fn permit<K: Kind>() -> Permit<K> {
+    let question = Question { hazards: vec![K::HAZARD], title: String::new(), details: Vec::new() };
     let mut agreeable = Agreeable;
     let mut asked = pin!(gate::ask(&mut agreeable, &question));
     let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {

@@ -5,7 +5,7 @@ use antrieb::drive::{
     Interrupt, Manner, Opening, Order, ScanPlan, Session, Target, WriteFate, clear_counters, counters, link_test,
     recognise, scan,
 };
-use antrieb::gate::Hazard;
+use antrieb::gate::Writing;
 use antrieb::outcome::Event;
 use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
 use antrieb::protocol::line::{LineSetting, Parity};
@@ -84,7 +84,7 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
         }
         for (id, raw, kind) in [(372, 1_450, Type::Uint), (480, -1_250, Type::Long), (376, 0, Type::Uint)] {
             let order = Order { set: 2, raw, kind, read_back: true };
-            let fate = target.write(session, family.param(id).unwrap(), order, &permit(Hazard::Write)).await;
+            let fate = target.write(session, family.param(id).unwrap(), order, &permit::<Writing>()).await;
             assert_eq!(fate.is_ok(), id != 376, "{id}: {fate:?}");
         }
         let rows = target.read(session, family.param(372).unwrap(), DataSets::Unnamed).await;
@@ -92,12 +92,12 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
         target.read(session, family.param(480).unwrap(), DataSets::All(Store::Ram)).await;
         assert_eq!(counters(session, &mut target, Lang::En).await.unwrap().len(), 8);
         assert!(link_test(session, &mut target, 20).await.unwrap().1.is_none());
-        assert!(clear_counters(session, &mut target, &permit(Hazard::Write)).await.unwrap());
+        assert!(clear_counters(session, &mut target, &permit()).await.unwrap());
     }
     let everybody = registry.family("acu").unwrap();
     let mut target = Target::new(0, everybody.clone());
     let order = Order { set: 5, raw: 700, kind: Type::Long, read_back: false };
-    let fate = target.write(session, everybody.param(480).unwrap(), order, &permit(Hazard::Write)).await;
+    let fate = target.write(session, everybody.param(480).unwrap(), order, &permit::<Writing>()).await;
     assert!(matches!(fate, Ok(WriteFate::Broadcast)), "{fate:?}");
     assert!(recognise(session, registry, 1, Lang::En, false).await.is_ok(), "the line goes on behind a broadcast");
 }
@@ -206,7 +206,7 @@ fn the_eeprom_is_worn_by_what_goes_there_and_by_nothing_else() {
         // RAM of set 2, EEPROM of set 2, RAM of all sets, EEPROM of all sets.
         for set in [7, 2, 5, 0] {
             let order = Order { set, raw: 1_400 + i64::from(set), kind: Type::Uint, read_back: true };
-            let fate = target.write(session, &speed, order, &permit(Hazard::Write)).await;
+            let fate = target.write(session, &speed, order, &permit::<Writing>()).await;
             assert!(matches!(fate, Ok(WriteFate::Verified)), "{set}: {fate:?}");
             worn.push(session.bench().unwrap().totals().eeprom_writes);
         }

@@ -44,6 +44,8 @@ mod motion {
     mod runs;
     mod stopping;
     mod stops;
+    mod to_the_letter;
+    mod unmeasured;
 }
 
 /// What needs no drive: catalogues, files, settings.

@@ -1,6 +1,7 @@
 //! Whether a run ended as it was promised, and what its end is called if it did not.
 
-use super::{Done, Plan, Seen};
+use super::Plan;
+use super::done::{Done, Seen};
 use crate::args::StopArg;
 use crate::drive::motion::{Ended, Situation, has_power, may_turn, tripped};
 use crate::failure::{Class, Failure};
@@ -8,6 +9,9 @@ use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
 use crate::profile::{Family, Lang, Need};
 use crate::text::Text;
+
+/// A shaft that nobody saw standing may coast.
+const STANDSTILL_UNPROVEN: &str = "forbidden.standstill_unproven";
 
 /// The failure of a run; `None` only if the final state is the one that was promised.
 pub(super) fn of(
@@ -26,9 +30,9 @@ pub(super) fn of(
             Some(dangerous(failure, family, lang))
         }
         (Some(failure), None) => Some(failure),
-        (None, Some(stop)) if is_unproven(stop, done) => Some(match fault(plan, seen) {
+        (None, Some(stop)) if is_unproven(stop) => Some(match fault(plan, seen) {
             Some(code) => stopped(tripped(family, code, lang), stop, running, family, done, lang),
-            None => unproven(stop, family, lang),
+            None => unproven(stop, family, done, lang),
         }),
         (None, _) => broken_promise(plan, family, seen, running, lang)
             .or_else(|| other_stop(done, lang))
@@ -38,9 +42,10 @@ pub(super) fn of(
     }
 }
 
-/// Whether a stop is not the one that was promised: a ramp or a quick stop ends at standstill, whoever was in a hurry.
-fn is_unproven(stop: &Stop, done: &Done) -> bool {
-    let ends_still = !["coast", "keep"].contains(&stop.choice) && !done.idle;
+/// Whether a stop is not the one that was promised: a ramp or a quick stop ends at standstill, whoever was in a hurry, and
+/// whoever turned the shaft before.
+fn is_unproven(stop: &Stop) -> bool {
+    let ends_still = !["coast", "keep"].contains(&stop.choice);
     stop.choice != "keep" && (!stop.acknowledged || (ends_still && stop.standing != Some(true)))
 }
 
@@ -67,7 +72,7 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     match is_over {
         false => dangerous(failure, family, lang),
         // Nothing stops a shaft without power, but whoever stands beside it must know.
-        true if is_unproven(stop, done) => warned(failure, lang),
+        true if is_unproven(stop) && !done.idle => warned(failure, lang),
         true => failure,
     }
 }
@@ -117,9 +122,11 @@ fn hinted<const N: usize>(failure: Failure, hints: [Option<String>; N]) -> Failu
 }
 
 /// The end came as it was to come, but not the stop.
-fn unproven(stop: &Stop, family: &Family, lang: Lang) -> Failure {
+fn unproven(stop: &Stop, family: &Family, done: &Done, lang: Lang) -> Failure {
     if is_off(stop) && stop.standing.is_none() {
-        return unseen(stop.note.clone(), lang);
+        let failure = unseen(stop.note.clone(), lang);
+        // What nobody gave power here turns by itself, if at all.
+        return if done.idle { failure } else { warned(failure, lang) };
     }
     let text = match is_off(stop) {
         true => came_of(stop, false, lang),
@@ -140,19 +147,27 @@ fn unseen(why: Option<String>, lang: Lang) -> Failure {
         "the drive is without power, but nothing showed that the shaft stands",
         "der Antrieb ist ohne Strom, aber nichts zeigte, dass die Welle steht",
     );
-    let failure =
-        Failure::new(Class::Forbidden, "forbidden.standstill_unproven", format!("{}: {text}", may_turn(lang)));
-    hinted(failure, [why])
+    hinted(Failure::new(Class::Forbidden, STANDSTILL_UNPROVEN, text), [why])
 }
 
-/// A drive that was to stop, and was seen to have power, but not to stand. What is set to coast may do so.
+/// A drive that was to stop, and was not seen to stand: its first look came behind the stop, so that it may have been turning
+/// even where that showed no power any more. What is set to coast may do so.
 fn unseen_relief(plan: &Plan<'_>, done: &Done, lang: Lang) -> Option<Failure> {
     let seen = done.unseen.as_ref()?;
-    match plan.relief? {
-        Relief::QuickStop => Some(unseen(Some(seen.why.clone()), lang)),
-        Relief::Disable if !seen.as_set => Some(unseen(Some(seen.why.clone()), lang)),
-        _ => None,
-    }
+    let failure = match plan.relief? {
+        Relief::QuickStop => unseen(Some(seen.why.clone()), lang),
+        Relief::Disable if !seen.as_set => unseen(Some(seen.why.clone()), lang),
+        Relief::Zero if done.setpoint.as_ref()?.reached.is_none() => {
+            let text = lang.pick(
+                "the setpoint is 0, but nothing showed that the shaft stands",
+                "der Sollwert ist 0, aber nichts zeigte, dass die Welle steht",
+            );
+            let why = lang.pick("it lost its power on the way", "er hat unterwegs seinen Strom verloren");
+            Failure::new(Class::Forbidden, STANDSTILL_UNPROVEN, text).hint(why)
+        }
+        _ => return None,
+    };
+    Some(warned(failure, lang))
 }
 
 /// The drive is stopped, but not in the way that was asked for.

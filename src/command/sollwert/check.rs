@@ -1,7 +1,9 @@
 //! Holding a setpoint against what the drive says.
 
 use super::Args;
+
 use super::wanted::{Total, Wanted, out_of_range};
+use crate::args::StopArg;
 use crate::drive::motion::{Situation, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
@@ -158,12 +160,20 @@ impl Check<'_, '_> {
             return Ok(None);
         };
         let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(None) };
-        let lifted = wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
+        let lifted = self.ends_at_zero() || wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family, self.lang);
             self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least).into()));
         }
         Ok(lifted.then_some(least))
+    }
+
+    /// Whether a setpoint of 0 is all that ends the run, because others start and stop the drive.
+    fn ends_at_zero(&self) -> bool {
+        let motion = &self.args.motion;
+        let enables = self.args.enable || self.args.jog.is_some();
+        let is_bounded = motion.hold && motion.on_exit != StopArg::Keep;
+        is_bounded && !(enables || self.before.obeys(&self.target.family))
     }
 
     /// The value that a parameter will have in this run.

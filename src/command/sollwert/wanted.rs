@@ -1,11 +1,11 @@
 //! What was typed, and what it means in the words of a family.
 
-use super::{Args, zero};
+use super::Args;
 use crate::args::parse_span;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
-use crate::profile::value::{self, check_range, format_decimal};
+use crate::profile::value::{self, check_range, format_decimal, parse_decimal};
 use crate::profile::{Family, Lang, Mode, Param, Start, Type};
 use std::path::{Path, PathBuf};
 
@@ -20,8 +20,12 @@ pub(super) struct Spoken {
 impl Spoken {
     /// Just a zero, without a unit.
     pub(super) fn is_bare_zero(&self) -> bool {
-        self.file.is_none() && matches!(self.points.as_slice(), [only] if zero::is_bare(&only.text))
+        self.file.is_none() && matches!(self.points.as_slice(), [only] if is_zero(&only.text))
     }
+}
+
+fn is_zero(text: &str) -> bool {
+    parse_decimal(text.trim(), 9).is_ok_and(|raw| raw == 0)
 }
 
 #[derive(Clone, Debug)]
@@ -173,7 +177,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
     let mode = named_mode(args, family, lang)?;
     let mode = match mode {
         Some(mode) => mode,
-        None if spoken.is_bare_zero() => zero::usual(family).ok_or_else(|| {
+        None if spoken.is_bare_zero() => zero_mode(family).ok_or_else(|| {
             bad(lang
                 .pick("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still")
                 .to_owned())
@@ -247,6 +251,11 @@ fn beyond(param: &Param, value: String, kind: &'static str) -> Failure {
         _ => value::ValueError::Width { value, kind },
     };
     out_of_range(param, &error)
+}
+
+/// The mode that a zero without a unit means, before the drive is asked.
+fn zero_mode(family: &Family) -> Option<&Mode> {
+    family.modes.iter().find(|mode| mode.zero_stops())
 }
 
 /// The mode that was named.

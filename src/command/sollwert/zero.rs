@@ -7,18 +7,7 @@ use crate::drive::motion::{Situation, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::value::parse_decimal;
 use crate::profile::{Family, Lang, Mode};
-
-/// A zero without a unit: it means the mode in which the drive works.
-pub(super) fn is_bare(text: &str) -> bool {
-    parse_decimal(text.trim(), 9).is_ok_and(|raw| raw == 0)
-}
-
-/// The mode that a zero without a unit means, before the drive is asked.
-pub(super) fn usual(family: &Family) -> Option<&Mode> {
-    family.modes.iter().find(|mode| mode.zero_stops())
-}
 
 /// Whether nothing but a setpoint of zero is wanted, as far as the words tell.
 pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {

@@ -53,7 +53,7 @@ fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
 
 fn consequence(hazard: Hazard, lang: Lang) -> Option<&'static str> {
     let (en, de) = match hazard {
-        Hazard::Write => return None,
+        Hazard::Write | Hazard::Counters => return None,
         Hazard::Wear => (
             "EEPROM: each of these writes wears it a little; @ram does not",
             "EEPROM: jedes Schreiben nutzt es etwas ab; @ram nicht",

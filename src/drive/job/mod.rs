@@ -9,7 +9,7 @@ pub use asked::question;
 
 use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
 use crate::failure::{Class, Failure};
-use crate::gate::Permit;
+use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Type};
@@ -147,7 +147,7 @@ pub async fn carry_out(
     session: &mut Session<'_>,
     job: &mut Job,
     terms: &Terms<'_>,
-    permit: &Permit,
+    permit: &Permit<Writing>,
     failures: &mut Vec<Failure>,
 ) -> bool {
     let (address, lang) = (job.target.address, terms.lang());

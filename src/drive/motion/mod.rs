@@ -37,7 +37,7 @@ use super::session::Session;
 use super::target::Target;
 use super::write::{Order, WriteFate};
 use crate::failure::{Class, Failure};
-use crate::gate::Permit;
+use crate::gate::{self, Permit};
 use crate::outcome::{Change, Setpoint, State, Step, Stop};
 use crate::profile::{Blind, Lang, Mode, Need, Param};
 use crate::tick::{Span, Tick};
@@ -71,7 +71,7 @@ enum Lever {
 pub struct Motor<'a, 's> {
     session: &'a mut Session<'s>,
     target: &'a mut Target,
-    permit: &'a Permit,
+    permit: &'a Permit<gate::Motion>,
     lang: Lang,
     patience: Span,
     /// A command or setpoint went out, so there is something to stop.
@@ -160,7 +160,7 @@ impl<'a, 's> Motor<'a, 's> {
     pub fn new(
         session: &'a mut Session<'s>,
         target: &'a mut Target,
-        permit: &'a Permit,
+        permit: &'a Permit<gate::Motion>,
         lang: Lang,
         patience: Option<Span>,
     ) -> Self {

@@ -135,24 +135,29 @@ impl Motor<'_, '_> {
         let stands = self.role_raw("control-word").await?;
         self.word = stands.and_then(|word| u16::try_from(word).ok()).unwrap_or(0);
         let keeps_power = self.word & !starts != 0;
-        let label = self.target.family.role_label("control-mode");
-        self.instead = match (act, self.lang) {
-            (Relief::QuickStop, Lang::En) => Some(format!(
-                "{label} is 2, and contacts know no quick stop: all were opened, and a shaft that was turning coasts"
-            )),
-            (Relief::QuickStop, Lang::De) => Some(format!(
-                "{label} ist 2, und Kontakte kennen keinen Schnellhalt: alle wurden geöffnet, eine drehende Welle läuft aus"
-            )),
-            (Relief::Disable, Lang::En) if self.first_word.instead && !keeps_power => Some(format!(
-                "{label} is 2, which was not told in time: all contacts were opened, and a shaft that was turning coasts"
-            )),
-            (Relief::Disable, Lang::De) if self.first_word.instead && !keeps_power => Some(format!(
-                "{label} ist 2, was nicht rechtzeitig gesagt wurde: alle Kontakte wurden geöffnet, eine drehende Welle läuft aus"
-            )),
+        let why = match act {
+            Relief::QuickStop => {
+                Some(self.lang.pick("and contacts know no quick stop", "und Kontakte kennen keinen Schnellhalt"))
+            }
+            Relief::Disable if self.first_word.instead && !keeps_power => {
+                Some(self.lang.pick("which was not told in time", "was nicht rechtzeitig gesagt wurde"))
+            }
             _ => None,
         };
+        self.instead = why.map(|why| self.opened_instead(why));
         let way = if act == Relief::Disable { StopChoice::Ramp } else { StopChoice::Coast };
         self.open_contacts(way, false).await.map(|_state| ())
+    }
+
+    /// What opening all contacts is in place of the stop that was asked for.
+    fn opened_instead(&self, why: &str) -> String {
+        let label = self.target.family.role_label("control-mode");
+        match self.lang {
+            Lang::En => {
+                format!("{label} is 2, {why}: all contacts were opened, and a shaft that was turning coasts")
+            }
+            Lang::De => format!("{label} ist 2, {why}: alle Kontakte wurden geöffnet, eine drehende Welle läuft aus"),
+        }
     }
 
     /// What proves the stop, and what decides on the word that follows: state and control mode, if both are told. All else

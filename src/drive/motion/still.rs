@@ -87,7 +87,7 @@ impl Sight {
 }
 
 impl Motor<'_, '_> {
-    /// Whether nobody gave the drive power at any look, us included: its shaft is nobody's concern here.
+    /// Whether nobody gave the drive power at any look, us included. Its shaft may coast from before all the same.
     pub fn is_idle(&self) -> bool {
         !self.powered && !self.shouted
     }
@@ -208,9 +208,6 @@ impl Motor<'_, '_> {
         if self.target.family.motion.stator.is_none() {
             return self.movement().await;
         }
-        if self.is_idle() {
-            return Ok(None);
-        }
         if self.sight.on != Some(false) {
             self.state().await?;
         }
@@ -286,16 +283,32 @@ impl Motor<'_, '_> {
         Ok(ending)
     }
 
-    /// Why nothing showed a standstill of a drive that was stopped; `None` if its family always tells.
-    pub async fn why_unseen(&mut self) -> Option<Unseen> {
+    /// Why nothing showed a standstill of a drive that was stopped.
+    pub async fn why_unseen(&mut self) -> Unseen {
         let family = self.target.family.clone();
-        let stator = family.motion.stator.as_ref()?;
+        let Some(stator) = &family.motion.stator else {
+            let why = self.lang.pick("no answer told of its shaft", "keine Antwort sagte etwas von seiner Welle");
+            return Unseen { why: why.to_owned(), as_set: false };
+        };
         let ending = if self.sight.by_setting { self.ending().await.ok().flatten() } else { None };
-        Some(match ending {
-            Some(row) => Unseen { why: row.name(self.lang).to_owned(), as_set: row.coasts },
-            None => Unseen { why: stator.early.get(self.lang).to_owned(), as_set: false },
-        })
+        match ending {
+            Some(row) if self.powered || row.coasts => {
+                Unseen { why: row.name(self.lang).to_owned(), as_set: row.coasts }
+            }
+            _ if !self.powered => Unseen { why: never_powered(self.lang).to_owned(), as_set: false },
+            _ => Unseen { why: stator.early.get(self.lang).to_owned(), as_set: false },
+        }
     }
+}
+
+/// What is said of the shaft of a drive that had no power at any look: it may coast from before.
+pub(super) fn never_powered(lang: Lang) -> &'static str {
+    lang.pick(
+        "it had no power at any look, and without it nothing tells of its shaft, which may coast from before: look at it; \
+         `disable-voltage` and `--on-exit coast` promise no standstill",
+        "er war bei jedem Blick ohne Strom, und dann zeigt nichts, ob seine Welle von vorher ausläuft: selbst hinsehen; \
+         `disable-voltage` und `--on-exit coast` versprechen keinen Stillstand",
+    )
 }
 
 /// Why nothing showed a standstill.

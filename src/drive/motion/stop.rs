@@ -1,12 +1,18 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
 use super::look::raw;
-use super::still::STOPPED;
+use super::still::{STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Stop};
 use crate::profile::{Lang, Mode, StopRow, Takes};
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
+
+mod choice;
+mod told;
+
+pub use choice::StopChoice;
+use told::started_by_others;
 
 /// How often the stop at the end is tried at least on a line that does not answer.
 const STOP_TRIES: u8 = 5;
@@ -20,47 +26,7 @@ const HURRIED: Span = Span::from_secs(3);
 const PURSUED_ALONE: Span = Span::from_secs(6);
 
 /// The state of a quick stop.
-const QUICK_STOP: &str = "quick-stop-active";
-
-/// How a run is stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopChoice {
-    /// The gentlest way that the family has.
-    Ramp,
-    /// Quick stop.
-    QuickStop,
-    /// Disable voltage.
-    Coast,
-    /// Not at all.
-    Keep,
-}
-
-impl StopChoice {
-    /// The word that names it in catalogues and JSON.
-    pub fn slug(self) -> &'static str {
-        match self {
-            StopChoice::Ramp => "ramp",
-            StopChoice::QuickStop => "quick-stop",
-            StopChoice::Coast => "coast",
-            StopChoice::Keep => "keep",
-        }
-    }
-
-    /// The choice that a word names.
-    pub(super) fn of(slug: &str) -> Self {
-        let all = [StopChoice::Ramp, StopChoice::QuickStop, StopChoice::Keep];
-        all.into_iter().find(|choice| choice.slug() == slug).unwrap_or(StopChoice::Coast)
-    }
-
-    /// What is left where this one does not do, or somebody cannot wait for it.
-    pub(super) fn stronger(self) -> Option<StopChoice> {
-        match self {
-            StopChoice::Ramp => Some(StopChoice::QuickStop),
-            StopChoice::QuickStop => Some(StopChoice::Coast),
-            StopChoice::Coast | StopChoice::Keep => None,
-        }
-    }
-}
+pub(super) const QUICK_STOP: &str = "quick-stop-active";
 
 /// What proves a stop.
 struct Proof {
@@ -84,22 +50,8 @@ impl Motor<'_, '_> {
             stop.note = Some(text.to_owned());
             return stop;
         }
-        if because == "interrupted" {
-            self.tell_stopping(choice);
-        }
-        self.stopping = true;
-        // A drive on its way to operation shows for a while that it is without power.
-        self.shown = None;
-        self.sight.forget();
-        self.session.insist(true);
+        let begun = self.begin_to_stop(choice, because == "interrupted");
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
-        let begun = self.session.now();
-        (self.heard, self.unheard) = (begun, false);
-        if self.relieving.is_none() {
-            self.bound = None;
-            self.session.end_at(None);
-        }
-        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
         loop {
             if self.lever == Lever::Contacts && way == StopChoice::QuickStop {
                 way = self.no_quick_stop();
@@ -120,21 +72,14 @@ impl Motor<'_, '_> {
                     stop.escalated = Some(next.slug());
                 }
                 (Class::Interrupted, None) => {
-                    // It must have gone out, also into a busy line.
                     hurry = true;
-                    self.session.note_interrupts();
-                    if self.bound.is_none_or(|bound| bound > self.session.now() + HURRIED) {
-                        self.ends_within(HURRIED);
-                    }
+                    self.hurries();
                 }
                 (Class::Port, _) => break,
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
-                    self.session.note_interrupts();
-                    let now = self.session.now();
-                    let pursued = now.since(begun) >= limit || self.session.is_over();
-                    if pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await) {
+                    if self.gives_up(begun).await {
                         self.unheard = true;
                         break;
                     }
@@ -150,6 +95,42 @@ impl Motor<'_, '_> {
             self.ends_within(ENDING_ALONE);
         }
         self.last_look(stop, !hurry && way != StopChoice::Coast).await
+    }
+
+    /// What everything else waits for from now on; returns when it began.
+    fn begin_to_stop(&mut self, choice: StopChoice, interrupted: bool) -> Tick {
+        if interrupted {
+            self.tell_stopping(choice);
+        }
+        self.stopping = true;
+        // A drive on its way to operation shows for a while that it is without power.
+        self.shown = None;
+        self.sight.forget();
+        self.session.insist(true);
+        let begun = self.session.now();
+        (self.heard, self.unheard) = (begun, false);
+        if self.relieving.is_none() {
+            self.bound = None;
+            self.session.end_at(None);
+        }
+        begun
+    }
+
+    /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
+    fn hurries(&mut self) {
+        self.session.note_interrupts();
+        if self.bound.is_none_or(|bound| bound > self.session.now() + HURRIED) {
+            self.ends_within(HURRIED);
+        }
+    }
+
+    /// Whether a stop that brings no answers is given up: as long as the drive answers now and then it goes out to it.
+    async fn gives_up(&mut self, begun: Tick) -> bool {
+        self.session.note_interrupts();
+        let now = self.session.now();
+        let limit = if self.relieving.is_some() { PURSUED_ALONE } else { PURSUED };
+        let pursued = now.since(begun) >= limit || self.session.is_over();
+        pursued || (now.since(self.heard) >= SILENT && !self.runs_on().await)
     }
 
     /// What is left to stop it with.
@@ -181,44 +162,6 @@ impl Motor<'_, '_> {
         self.state().await.is_ok_and(|state| !STOPPED.contains(&state.slug.as_str()))
     }
 
-    /// Says once how a run that is held ends.
-    pub(super) fn tell_held(&mut self) {
-        let Some(choice) = self.stops.take() else { return };
-        let text = match (choice, self.lang) {
-            (StopChoice::Keep, Lang::En) => "running; Ctrl-C ends this program, not the drive (keep)".to_owned(),
-            (StopChoice::Keep, Lang::De) => {
-                "läuft; Ctrl-C beendet dieses Programm, nicht den Antrieb (keep)".to_owned()
-            }
-            (choice, Lang::En) => format!("running; Ctrl-C stops: {}", choice.slug()),
-            (choice, Lang::De) => format!("läuft; Ctrl-C hält an: {}", choice.slug()),
-        };
-        self.session.tell(Event::Note(text.into()));
-    }
-
-    /// Says that the stop is under way, and what another interrupt does.
-    fn tell_stopping(&mut self, choice: StopChoice) {
-        let (slug, stronger) = (choice.slug(), self.stronger(choice));
-        let text = match (stronger, self.lang) {
-            (Some(next), Lang::En) => format!("stopping: {slug}; another Ctrl-C: {}", next.slug()),
-            (Some(next), Lang::De) => format!("der Halt läuft: {slug}; noch ein Ctrl-C: {}", next.slug()),
-            (None, Lang::En) => format!("stopping: {slug}; another Ctrl-C waits no longer"),
-            (None, Lang::De) => format!("der Halt läuft: {slug}; noch ein Ctrl-C wartet ihn nicht ab"),
-        };
-        self.session.tell(Event::Note(text.into()));
-    }
-
-    fn tell_stronger(&mut self, way: StopChoice, next: StopChoice, interrupted: bool) {
-        let (way, next) = (way.slug(), next.slug());
-        let text = match (interrupted, self.lang) {
-            (true, Lang::En) => format!("interrupted again: {next} in place of {way}"),
-            (true, Lang::De) => format!("erneut unterbrochen: {next} statt {way}"),
-            (false, Lang::En) => format!("{way} is not obeyed: {next} in its place"),
-            (false, Lang::De) => format!("{way} wird nicht befolgt: stattdessen {next}"),
-        };
-        self.session.tell(Event::Note(text.clone().into()));
-        self.notes.push(text);
-    }
-
     /// What the proof tells. A shaft that turns on without power is said, also where nobody waited for it, and so is that
     /// nothing tells.
     async fn proven(&mut self, mut stop: Stop, proof: Proof) -> Stop {
@@ -226,7 +169,7 @@ impl Motor<'_, '_> {
         stop.acknowledged = off
             && match proof.standing {
                 Some(stands) => stands || !proof.owed,
-                // Of a drive that never had power there is nothing to prove.
+                // The state is the proof of a drive that never had power; of its shaft it is none, which the verdict knows.
                 None => !(proof.owed && self.powered),
             };
         if !off {
@@ -238,10 +181,11 @@ impl Motor<'_, '_> {
         } else if self.powered || proof.standing == Some(false) {
             stop.note = coasting(proof.standing, self.lang).map(str::to_owned);
             if !stop.acknowledged && proof.standing.is_none() && stop.because != "error" {
-                let why = self.why_unseen().await.map(|unseen| unseen.why);
-                stop.note =
-                    stop.note.map(|note| [Some(note), why].into_iter().flatten().collect::<Vec<_>>().join("; "));
+                let why = self.why_unseen().await.why;
+                stop.note = stop.note.map(|note| format!("{note}; {why}"));
             }
+        } else if proof.standing.is_none() && proof.owed && stop.because != "error" {
+            stop.note = Some(never_powered(self.lang).to_owned());
         }
         (stop.state, stop.standing) = (Some(proof.state), proof.standing);
         stop
@@ -249,14 +193,21 @@ impl Motor<'_, '_> {
 
     /// The stop was not proven: what does the drive say now?
     async fn last_look(&mut self, mut stop: Stop, owed: bool) -> Stop {
-        if let (Ok(state), true) = (self.state().await, self.lever != Lever::Setpoint) {
-            if STOPPED.contains(&state.slug.as_str()) {
+        let by_others = self.lever == Lever::Setpoint;
+        if let Ok(state) = self.state().await {
+            if STOPPED.contains(&state.slug.as_str()) && !by_others {
                 let standing = self.stands_now().await.ok().flatten();
                 return self.proven(stop, Proof { state, standing, owed }).await;
             }
             stop.state = Some(state);
         }
-        stop.note = Some(self.watchdog_note().await);
+        let watchdog = self.watchdog_note().await;
+        stop.note = Some(match &stop.state {
+            Some(state) if by_others && has_power(&state.slug) == Some(true) => {
+                format!("{}; {watchdog}", started_by_others(self.lang))
+            }
+            _ => watchdog,
+        });
         stop
     }
 

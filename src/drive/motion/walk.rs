@@ -1,6 +1,7 @@
 //! Walking the state machine, each step proven, and why a step does not come.
 
 use super::look::{missing, no_control, no_plan, state_name, tripped};
+use super::stop::QUICK_STOP;
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -101,7 +102,11 @@ impl Motor<'_, '_> {
             self.trigger(command).await?;
         }
         let leaves_fault = transition.from == "fault";
-        let came = self.until(&[&transition.to], transition.takes, leaves_fault).await;
+        let family = self.target.family.clone();
+        // A quick stop may be over before anybody looks, and some drives leave it by themselves.
+        let on = family.machine.transitions.iter().filter(|row| row.from == transition.to && row.from == QUICK_STOP);
+        let goals: Vec<_> = [&transition.to].into_iter().chain(on.map(|row| &row.to)).map(String::as_str).collect();
+        let came = self.until(&goals, transition.takes, leaves_fault).await;
         if let Some(command) = command.as_ref().filter(|command| command.edge) {
             // Also where it led nowhere: an edge that stands is none the next time.
             self.write_control(command.word & !command.mask).await?;

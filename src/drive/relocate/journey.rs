@@ -9,7 +9,7 @@ use crate::drive::target::Target;
 use crate::drive::write::{Order, WriteFate};
 use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
-use crate::gate::Permit;
+use crate::gate::{Line, Permit};
 use crate::profile::{Lang, Type};
 use crate::protocol::Protocol;
 use crate::tick::Span;
@@ -25,7 +25,7 @@ const PAUSE: Span = Span::from_millis(500);
 pub(super) struct Journey<'j, 's> {
     pub(super) session: &'j mut Session<'s>,
     pub(super) target: &'j mut Target,
-    pub(super) permit: &'j Permit,
+    pub(super) permit: &'j Permit<Line>,
     pub(super) lang: Lang,
     /// Where it answered last.
     pub(super) here: Place,

@@ -4,7 +4,6 @@ use crate::agreeable::permit;
 use antrieb::drive::relocate::{Wish, course};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::{Class, Failure};
-use antrieb::gate::Hazard;
 use antrieb::outcome::{Event, Relocation, RelocationResult, StepResult};
 use antrieb::profile::{Lang, Registry};
 use antrieb::protocol::Protocol;
@@ -81,7 +80,7 @@ async fn one_move(
     let mut target = Target::new(address, registry.family("acu").unwrap());
     let course = course(session, &mut target, wish, lang).await?;
     course.check_free(session, &mut target, lang).await?;
-    Ok(course.go(session, &mut target, &permit(Hazard::Line), lang).await)
+    Ok(course.go(session, &mut target, &permit(), lang).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {

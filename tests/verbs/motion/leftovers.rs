@@ -4,7 +4,7 @@ use super::runs::with_motor;
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look, may_change_mode};
 use antrieb::drive::{Session, Target};
-use antrieb::gate::Permit;
+use antrieb::gate::{Motion, Permit};
 use antrieb::profile::Lang;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
@@ -17,7 +17,7 @@ fn servo(readings: &str) -> String {
 }
 
 /// Turns the shaft in the velocity profile at 600 1/min and leaves it so.
-async fn turn(session: &mut Session<'_>, target: &mut Target, permit: &Permit) {
+async fn turn(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Motion>) {
     let (mode, param) = (target.family.mode("velocity").unwrap().clone(), target.family.param(6_938).unwrap().clone());
     let mut motor = Motor::new(session, target, permit, Lang::En, None);
     let ended = motor

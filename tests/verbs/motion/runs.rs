@@ -4,7 +4,7 @@ use crate::agreeable::permit;
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
-use antrieb::gate::{Hazard, Permit};
+use antrieb::gate::{Motion, Permit};
 use antrieb::outcome::Event;
 use antrieb::profile::{Lang, Registry};
 use antrieb::transport::Port;
@@ -211,7 +211,7 @@ fn the_question_names_drive_state_and_what_will_happen() {
 pub(crate) fn with_motor(
     drive: &str,
     drives: &str,
-    work: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Permit),
+    work: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Permit<Motion>),
     after: impl FnOnce(&mut antrieb::simulator::Bench),
 ) {
     let directory = tempfile::tempdir().unwrap();
@@ -225,7 +225,7 @@ pub(crate) fn with_motor(
     let opened = Session::open(opening, &registry, Interrupt::default(), &mut observe);
     let mut session = runtime.block_on(opened).unwrap();
     let mut target = Target::new(1, registry.family(drive).unwrap());
-    runtime.block_on(work(&mut session, &mut target, &permit(Hazard::Motion)));
+    runtime.block_on(work(&mut session, &mut target, &permit()));
     after(session.bench().unwrap());
 }
 

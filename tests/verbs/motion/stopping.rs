@@ -12,7 +12,7 @@ use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::{Port, witness};
 use serde_json::json;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A drive that runs from the first moment on, and obeys the control word.
 pub(super) const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
@@ -121,7 +121,7 @@ fn the_watchdog_that_is_reported_is_the_one_in_force() {
     let bench = drive("\"412\" = 1, \"434\" = 2, \"413\" = 7", "");
     let kept = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s").on(&bench).json().exits(0);
     assert_eq!(kept.data("/watchdog_s"), &json!(2));
-    let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms");
+    let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms --on-exit coast");
     assert_eq!(held.on(&bench).json().exits(0).data("/watchdog_s"), &json!(7));
 }
 
@@ -133,8 +133,11 @@ pub(super) struct Came {
     pub(super) took: Tick,
     pub(super) turning: u64,
     pub(super) energised: u64,
-    /// Telegrams that went out, in hex.
+    /// Telegrams that went out, in hex, and when.
     pub(super) sent: Vec<String>,
+    pub(super) at: Vec<Tick>,
+    /// When the last one came in.
+    pub(super) heard: Tick,
 }
 
 impl Came {
@@ -169,10 +172,15 @@ pub(super) fn held_of(
     let registry = Registry::open(&[]).unwrap();
     let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
     let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
+    let (at, heard) = (RefCell::new(Vec::new()), Cell::new(Tick::ZERO));
     let mut left: Vec<&str> = presses.to_vec();
     let yields = |next: &&str| next.strip_prefix('+').and_then(|count| count.parse::<usize>().ok());
     let mut observe = |event: Event| {
-        if let Event::Telegram { direction: '>', hex, .. } = event {
+        if let Event::Telegram { at_us, direction: '<', .. } = event {
+            heard.set(Tick::ZERO + Span::from_micros(at_us));
+        }
+        if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
+            at.borrow_mut().push(Tick::ZERO + Span::from_micros(at_us));
             if left.first().is_some_and(|next| hex.starts_with(next)) {
                 left.remove(0);
                 signals.press();
@@ -213,8 +221,8 @@ pub(super) fn held_of(
     });
     let totals = session.bench().map(|bench: &mut Bench| bench.totals()).unwrap();
     drop(session);
-    let sent = sent.into_inner();
-    Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent }
+    let (sent, at, heard) = (sent.into_inner(), at.into_inner(), heard.get());
+    Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent, at, heard }
 }
 
 pub(super) const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";

@@ -1,0 +1,127 @@
+//! What came of a run, as it is reported.
+
+use super::done::{Done, Seen};
+use super::{Plan, nothing_stops_it, verdict};
+use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
+use crate::drive::{Target, describe};
+use crate::gate::Relief;
+use crate::outcome::{Data, Motion, Outcome};
+use crate::profile::Lang;
+
+/// How often a drive that could not be reached for its stop may come back.
+const MOST_RETURNS: u8 = 5;
+
+/// What a run leaves: a drive that answers again, and runs, gets its stop as soon as that is seen.
+pub(super) async fn aftermath(
+    motor: &mut Motor<'_, '_>,
+    ended: &mut Ended<()>,
+    plan: &Plan<'_>,
+) -> (Done, Option<Situation>) {
+    let mut after = motor.leave().await;
+    for _ in 0..MOST_RETURNS {
+        let Some(stop) = ended.stop.as_ref().filter(|_| motor.unheard) else { break };
+        if !after.as_ref().is_some_and(has_power) {
+            break;
+        }
+        ended.stop = Some(motor.stop_after_all(stop).await);
+        after = motor.leave().await;
+    }
+    let standing = match &ended.stop {
+        Some(stop) if after.is_none() => stop.standing,
+        Some(stop) if stop.standing == Some(true) && !after.as_ref().is_some_and(has_power) => stop.standing,
+        _ if after.is_some() => motor.stands_at_the_end().await,
+        _ => None,
+    };
+    let unseen = match plan.relief {
+        Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
+        _ => None,
+    };
+    let done = Done {
+        standing,
+        idle: motor.is_idle(),
+        unseen,
+        steps: std::mem::take(&mut motor.steps),
+        changed: std::mem::take(&mut motor.changes),
+        setpoint: motor.setpoint.take(),
+        notes: std::mem::take(&mut motor.notes),
+        mode: motor.mode.take().map(|mode| mode.slug),
+        instead: motor.instead.take(),
+    };
+    (done, after)
+}
+
+pub(super) fn report(
+    plan: &Plan<'_>,
+    target: &Target,
+    seen: Seen,
+    done: Done,
+    ended: Ended<()>,
+    lang: Lang,
+) -> Outcome {
+    let family = &target.family;
+    let state = |situation: &Situation| describe::state(family, situation.status, lang);
+    let to = seen.after.as_ref().map(state);
+    let running = seen.after.as_ref().map(has_power);
+    let mut notes = done.notes.clone();
+    if running == Some(true) {
+        notes.push(keeps(plan, seen.after.as_ref(), done.standing, lang).to_owned());
+    }
+    let is_said = ended.stop.as_ref().is_some_and(|stop| stop.note.is_some());
+    let is_theirs = done.idle && done.standing.is_none();
+    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !is_theirs && !is_said);
+    notes.extend(coasts.map(str::to_owned));
+    let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
+    let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
+    let held = is_held(seen.after.as_ref(), done.standing);
+    if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
+        notes.push(nothing_stops_it(family, watchdog_s, lang));
+    }
+    if watchdog_s.is_some_and(|seconds| seconds.raw > 0) || (watchdog_s.is_none() && running == Some(true) && !held) {
+        notes.push(watchdog_words(family, watchdog_s, lang));
+    }
+    let failure = verdict::of(plan, family, &seen, &ended, running, &done, lang);
+    let data = Motion {
+        address: target.address,
+        drive: family.drive.clone(),
+        action: plan.action.to_owned(),
+        mode: done.mode,
+        from: seen.before.as_ref().map(state),
+        to,
+        steps: done.steps,
+        setpoint: done.setpoint,
+        changed: done.changed,
+        watchdog_s,
+        stop: ended.stop,
+        running,
+        standing: done.standing,
+        idle: done.idle,
+        notes,
+    };
+    Outcome { data: Some(Data::Motion(data)), warnings: Vec::new(), failure }
+}
+
+/// What the drive does that keeps its power.
+fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
+    match (plan.relief, after.map(|seen| seen.state.as_str())) {
+        (Some(Relief::Zero), _) => {
+            lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
+        }
+        _ if is_held(after, standing) => lang.pick(
+            "the quick stop holds the shaft at standstill, with power",
+            "der Schnellhalt hält die Welle im Stillstand, mit Strom",
+        ),
+        (_, Some("quick-stop-active")) => {
+            lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
+        }
+        _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
+    }
+}
+
+/// A quick stop that has brought the shaft to rest and holds it there.
+fn is_held(after: Option<&Situation>, standing: Option<bool>) -> bool {
+    after.is_some_and(|seen| seen.state == "quick-stop-active") && standing == Some(true)
+}
+
+fn has_power(situation: &Situation) -> bool {
+    crate::drive::motion::has_power(&situation.state) == Some(true)
+}

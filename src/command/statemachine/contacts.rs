@@ -1,0 +1,149 @@
+//! `statemachine contacts`: virtual contacts through the control word.
+
+use super::dry_run;
+use crate::args::{MotionArgs, StopArg};
+use crate::command::running::{self, Plan};
+use crate::command::{Context, offline_family};
+use crate::drive::motion::{Motor, Situation, runs_at};
+use crate::drive::{Session, Target};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Event, Outcome};
+use crate::profile::{Family, Lang};
+
+/// Closes virtual contacts by name. They act only with the hardware enable given (CM-485 manual 9.1.3, 10.1).
+pub(super) async fn set(
+    context: &mut Context<'_>,
+    contacts: &[String],
+    motion: &MotionArgs,
+) -> Result<Outcome, Failure> {
+    let lang = context.settings.lang;
+    let family = offline_family(context.settings, context.registry)?;
+    let word = contact_word(&family, contacts, lang)?;
+    knows_the_stop(motion, lang)?;
+    if context.settings.dry_run {
+        return dry_run(context, &family, motion, false, None, |told| {
+            let control = family.motion.control.filter(|_| motion.take_control);
+            if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
+                told.change(param, control.contacts);
+            }
+            told.control(word);
+        });
+    }
+    let shown = if contacts.is_empty() { "-".to_owned() } else { contacts.join(" ") };
+    let announce = format!(
+        "{}: {shown}",
+        lang.pick("close these contacts, open all others", "diese Kontakte schließen, alle anderen öffnen")
+    );
+    let plan = Plan { needs_control: false, ..Plan::of("contacts", announce, motion) };
+    let (hold, take) = (motion.hold.then_some(motion.duration), motion.take_control);
+    running::run(
+        context,
+        plan,
+        async |session, target, before, plan| heard(session, target, before, plan, word, lang).await,
+        async |motor, contacts| {
+            if take {
+                motor.change("control-mode", contacts).await?;
+            }
+            motor.contacts(word).await?;
+            if let Some(duration) = hold {
+                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+            }
+            Ok(())
+        },
+    )
+    .await
+}
+
+/// There is no quick stop by contacts; refused before anything is opened.
+fn knows_the_stop(motion: &MotionArgs, lang: Lang) -> Result<(), Failure> {
+    if motion.hold && motion.on_exit == StopArg::QuickStop {
+        let text = lang.pick("contacts know no quick stop", "Kontakte kennen keinen Schnellhalt");
+        return Err(Failure::new(Class::Usage, "usage.on_exit", text).hint(lang.pick(
+            "--on-exit ramp opens the start contacts first, --on-exit coast opens all at once",
+            "--on-exit ramp öffnet zuerst die Startkontakte, --on-exit coast alle zugleich",
+        )));
+    }
+    Ok(())
+}
+
+/// Refuses what the drive would not listen to, and tells what the contacts start; returns the control mode in which they are
+/// some.
+async fn heard(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    before: &Situation,
+    plan: &mut Plan<'_>,
+    word: u16,
+    lang: Lang,
+) -> Result<i64, Failure> {
+    if plan.args.hold {
+        plan.details.push(opened(plan.args.on_exit, lang).to_owned());
+    }
+    let Some(control) = target.family.motion.control else {
+        let text = lang.pick("this drive has no virtual contacts", "dieser Antrieb hat keine virtuellen Kontakte");
+        return Err(Failure::new(Class::Forbidden, "forbidden.no_contacts", text));
+    };
+    if before.mode != Some(control.contacts) && !plan.args.take_control {
+        return Err(unheard(before, &target.family, control.contacts, lang));
+    }
+    if word != 0 {
+        let told = runs_at(session, target, lang).await?;
+        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
+        plan.details.extend(told);
+    }
+    Ok(control.contacts)
+}
+
+/// The failure to show where the control word is no contacts.
+fn unheard(before: &Situation, family: &Family, needed: i64, lang: Lang) -> Failure {
+    let mode = before.mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
+    let label = family.role_label("control-mode");
+    let text = match lang {
+        Lang::En => {
+            format!("the drive does not listen to virtual contacts: {label} is {mode}, it must be {needed}")
+        }
+        Lang::De => {
+            format!("der Antrieb hört nicht auf virtuelle Kontakte: {label} ist {mode}, nötig ist {needed}")
+        }
+    };
+    Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
+        "--take-control sets it in RAM for the run and gives it back",
+        "--take-control stellt es für den Lauf im RAM um und danach zurück",
+    ))
+}
+
+/// What each way to stop is where contacts decide.
+fn opened(stop: StopArg, lang: Lang) -> &'static str {
+    match stop {
+        StopArg::Ramp => lang.pick(
+            "at the end the start contacts S2IND and S3IND open, the enable only once the drive is without power",
+            "am Ende öffnen die Startkontakte S2IND und S3IND, die Freigabe erst, wenn der Antrieb ohne Strom ist",
+        ),
+        StopArg::Coast | StopArg::QuickStop => {
+            lang.pick("at the end all contacts open, and the shaft coasts", "am Ende öffnen alle, die Welle läuft aus")
+        }
+        StopArg::Keep => lang.pick("the contacts stay closed", "die Kontakte bleiben geschlossen"),
+    }
+}
+
+/// The control word whose bits are the contacts with these names.
+fn contact_word(family: &Family, contacts: &[String], lang: Lang) -> Result<u16, Failure> {
+    let param = family.role("control-word");
+    let param = param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))?;
+    let bits = family.word(param, 0, |_| Some(2));
+    let fold = |name: &str| name.to_uppercase().replace(['-', '_', ' '], "");
+    let mut word = 0;
+    for contact in contacts {
+        let bit = bits.iter().find(|bit| bit.row.is_some_and(|row| fold(&row.en) == fold(contact)));
+        let bit = bit.ok_or_else(|| {
+            let known: Vec<_> = bits.iter().filter_map(|bit| bit.row.map(|row| row.en.as_str())).collect();
+            let message = match lang {
+                Lang::En => format!("there is no contact '{contact}' (expected: {})", known.join(", ")),
+                Lang::De => format!("es gibt keinen Kontakt '{contact}' (möglich: {})", known.join(", ")),
+            };
+            Failure::new(Class::Usage, "usage.contact", message)
+        })?;
+        word |= 1 << bit.bit;
+    }
+    Ok(word)
+}
