@@ -4,8 +4,9 @@ use super::runs::with_motor;
 use super::stopping::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Meant, Motor, StopChoice, look, may_change_mode, shout_zero};
+use antrieb::gate::Relief;
 use antrieb::profile::{Family, Lang, Mode, Registry};
-use antrieb::tick::Span;
+use antrieb::tick::{Span, Tick};
 use serde_json::json;
 
 /// The setpoint 20 Hz.
@@ -39,6 +40,21 @@ fn a_stop_goes_out_before_the_watchdog_misses_us_and_not_at_the_first_lost_answe
     let hold = up_to_the_hold();
     for after in hold..hold + 4 {
         let came = dead_after(after, 600_000);
+        let stop = came.sent.iter().position(|hex| hex.starts_with(QUICK_STOP)).unwrap();
+        let borne = came.at[stop].since(came.heard).as_millis();
+        assert!((2_000..6_000).contains(&borne), "{after}: {borne}");
+    }
+    // Held with nothing to say: looks alone are borne as long, and no longer.
+    let held_still = |after: usize| {
+        let dies = format!("[[drive.event]]\nafter_telegrams = {after}\nsilent = \"600s\"");
+        held(&drive(READY, &dies), &[], StopChoice::QuickStop, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+            motor.change("watchdog", 4).await?;
+            motor.walk("operation-enabled").await?;
+            motor.hold(Some(Span::from_secs(30)), async |_: &mut Motor<'_, '_>, _| Ok(())).await
+        })
+    };
+    for after in 30..33 {
+        let came = held_still(after);
         let stop = came.sent.iter().position(|hex| hex.starts_with(QUICK_STOP)).unwrap();
         let borne = came.at[stop].since(came.heard).as_millis();
         assert!((2_000..6_000).contains(&borne), "{after}: {borne}");
@@ -270,6 +286,7 @@ fn a_word_that_asks_for_no_power_does_not_make_a_drive_one_that_had_some() {
     let came = held(&idle, &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
         motor.walk("switched-on").await?;
         motor.command("shutdown").await?;
+        motor.command("disable-voltage").await?;
         assert!(motor.is_idle());
         motor.walk("operation-enabled").await?;
         assert!(!motor.is_idle());
@@ -277,6 +294,17 @@ fn a_word_that_asks_for_no_power_does_not_make_a_drive_one_that_had_some() {
     });
     assert!(came.ended.result.is_ok(), "{:?}", came.ended);
     assert!(came.sent.iter().any(|hex| hex.starts_with(DISABLE)));
+}
+
+#[test]
+fn a_drive_that_was_relieved_of_its_power_gets_no_other_stop() {
+    let came = held(&drive(READY, ""), &[], StopChoice::Coast, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+        run_at_20_hz(motor, Some(Span::from_millis(100))).await?;
+        motor.relieving = Some(Tick::ZERO + Span::from_secs(60));
+        motor.relieve(Relief::DisableVoltage).await
+    });
+    assert!(came.ended.result.is_ok() && came.ended.stop.is_none(), "{:?}", came.ended);
+    assert_eq!(came.energised, 0);
 }
 
 #[test]
