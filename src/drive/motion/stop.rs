@@ -79,8 +79,8 @@ impl Motor<'_, '_> {
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
-                    if self.gives_up(begun).await {
-                        self.unheard = true;
+                    self.unheard = self.gives_up(begun).await;
+                    if self.unheard {
                         break;
                     }
                 }
