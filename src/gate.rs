@@ -46,6 +46,7 @@
 //! }
 //! ```
 
+use crate::text::Text;
 use std::marker::PhantomData;
 use std::pin::Pin;
 
@@ -140,9 +141,9 @@ pub struct Question {
     /// What can happen.
     pub hazards: Vec<Hazard>,
     /// One line that says what is going to be done.
-    pub title: String,
+    pub title: Text,
     /// What exactly: old and new values, where they go.
-    pub details: Vec<String>,
+    pub details: Vec<Text>,
 }
 
 /// What came back.
@@ -213,7 +214,7 @@ mod tests {
     }
 
     fn asked<K: Kind>(answer: Answer, hazards: &[Hazard]) -> Option<Denied> {
-        let question = Question { hazards: hazards.to_vec(), title: String::new(), details: Vec::new() };
+        let question = Question { hazards: hazards.to_vec(), title: Text::default(), details: Vec::new() };
         let mut says = Says(answer);
         let mut asked = pin!(ask::<K>(&mut says, &question));
         let Poll::Ready(permit) = asked.as_mut().poll(&mut Context::from_waker(Waker::noop())) else {

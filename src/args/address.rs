@@ -3,6 +3,7 @@
 use super::low::bad_setting;
 use crate::failure::Failure;
 use crate::protocol::modbus::LAST_STATION;
+use crate::text::{Text, both};
 
 /// Which drives are meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,8 +19,11 @@ pub(super) fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
     let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));
     let one = drive.trim().parse::<u8>().is_ok();
     number.filter(|_| one).ok_or_else(|| {
-        let expected = format!("expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17");
-        bad_setting("address", &format!("{expected}; got '{drive}.{node}'"))
+        let why = both!(
+            "expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17; got '{drive}.{node}'",
+            "erwartet: ein Antrieb und ein Knoten 1 bis {LAST_NODE} dahinter, etwa 3.17; angegeben: '{drive}.{node}'"
+        );
+        bad_setting("address", &why)
     })
 }
 
@@ -29,8 +33,15 @@ const LAST_NODE: u8 = 63;
 /// Reads `1`, `1,2,5-9`; `names` are those that could stand there too.
 pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
     let bad = || {
-        let known = if names.is_empty() { String::new() } else { format!(", or one of: {}", names.join(", ")) };
-        let expected = format!("expected addresses such as 1 or 1,2,5-9{known}; got '{text}'");
+        let known = match names.is_empty() {
+            true => Text::default(),
+            false => both!(", or one of: {names}", ", oder einer von: {names}", names = names.join(", ")),
+        };
+        let expected = both!(
+            "expected addresses such as 1 or 1,2,5-9{known}; got '{text}'",
+            "erwartet: Adressen wie 1 oder 1,2,5-9{known}; angegeben: '{text}'",
+            known
+        );
         bad_setting("address", &expected)
     };
     let mut list = Vec::new();
@@ -55,7 +66,11 @@ pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
 
 fn check_address(address: u32, text: &str) -> Result<(), Failure> {
     if address > LAST_STATION.into() {
-        return Err(bad_setting("address", &format!("expected 0 to {LAST_STATION}, got {address} in '{text}'")));
+        let why = both!(
+            "expected 0 to {LAST_STATION}, got {address} in '{text}'",
+            "erwartet: 0 bis {LAST_STATION}; angegeben: {address} in '{text}'"
+        );
+        return Err(bad_setting("address", &why));
     }
     Ok(())
 }

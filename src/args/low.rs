@@ -4,8 +4,9 @@ use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::profile::{Lang, place};
+use crate::profile::place;
 use crate::protocol::modbus::LAST_STATION;
+use crate::text::{Text, both};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -45,13 +46,13 @@ pub enum Origin {
 
 impl Origin {
     /// In words.
-    pub fn name(&self, lang: Lang) -> String {
+    pub fn name(&self) -> Text {
         match self {
-            Origin::Flag => lang.pick("command line", "Kommandozeile").to_owned(),
-            Origin::Variable(name) => (*name).to_owned(),
-            Origin::File { path, drive: None, .. } => path.display().to_string(),
-            Origin::File { path, drive: Some(drive), .. } => format!("{}: drives.{drive}", path.display()),
-            Origin::Default => lang.pick("default", "Vorgabe").to_owned(),
+            Origin::Flag => both!("command line", "Kommandozeile"),
+            Origin::Variable(name) => Text::name(name),
+            Origin::File { path, drive: None, .. } => Text::name(path.display()),
+            Origin::File { path, drive: Some(drive), .. } => Text::name(format!("{}: drives.{drive}", path.display())),
+            Origin::Default => both!("default", "Vorgabe"),
         }
     }
 }
@@ -132,7 +133,7 @@ impl<'a> Low<'a> {
     /// Which drives are meant, and the node behind them. The drive that has a name brings its own settings.
     pub(super) fn addresses(&mut self) -> Result<(Addresses, u8), Failure> {
         let text = self.flags.address.clone();
-        let typed = self.pick("address", text, self.said(|_| None, |file| file.address.clone()), Ok)?;
+        let typed = self.pick("address", text, self.said(|_| None, |file| file.address.clone()), Ok::<_, Text>)?;
         let Some(text) = typed else {
             let (_, project) = self.project();
             let mut drives = project.drives.iter();
@@ -188,19 +189,21 @@ impl<'a> Low<'a> {
 
     /// A setting by its flag or what is said elsewhere, and notes where it comes from. What does not do is refused with
     /// the place where it stands.
-    pub(super) fn pick<T, S>(
+    pub(super) fn pick<T, S, E: Into<Text>>(
         &mut self,
         name: &'static str,
         flag: Option<T>,
         said: Option<(S, Origin)>,
-        parse: impl FnOnce(S) -> Result<T, String>,
+        parse: impl FnOnce(S) -> Result<T, E>,
     ) -> Result<Option<T>, Failure> {
         let (value, origin) = match (flag, said) {
             (Some(value), _) => (value, Origin::Flag),
             (None, None) => return Ok(None),
             (None, Some((said, origin))) => {
-                let value =
-                    parse(said).map_err(|why| bad_setting(name, &format!("{why} ({})", origin.name(Lang::En))))?;
+                let value = parse(said).map_err(|why| {
+                    let why: Text = why.into();
+                    bad_setting(name, &both!("{why} ({whence})", "{why} ({whence})", why, whence = origin.name()))
+                })?;
                 (value, origin)
             }
         };
@@ -223,8 +226,8 @@ impl<'a> Low<'a> {
 const PROJECT: &str = "antrieb.toml";
 
 /// A setting that does not do.
-pub(super) fn bad_setting(name: &str, why: &str) -> Failure {
-    Failure::new(Class::Usage, format!("usage.{name}"), format!("{name}: {why}"))
+pub(super) fn bad_setting(name: &str, why: &Text) -> Failure {
+    Failure::new(Class::Usage, format!("usage.{name}"), both!("{name}: {why}", "{name}: {why}", why))
 }
 
 fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
@@ -233,8 +236,8 @@ fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
         Ok(text) => text,
         Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
         Err(error) => {
-            let error = anyhow::Error::new(error).context(shown.to_string());
-            return Err(Failure::caused(Class::Data, "data.config", &error));
+            let text = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
+            return Err(Failure::new(Class::Data, "data.config", text));
         }
     };
     toml::from_str(&text).map_err(|error| {

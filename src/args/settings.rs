@@ -11,9 +11,9 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
+use crate::text::{Text, both};
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
-use anyhow::Context as _;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -49,9 +49,9 @@ pub struct Settings {
     /// Language.
     pub lang: Lang,
     /// What a project file decides that one may not expect: a port on the network. Told when the port is opened.
-    pub port_note: Option<String>,
+    pub port_note: Option<Text>,
     /// The same for a catalogue that replaces rows. Told when it is read.
-    pub catalogue_notes: Vec<String>,
+    pub catalogue_notes: Vec<Text>,
     /// The user's catalogues, in the order in which they are read.
     pub catalogues: Vec<CatalogueFile>,
     /// Telegrams are shown.
@@ -92,8 +92,14 @@ impl Settings {
         let (protocol, is_unknown) = protocol(&mut low, &ports)?;
         let line = line(&mut low, protocol)?;
         if node != 0 && protocol != Protocol::Vabus {
-            let why = "a node of the system bus is reached only over VABus";
-            return Err(bad_setting("address", why).hint("add --protocol vabus, or name the drive alone"));
+            let why = both!(
+                "a node of the system bus is reached only over VABus",
+                "ein Knoten des Systembusses ist nur über VABus erreichbar"
+            );
+            return Err(bad_setting("address", &why).hint(both!(
+                "add --protocol vabus, or name the drive alone",
+                "--protocol vabus angeben, oder nur den Antrieb nennen"
+            )));
         }
         let unknown = Unknown {
             baud: globals.baud == Some(Auto::Auto),
@@ -101,19 +107,19 @@ impl Settings {
             protocol: is_unknown,
         };
         let drive = low.said(|drive| drive.drive.clone(), |file| file.drive.clone());
-        let drive = low.pick("drive", globals.drive.clone(), drive, Ok)?.filter(|drive| drive != AUTO);
+        let drive = low.pick("drive", globals.drive.clone(), drive, Ok::<_, Text>)?.filter(|drive| drive != AUTO);
         let timeout = timeout(&mut low)?;
         let retries = low.said(|_| None, |file| file.retries);
-        let retries = low.pick("retries", globals.retries, retries, Ok)?;
+        let retries = low.pick("retries", globals.retries, retries, Ok::<_, Text>)?;
         let format = globals.format.or(globals.json.then_some(Format::Json));
         let said = low.said(|_| None, |file| file.format.clone());
         let format = low.pick("format", format, said, |text| text.parse())?.unwrap_or(Format::Table);
         let lang = lang(&mut low, environment)?;
         let rs485 = rs485(&mut low)?;
         let (path, project) = low.project();
-        let catalogue_notes = catalogue_notes(project, &environment.directory, path, lang);
+        let catalogue_notes = catalogue_notes(project, &environment.directory, path);
         let is_of_project = matches!(low.origin("port"), Origin::File { of_project: true, .. });
-        let port_note = ports.first().filter(|_| is_of_project).and_then(|port| network_note(port, path, lang));
+        let port_note = ports.first().filter(|_| is_of_project).and_then(|port| network_note(port, path));
         Ok(Settings {
             port_note,
             catalogue_notes,
@@ -149,8 +155,7 @@ impl Settings {
     }
 
     /// The settings of the line with where each comes from, for `-v`.
-    pub fn told(&self) -> String {
-        let lang = self.lang;
+    pub fn told(&self) -> Text {
         let auto = || AUTO.to_owned();
         let addresses = match &self.addresses {
             Addresses::Unnamed => None,
@@ -168,12 +173,14 @@ impl Settings {
             ("drive", Some(self.drive.clone().unwrap_or_else(auto))),
             ("timeout", self.timeout.map(|span| span.to_string())),
             ("retries", self.retries.map(|count| count.to_string())),
-            ("lang", Some(lang.pick("en", "de").to_owned())),
+            ("lang", Some(self.lang.pick("en", "de").to_owned())),
         ];
-        let told = rows
-            .into_iter()
-            .filter_map(|(name, value)| Some(format!("{name} {} ({})", value?, self.origin(name).name(lang))));
-        format!("{}: {}", lang.pick("settings", "Einstellungen"), told.collect::<Vec<_>>().join(", "))
+        let told = rows.into_iter().filter_map(|(name, value)| {
+            let value = value?;
+            Some(both!("{name} {value} ({whence})", "{name} {value} ({whence})", whence = self.origin(name).name()))
+        });
+        let told: Vec<Text> = told.collect();
+        both!("settings: {told}", "Einstellungen: {told}", told = Text::join(&told, ", "))
     }
 
     /// Whether the form of the output is one document or table of data, so that nothing can be told on the way.
@@ -185,14 +192,25 @@ impl Settings {
     pub fn check_one_line(&self) -> Result<(), Failure> {
         if self.ports.len() > 1 {
             let ports: Vec<String> = self.ports.iter().map(ToString::to_string).collect();
-            let several = format!("expected one port, got {}: {}", ports.len(), ports.join(", "));
-            return Err(bad_setting("port", &several).hint("only `scan` works on several ports at once"));
+            let (count, ports) = (ports.len(), ports.join(", "));
+            let several = both!(
+                "expected one port, got {count}: {ports}",
+                "erwartet: ein Anschluss; angegeben: {count}: {ports}"
+            );
+            return Err(bad_setting("port", &several).hint(both!(
+                "only `scan` works on several ports at once",
+                "nur `scan` arbeitet an mehreren Anschlüssen zugleich"
+            )));
         }
         if self.unknown != Unknown::default() {
-            let why = "auto is for `scan`; expected the settings of the line";
-            return Err(
-                bad_setting("auto", why).hint("`antrieb scan` with auto finds them, and says what to give here")
+            let why = both!(
+                "auto is for `scan`; expected the settings of the line",
+                "auto ist für `scan`; erwartet: die Einstellungen der Leitung"
             );
+            return Err(bad_setting("auto", &why).hint(both!(
+                "`antrieb scan` with auto finds them, and says what to give here",
+                "`antrieb scan` mit auto findet sie und sagt, was hier anzugeben ist"
+            )));
         }
         Ok(())
     }
@@ -209,7 +227,11 @@ fn timeout(low: &mut Low<'_>) -> Result<Option<Span>, Failure> {
     let said = low.said(|_| None, |file| file.timeout.clone());
     let timeout = low.pick("timeout", low.flags.timeout, said, |text| parse_span(&text))?;
     if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
-        return Err(bad_setting("timeout", "expected at least 1ms; drives answer not before 10 ms"));
+        let why = both!(
+            "expected at least 1ms; drives answer not before 10 ms",
+            "erwartet: mindestens 1ms; Antriebe antworten nicht vor 10 ms"
+        );
+        return Err(bad_setting("timeout", &why));
     }
     Ok(timeout)
 }
@@ -225,10 +247,11 @@ fn ports(low: &mut Low<'_>) -> Result<Vec<Port>, Failure> {
 /// What is spoken, and whether that is only a guess.
 fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool), Failure> {
     let said = low.said(|drive| drive.protocol.clone(), |file| file.protocol.clone());
-    let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok)?;
+    let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok::<_, Text>)?;
     let text = text.as_deref();
-    let named =
-        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: String| protocol_failure(text, &why)));
+    let named = text
+        .filter(|&text| text != AUTO)
+        .map(|text| text.parse().map_err(|why: String| protocol_failure(text, &why.into())));
     let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
     Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO)))
 }
@@ -240,7 +263,10 @@ fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
     let parity = low.pick("parity", parity, said, |text| text.parse())?.unwrap_or(Parity::Even);
     let said = low.said(|drive| drive.baud, |file| file.baud);
     let baud = low.pick("baud", low.flags.baud.and_then(Auto::known), said, |baud| {
-        let expected = || format!("expected {} to {}, got {baud}", BAUD_RATES.start(), BAUD_RATES.end());
+        let expected = || {
+            let (first, last) = (BAUD_RATES.start(), BAUD_RATES.end());
+            both!("expected {first} to {last}, got {baud}", "erwartet: {first} bis {last}; angegeben: {baud}")
+        };
         if BAUD_RATES.contains(&baud) { Ok(baud) } else { Err(expected()) }
     })?;
     let mut line = protocol.line(baud.unwrap_or(19_200), parity); // CM-485 manual 5: factory setting
@@ -251,13 +277,17 @@ fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
     line.data_bits = data_bits.unwrap_or(line.data_bits);
     line.stop_bits = stop_bits.unwrap_or(line.stop_bits);
     if protocol == Framing::Rtu.into() && line.data_bits != 8 {
-        return Err(bad_setting("data_bits", "RTU needs 8 data bits").hint("7 data bits are for --protocol ascii"));
+        let why = both!("RTU needs 8 data bits", "RTU braucht 8 Datenbits");
+        return Err(bad_setting("data_bits", &why)
+            .hint(both!("7 data bits are for --protocol ascii", "7 Datenbits sind für --protocol ascii")));
     }
     Ok(line)
 }
 
-fn one_of(range: std::ops::RangeInclusive<u8>, value: u8) -> Result<u8, String> {
-    let expected = || format!("expected {} or {}, got {value}", range.start(), range.end());
+fn one_of(range: std::ops::RangeInclusive<u8>, value: u8) -> Result<u8, Text> {
+    let (first, last) = (range.start(), range.end());
+    let expected =
+        || both!("expected {first} or {last}, got {value}", "erwartet: {first} oder {last}; angegeben: {value}");
     if range.contains(&value) { Ok(value) } else { Err(expected()) }
 }
 
@@ -282,13 +312,22 @@ fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, 
     let has_line = ports.iter().any(|port| matches!(port, Port::Serial(_) | Port::Rfc2217(_) | Port::Sim(_)));
     match (protocol == tcp, named) {
         (false, true) if has_gateway => {
-            let why = format!("a gateway (mbtcp://) speaks {tcp}, got {protocol}");
-            Err(bad_setting("protocol", &why)
-                .hint("a device server that passes bytes on as they are is tcp://HOST:PORT"))
+            let why = both!(
+                "a gateway (mbtcp://) speaks {tcp}, got {protocol}",
+                "ein Gateway (mbtcp://) spricht {tcp}; angegeben: {protocol}"
+            );
+            Err(bad_setting("protocol", &why).hint(both!(
+                "a device server that passes bytes on as they are is tcp://HOST:PORT",
+                "ein Geräteserver, der Bytes unverändert weitergibt, ist tcp://RECHNER:PORT"
+            )))
         }
         (true, _) if has_line => {
-            let why = format!("{tcp} is not spoken on a serial line");
-            Err(bad_setting("protocol", &why).hint("name the gateway with -p mbtcp://HOST"))
+            let why = both!(
+                "{tcp} is not spoken on a serial line",
+                "{tcp} wird auf einer seriellen Leitung nicht gesprochen"
+            );
+            Err(bad_setting("protocol", &why)
+                .hint(both!("name the gateway with -p mbtcp://HOST", "das Gateway mit -p mbtcp://RECHNER nennen")))
         }
         (false, false) if has_gateway => Ok(tcp),
         _ => Ok(protocol),
@@ -305,7 +344,8 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
     let after = low.pick("rs485_after", low.flags.rs485_after, said, |text| parse_span(&text))?;
     let rs485 = Rs485 { mode, before: before.unwrap_or(Span::ZERO), after: after.unwrap_or(Span::ZERO) };
     if rs485.before.max(rs485.after) > LONGEST_RS485_DELAY {
-        return Err(bad_setting("rs485_before, rs485_after", "expected at most 100ms"));
+        let why = both!("expected at most 100ms", "erwartet: höchstens 100ms");
+        return Err(bad_setting("rs485_before, rs485_after", &why));
     }
     Ok(rs485)
 }
@@ -314,26 +354,31 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
 const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
 
 /// A project file comes with a directory that somebody else may have packed: where it reaches into the network is said.
-fn network_note(port: &Port, file: &Path, lang: Lang) -> Option<String> {
+fn network_note(port: &Port, file: &Path) -> Option<Text> {
     let reaches_out = matches!(port, Port::Tcp(_) | Port::Rfc2217(_) | Port::Mbtcp(_));
     let file = file.display();
-    reaches_out.then(|| match lang {
-        Lang::En => format!("{file} sets the port: {port} (another one with -p; --no-config leaves the file out)"),
-        Lang::De => format!("{file} bestimmt den Anschluss: {port} (anderer mit -p; --no-config lässt die Datei weg)"),
+    reaches_out.then(|| {
+        both!(
+            "{file} sets the port: {port} (another one with -p; --no-config leaves the file out)",
+            "{file} bestimmt den Anschluss: {port} (anderer mit -p; --no-config lässt die Datei weg)"
+        )
     })
 }
 
 /// What a parameter means decides what is written to a drive: where a project file puts other rows in place of ours is
 /// said.
-fn catalogue_notes(project: &File, directory: &Path, file: &Path, lang: Lang) -> Vec<String> {
+fn catalogue_notes(project: &File, directory: &Path, file: &Path) -> Vec<Text> {
     let replaces = |path: &&PathBuf| {
         let text = std::fs::read_to_string(directory.join(path)).unwrap_or_default();
         toml::from_str::<toml::Value>(&text).is_ok_and(|value| replaces_rows(&value))
     };
     let file = file.display();
-    let note = |path: &PathBuf| match lang {
-        Lang::En => format!("{file}: the catalogue {} replaces rows of the built-in one", path.display()),
-        Lang::De => format!("{file}: der Katalog {} ersetzt Zeilen des eingebauten", path.display()),
+    let note = |path: &PathBuf| {
+        both!(
+            "{file}: the catalogue {path} replaces rows of the built-in one",
+            "{file}: der Katalog {path} ersetzt Zeilen des eingebauten",
+            path = path.display()
+        )
     };
     project.catalogue.iter().filter(replaces).map(note).collect()
 }
@@ -348,10 +393,11 @@ fn replaces_rows(value: &toml::Value) -> bool {
     }
 }
 
-fn protocol_failure(text: &str, why: &str) -> Failure {
+fn protocol_failure(text: &str, why: &Text) -> Failure {
     let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
-    if later { failure.hint(format!("{text} is not supported by this version")) } else { failure }
+    let hint = || both!("{text} is not supported by this version", "{text} kann diese Version noch nicht");
+    if later { failure.hint(hint()) } else { failure }
 }
 
 /// The user's catalogues: configuration directory, then files named in configurations, then `--catalogue`.
@@ -366,8 +412,10 @@ fn catalogues(low: &Low<'_>, environment: &Environment) -> Result<Vec<CatalogueF
     paths.extend(named.map(|path| environment.directory.join(path)));
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let text = files::read(&path, files::TEXT).with_context(|| shown.clone());
-        let text = text.map_err(|error| Failure::caused(Class::Data, "data.catalogue", &error))?;
+        let text = files::read(&path, files::TEXT).map_err(|error| {
+            let text = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
+            Failure::new(Class::Data, "data.catalogue", text)
+        })?;
         Ok(CatalogueFile { path: shown, text })
     };
     paths.into_iter().map(read).collect()

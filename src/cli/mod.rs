@@ -97,7 +97,7 @@ fn whole(
     match render::print(&outcome, verb.name, format, manner.lang, manner.width, out, console) {
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
         Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
-            render::print_end(&outcome, manner.lang, console);
+            render::print_end(&outcome, console);
             if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
         }
         printed => printed.map(|()| outcome),
@@ -184,7 +184,7 @@ fn work(
         Some(_) => {}
     };
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
-    settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone().into())));
+    settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
     runtime.block_on(async {

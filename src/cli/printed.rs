@@ -3,6 +3,7 @@
 use crate::command::VERBS;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
+use crate::text::both;
 use clap::{ArgMatches, Args};
 use std::io::{self, Write};
 
@@ -59,7 +60,7 @@ impl Page for Schema {
             Some(typed) => match VERBS.iter().find(|verb| verb.name == typed || verb.alias == Some(typed)) {
                 Some(verb) => (verb.schema)(),
                 None => {
-                    let message = format!("'{typed}' has no JSON output");
+                    let message = both!("'{typed}' has no JSON output", "'{typed}' hat keine JSON-Ausgabe");
                     return Ok(Some(Failure::new(Class::Usage, "usage.schema", message)));
                 }
             },
@@ -108,7 +109,7 @@ impl Page for Man {
             Some(verb) => match root.find_subcommand(verb) {
                 Some(found) => clap_mangen::Man::new(found.clone().version(env!("CARGO_PKG_VERSION"))),
                 None => {
-                    let message = format!("there is no verb '{verb}'");
+                    let message = both!("there is no verb '{verb}'", "es gibt keinen Befehl '{verb}'");
                     return Ok(Some(Failure::new(Class::Usage, "usage.verb", message)));
                 }
             },

@@ -12,6 +12,7 @@ use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Dataset, DatasetRow, Document, OrWrite, Outcome, Value, Warning, WriteResult};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
+use crate::text::both;
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows, selects, copies and compares the four data sets of a drive.
@@ -84,19 +85,33 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let Context { settings, registry, interrupt, observe, ask } = context;
     let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
     let &[address] = addresses.as_slice() else {
-        return Err(Failure::new(Class::Usage, "usage.address", "expected the address of one drive, got several"));
+        return Err(Failure::new(
+            Class::Usage,
+            "usage.address",
+            both!(
+                "expected the address of one drive, got several",
+                "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
+            ),
+        ));
     };
     if address == 0 {
         return Err(Failure::new(
             Class::Usage,
             "usage.address",
-            "expected the address of one drive, got 0 (everybody)",
+            both!(
+                "expected the address of one drive, got 0 (everybody)",
+                "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
+            ),
         ));
     }
     if let Action::Copy { from, to, .. } | Action::Diff { a: from, b: to, .. } = &args.action
         && from == to
     {
-        return Err(Failure::new(Class::Usage, "usage.data_set", "expected two different data sets"));
+        return Err(Failure::new(
+            Class::Usage,
+            "usage.data_set",
+            both!("expected two different data sets", "erwartet: zwei verschiedene Datensätze"),
+        ));
     }
     if settings.dry_run {
         return dry_run(&args.action, context, address);
@@ -111,7 +126,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         target: target(&mut session, settings, registry, address, false).await?,
         terms: terms(settings, registry)?,
     };
-    super::check_sets(&work.target.family, DataSets::All(Store::Eeprom), settings.lang)?;
+    super::check_sets(&work.target.family, DataSets::All(Store::Eeprom))?;
     let session = &mut session;
     match &args.action {
         Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,
@@ -145,9 +160,14 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
             return super::write::plan_only(&work.terms, &[address], &work.target.family, &[step]);
         }
         Action::Copy { .. } => {
-            let message = "what a copy writes depends on what it reads, and a dry run opens nothing";
-            return Err(Failure::new(Class::Usage, "usage.dry_run", message)
-                .hint("`dataset diff FROM TO` shows what a copy would change"));
+            let message = both!(
+                "what a copy writes depends on what it reads, and a dry run opens nothing",
+                "was eine Kopie schreibt, hängt von dem ab, was sie liest, und ein Probelauf öffnet nichts"
+            );
+            return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint(both!(
+                "`dataset diff FROM TO` shows what a copy would change",
+                "`dataset diff VON NACH` zeigt, was eine Kopie ändern würde"
+            )));
         }
     };
     let questions: Vec<_> =
@@ -164,7 +184,13 @@ impl Work<'_> {
     /// The write that selects a data set.
     fn selection(&self, set: u8, ram: bool) -> Result<Step, Failure> {
         let param = self.target.family.role("set-selection").cloned();
-        let missing = || Failure::new(Class::Data, "data.role", "this drive has no data set selection");
+        let missing = || {
+            Failure::new(
+                Class::Data,
+                "data.role",
+                both!("this drive has no data set selection", "dieser Antrieb hat keine Datensatzumschaltung"),
+            )
+        };
         let param = param.ok_or_else(missing)?;
         let place = DataSets::One(0, if ram { Store::Ram } else { Store::Eeprom });
         let kind = param.kind;
@@ -182,8 +208,12 @@ impl Work<'_> {
         for text in texts {
             let selector: Selector = text.parse().map_err(|error| select_failure(&error))?;
             if selector.names_sets() {
-                let message = format!("'{text}' names a data set, but this verb decides which sets are meant");
-                return Err(Failure::new(Class::Usage, "usage.data_set", message).hint("name the parameter without @"));
+                let message = both!(
+                    "'{text}' names a data set, but this verb decides which sets are meant",
+                    "'{text}' nennt einen Datensatz, aber welche gemeint sind, bestimmt dieser Befehl"
+                );
+                return Err(Failure::new(Class::Usage, "usage.data_set", message)
+                    .hint(both!("name the parameter without @", "den Parameter ohne @ angeben")));
             }
             let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;
             // Of a group only what may exist in four sets; what was named one by one is asked whatever we know.
@@ -191,10 +221,15 @@ impl Work<'_> {
             params.extend(fitting.map(|selection| selection.param));
         }
         if params.is_empty() {
-            let message = format!("nothing of {} exists in four data sets", texts.join(" "));
-            return Err(Failure::new(Class::No, "no.switchable", message).hint("`read` shows what exists once"));
+            let message = both!(
+                "nothing of {what} exists in four data sets",
+                "nichts von {what} gibt es in vier Datensätzen",
+                what = texts.join(" ")
+            );
+            return Err(Failure::new(Class::No, "no.switchable", message)
+                .hint(both!("`read` shows what exists once", "`read` zeigt, was es einmal gibt")));
         }
-        params.iter().try_for_each(|param| super::check_number(family, param, self.terms.lang()))?;
+        params.iter().try_for_each(|param| super::check_number(family, param))?;
         Ok(params)
     }
 
@@ -238,7 +273,11 @@ impl Work<'_> {
         if !missing.is_empty() {
             warnings.push(Warning {
                 code: "dataset.not_there".to_owned(),
-                message: format!("this drive does not have in its data sets: {}", missing.join(", ")).into(),
+                message: both!(
+                    "this drive does not have in its data sets: {missing}",
+                    "dieser Antrieb hat in seinen Datensätzen nicht: {missing}",
+                    missing = missing.join(", ")
+                ),
             });
         }
         Ok((rows, reader.failures, warnings))
@@ -275,7 +314,7 @@ impl Work<'_> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
         let report = self.report(session, rows).await?;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good, self.terms.lang()) })
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good) })
     }
 
     async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
@@ -283,7 +322,16 @@ impl Work<'_> {
         if let Some(Data::Dataset(report)) = &mut outcome.data {
             report.rows.retain(|row| !row.equal);
             if outcome.failure.is_none() && !report.rows.is_empty() {
-                let message = format!("data sets {a} and {b} differ in {} parameters", report.rows.len());
+                let message = match report.rows.len() {
+                    1 => both!(
+                        "data sets {a} and {b} differ in 1 parameter",
+                        "Datensatz {a} und {b} unterscheiden sich in 1 Parameter"
+                    ),
+                    count => both!(
+                        "data sets {a} and {b} differ in {count} parameters",
+                        "Datensatz {a} und {b} unterscheiden sich in {count} Parametern"
+                    ),
+                };
                 outcome.failure = Some(Failure::new(Class::No, "no.differences", message));
             }
         }
@@ -329,7 +377,7 @@ impl Work<'_> {
         let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
         let mut failures = Vec::new();
         let jobs = [job];
-        let permit = permit(session, ask, &jobs, self.terms.lang()).await?;
+        let permit = permit(session, ask, &jobs).await?;
         [job] = jobs;
         if let Some(permit) = permit {
             job::carry_out(session, &mut job, &self.terms, &permit, &mut failures).await;
@@ -337,10 +385,6 @@ impl Work<'_> {
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let mut report = self.report(session, Vec::new()).await?;
         report.written = job.rows;
-        Ok(Outcome {
-            data: Some(Data::Dataset(report)),
-            warnings: Vec::new(),
-            failure: summary(failures, good, self.terms.lang()),
-        })
+        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good) })
     }
 }

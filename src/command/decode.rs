@@ -7,6 +7,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Decode, Document, Outcome};
 use crate::profile::Family;
+use crate::text::{Text, both};
 use anyhow::Context as _;
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
@@ -116,12 +117,17 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         What::Fault { code } => {
             let letter = &family.fault_codes.letter;
             let number = displayed(code, &family).or_else(|| number(code));
-            let number =
-                number.ok_or_else(|| bad_code(code, &format!("a fault such as {letter}0500, 0x0500 or 1280")))?;
+            let number = number.ok_or_else(|| {
+                let such = both!(
+                    "a fault such as {letter}0500, 0x0500 or 1280",
+                    "eine Störung wie {letter}0500, 0x0500 oder 1280"
+                );
+                bad_code(code, &such)
+            })?;
             Decode { fault: describe::fault(&family, number, lang), ..blank("fault", code) }
         }
         What::Error { code } => {
-            let number = number(code).ok_or_else(|| bad_code(code, "a code such as 11"))?;
+            let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
             Decode { register: Some(describe::register(&family, number, lang)), ..blank("error", code) }
         }
     };
@@ -136,8 +142,12 @@ fn word_of(
     mode: Option<u8>,
     lang: crate::profile::Lang,
 ) -> Result<Decode, Failure> {
-    let raw = number(text).ok_or_else(|| bad_code(text, "a 16-bit word such as 0x0237 or 567"))?;
-    let param = family.role(role).ok_or_else(|| Failure::new(Class::Data, "data.role", format!("no {role}")))?;
+    let raw = number(text).ok_or_else(|| {
+        bad_code(text, &both!("a 16-bit word such as 0x0237 or 567", "ein 16-Bit-Wort wie 0x0237 oder 567"))
+    })?;
+    let param = family.role(role).ok_or_else(|| {
+        Failure::new(Class::Data, "data.role", both!("this family has no {role}", "diese Familie hat kein {role}"))
+    })?;
     let word = describe::word(family, param, raw, lang, &|_| mode.map(i64::from));
     Ok(Decode { kind, input: text.to_owned(), telegrams: Vec::new(), word: Some(word), fault: None, register: None })
 }
@@ -166,6 +176,10 @@ fn number(text: &str) -> Option<u32> {
     (number <= 0xFFFF).then_some(number)
 }
 
-fn bad_code(text: &str, expected: &str) -> Failure {
-    Failure::new(Class::Usage, "usage.number", format!("expected {expected}, got '{text}'"))
+fn bad_code(text: &str, expected: &Text) -> Failure {
+    Failure::new(
+        Class::Usage,
+        "usage.number",
+        both!("expected {expected}, got '{text}'", "erwartet: {expected}; angegeben: '{text}'", expected),
+    )
 }

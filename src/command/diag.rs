@@ -9,7 +9,8 @@ use crate::drive::{
 use crate::failure::{Class, Failure};
 use crate::gate::{Counters, Hazard, Permit, Question};
 use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value};
-use crate::profile::{Cause, DataSets, Family, Lang, Registry};
+use crate::profile::{Cause, DataSets, Family, Registry};
+use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Diagnoses a drive and the line to it.
@@ -71,11 +72,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         |address, failure: &Failure| Diagnosis { error: Some(ErrorDoc::from(failure)), ..blank(address) },
     )
     .await?;
-    let lang = context.settings.lang;
     let (faulted, unknown) = (listed(&drives, |drive| drive.fault.is_some()), listed(&drives, untold));
-    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new(), lang);
+    let mut outcome = finish(Data::Diag(Diag { drives }), failures, succeeded, Vec::new());
     if args.check {
-        outcome.failure = checked(outcome.failure, &faulted, &unknown, lang);
+        outcome.failure = checked(outcome.failure, &faulted, &unknown);
     }
     Ok(outcome)
 }
@@ -91,20 +91,22 @@ fn listed(drives: &[Diagnosis], which: impl Fn(&Diagnosis) -> bool) -> String {
 }
 
 /// What `--check` says: a drive that does not answer hides no fault of another.
-fn checked(failure: Option<Failure>, faulted: &str, unknown: &str, lang: Lang) -> Option<Failure> {
+fn checked(failure: Option<Failure>, faulted: &str, unknown: &str) -> Option<Failure> {
     if faulted.is_empty() {
         return failure;
     }
-    let present = lang.pick("a fault is present at address", "eine Störung liegt an bei Adresse");
-    let message = format!("{present} {faulted}");
+    let message = both!("a fault is present at address {faulted}", "eine Störung liegt an bei Adresse {faulted}");
     Some(match failure {
         None => Failure::new(Class::No, "no.fault_present", message).with("faulted", faulted),
         Some(failure) => {
-            let not_told = lang.pick("not known of address", "nicht bekannt von Adresse");
-            let rest = if unknown.is_empty() { String::new() } else { format!("; {not_told} {unknown}") };
-            let message = format!("{message}{rest}; {}", failure.message.get(lang));
+            let rest = match unknown.is_empty() {
+                true => Text::default(),
+                false => both!("; not known of address {unknown}", "; nicht bekannt von Adresse {unknown}"),
+            };
+            let message =
+                both!("{message}{rest}; {why}", "{message}{rest}; {why}", message, rest, why = failure.message);
             let class = if is_over(&failure) { failure.class } else { Class::Partial };
-            Failure { class, message: message.into(), ..failure }.with("faulted", faulted).with("unknown", unknown)
+            Failure { class, message, ..failure }.with("faulted", faulted).with("unknown", unknown)
         }
     })
 }
@@ -126,10 +128,16 @@ fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
 async fn ask_to_clear(context: &mut Context<'_>) -> Result<Permit<Counters>, Failure> {
     let question = Question {
         hazards: vec![Hazard::Counters],
-        title: "set the diagnostic counters of the drive to zero".to_owned(),
-        details: vec!["what they counted so far is lost in the drive; this command shows it first".to_owned()],
+        title: both!(
+            "set the diagnostic counters of the drive to zero",
+            "die Diagnosezähler des Antriebs auf null setzen"
+        ),
+        details: vec![both!(
+            "what they counted so far is lost in the drive; this command shows it first",
+            "was sie bisher gezählt haben, geht im Antrieb verloren; dieser Befehl zeigt es vorher"
+        )],
     };
-    super::asking::off_line(&context.interrupt, context.ask, &question, context.settings.lang).await
+    super::asking::off_line(&context.interrupt, context.ask, &question).await
 }
 
 fn blank(address: u8) -> Diagnosis {
@@ -152,10 +160,10 @@ fn blank(address: u8) -> Diagnosis {
 }
 
 /// Recognising a drive asks it something that it refuses, and that is its last synchronous error then.
-fn overwritten(lang: Lang) -> &'static str {
-    lang.pick(
+fn overwritten() -> Text {
+    both!(
         "asking which drive it is has overwritten its last synchronous error; --drive shows it",
-        "die Frage, welcher Antrieb es ist, hat seinen letzten synchronen Fehler überschrieben; --drive zeigt ihn",
+        "die Frage, welcher Antrieb es ist, hat seinen letzten synchronen Fehler überschrieben; --drive zeigt ihn"
     )
 }
 
@@ -173,9 +181,9 @@ async fn memory(reader: &mut Reader<'_, '_>, family: &Family) -> Result<Vec<Valu
 }
 
 /// Why the drive refused something last, if this command has not made it refuse something itself.
-async fn kept_refusal(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Option<u16>, AccessError> {
+async fn kept_refusal(session: &mut Session<'_>, target: &mut Target) -> Result<Option<u16>, AccessError> {
     if matches!(target.family.link.cause, Cause::Diagnostics(_)) && target.refused_on_the_way {
-        session.tell(Event::Note(overwritten(lang).to_owned().into()));
+        session.tell(Event::Note(overwritten()));
         return Ok(None);
     }
     last_refusal(session, target).await
@@ -192,9 +200,9 @@ async fn diagnose(
     let lang = settings.lang;
     let mut target = target(session, settings, registry, address, true).await?;
     let family = target.family.clone();
-    let failed = |error: AccessError| error.failure(address, Some(&family), lang);
+    let failed = |error: AccessError| error.failure(address, Some(&family));
     // First of all: any refused question would overwrite it.
-    let refusal = kept_refusal(session, &mut target, lang).await.map_err(failed)?;
+    let refusal = kept_refusal(session, &mut target).await.map_err(failed)?;
     let mut reader = Reader::new(session, &mut target, settings.lang);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);

@@ -33,7 +33,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Err(failure) => failed.push((address, failure)),
         }
     }
-    let (check, failures) = check_line(&mut session, targets, &failed, args.count.into(), settings.lang).await;
+    let (check, failures) = check_line(&mut session, targets, &failed, args.count.into()).await;
     let measured = check.drives.iter().filter(|drive| drive.error.is_none()).count();
-    Ok(super::finish(Data::LineCheck(check), failures, measured, Vec::new(), settings.lang))
+    Ok(super::finish(Data::LineCheck(check), failures, measured, Vec::new()))
 }

@@ -6,7 +6,8 @@ use crate::args::Settings;
 use crate::drive::{AccessError, Session, Target, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
-use crate::profile::{DataSets, Lang, Registry};
+use crate::profile::{DataSets, Registry};
+use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Tells what a drive is, and how it is set up for talking to it.
@@ -55,7 +56,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
         |address, failure: &Failure| Identity {
             address,
             drive: "unknown".to_owned(),
-            title: String::new(),
+            title: Text::default(),
             product: None,
             evidence: Vec::new(),
             modules: Vec::new(),
@@ -64,7 +65,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
         },
     )
     .await?;
-    Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new(), context.settings.lang))
+    Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new()))
 }
 
 async fn identify(
@@ -74,34 +75,31 @@ async fn identify(
     address: u8,
 ) -> Result<Row<Identity>, Failure> {
     let lang = settings.lang;
-    let failed = |error: AccessError| error.failure(address, None, lang);
+    let failed = |error: AccessError| error.failure(address, None);
     let (target, evidence, product) = match &settings.drive {
         Some(name) => {
             let given = Evidence {
-                asked: "--drive".to_owned(),
-                answered: name.clone(),
-                tells: lang.pick("as given", "so angegeben").to_owned(),
+                asked: Text::name("--drive"),
+                answered: Text::name(name),
+                tells: both!("as given", "so angegeben"),
             };
             let target =
                 Target::new(address, super::named_family(settings, registry, name)?).in_word_order(settings.word_order);
-            let told = introduce(session, registry, &target, lang).await.map_err(failed)?.unwrap_or_default();
+            let told = introduce(session, registry, &target).await.map_err(failed)?.unwrap_or_default();
             (Some(target), [vec![given], told.evidence].concat(), told.product)
         }
         None => {
-            let finding = recognise(session, registry, address, lang, false).await.map_err(failed)?;
+            let finding = recognise(session, registry, address, false).await.map_err(failed)?;
             let target = finding.target(address, registry);
             (target.map(|target| target.in_word_order(settings.word_order)), finding.evidence, finding.product)
         }
     };
     let Some(mut target) = target else {
-        let title = match lang {
-            Lang::En => "Modbus device, no known drive",
-            Lang::De => "Modbus-Gerät, kein bekannter Antrieb",
-        };
+        let title = both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
         let identity = Identity {
             address,
             drive: "unknown".to_owned(),
-            title: title.to_owned(),
+            title,
             product,
             evidence,
             modules: Vec::new(),
@@ -111,7 +109,7 @@ async fn identify(
         return Ok((identity, Vec::new(), 1));
     };
     let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
-    let title = title.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
+    let title = title.map_or_else(Text::default, |drive| drive.title.clone());
     let mut reader = Reader::new(session, &mut target, settings.lang);
     let mut values = Vec::new();
     for role in ROLES {
@@ -120,14 +118,14 @@ async fn identify(
             false => values.extend(reader.role(role).await?),
         }
     }
-    let modules = modules(&mut reader, lang).await?;
+    let modules = modules(&mut reader).await?;
     let drive = reader.target.family.drive.clone();
     let (failures, good) = reader.into_failures();
     Ok((Identity { address, drive, title, product, evidence, modules, values, error: None }, failures, good))
 }
 
 /// Asks one parameter of every option module that the catalogue knows: an unknown parameter means no module.
-async fn modules(reader: &mut Reader<'_, '_>, lang: Lang) -> Result<Vec<Module>, Failure> {
+async fn modules(reader: &mut Reader<'_, '_>) -> Result<Vec<Module>, Failure> {
     let mut probes = std::collections::BTreeMap::new();
     for param in reader.target.family.params.values().filter(|param| param.access.reads()) {
         if let Some(module) = &param.module {
@@ -142,17 +140,16 @@ async fn modules(reader: &mut Reader<'_, '_>, lang: Lang) -> Result<Vec<Module>,
             match answer {
                 Ok(_) => present = true,
                 Err(error) if error.is_fatal() => {
-                    return Err(error.failure(reader.target.address, None, lang));
+                    return Err(error.failure(reader.target.address, None));
                 }
                 Err(AccessError::Refused(refusal)) => present |= refusal.cause.is_some_and(|cause| cause != 11),
                 Err(_) => {}
             }
         }
-        let evidence = match (lang, present) {
-            (Lang::En, true) => format!("P.{} answers", param.id),
-            (Lang::En, false) => format!("P.{} is unknown to the drive", param.id),
-            (Lang::De, true) => format!("P.{} antwortet", param.id),
-            (Lang::De, false) => format!("P.{} kennt der Antrieb nicht", param.id),
+        let param = param.id;
+        let evidence = match present {
+            true => both!("P.{param} answers", "P.{param} antwortet"),
+            false => both!("P.{param} is unknown to the drive", "P.{param} kennt der Antrieb nicht"),
         };
         modules.push(Module { name, present, evidence });
     }

@@ -7,7 +7,7 @@ use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
 use crate::outcome::{Data, Document, OrRead, Outcome, Relocation};
-use crate::profile::Lang;
+use crate::text::both;
 use clap::{Arg, Args as ClapArgs, Subcommand};
 
 /// Changes speed, parity or address of a drive, and follows it.
@@ -72,7 +72,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 parity.map_err(|why: String| Failure::new(Class::Usage, "usage.parity", format!("--parity: {why}")))?;
             let wish = Wish { baud: *baud, parity, address: *address, ..Wish::default() };
             if wish == Wish::default() {
-                let message = "expected at least one of --baud, --parity, --address behind `line set`";
+                let message = both!(
+                    "expected at least one of --baud, --parity, --address behind `line set`",
+                    "hinter `line set` wird mindestens eines von --baud, --parity, --address erwartet"
+                );
                 return Err(Failure::new(Class::Usage, "usage.nothing_to_set", message));
             }
             move_drive(wish, context).await
@@ -88,58 +91,57 @@ pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> 
 /// Moves one drive to what is wished for.
 pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let [address] = addresses_to_write(context.settings)?[..] else {
-        let message = "expected one address: drives are moved one by one";
+        let message = both!(
+            "expected one address: drives are moved one by one",
+            "erwartet: eine Adresse; Antriebe werden einzeln umgestellt"
+        );
         return Err(Failure::new(Class::Usage, "usage.one_address", message));
     };
     if address == 0 {
-        let message = "address 0 is everybody: drives are moved one by one";
-        return Err(Failure::new(Class::Usage, "usage.one_address", message).hint("name one drive, such as -a 1"));
+        let message = both!(
+            "address 0 is everybody: drives are moved one by one",
+            "Adresse 0 meint alle: Antriebe werden einzeln umgestellt"
+        );
+        return Err(Failure::new(Class::Usage, "usage.one_address", message).hint(super::name_one()));
     }
     let families = match &context.settings.drive {
         Some(name) => vec![super::named_family(context.settings, context.registry, name)?],
         None => context.registry.families(),
     };
-    wish.check(&families, context.settings.lang)?;
+    wish.check(&families)?;
     if context.settings.dry_run {
         let family = offline_family(context.settings, context.registry)?;
         let orders = relocate::orders(&wish, context.settings.protocol, &family);
         let mut outcome = plan(context, &family, &orders)?;
         if let Some(Data::Plan(plan)) = &mut outcome.data {
-            plan.notes.push(context.settings.lang.pick(
-                "before them the stored settings are read, and whether somebody answers at the new place already; after \
-                 each the drive is looked for where it can be. What stands there already is not written",
-                "davor werden die gespeicherten Einstellungen gelesen, und ob am neuen Ort schon jemand antwortet; nach \
-                 jedem wird der Antrieb gesucht, wo er sein kann. Was schon so steht, wird nicht geschrieben",
-            ).to_owned());
+            plan.notes.push(both!("before them the stored settings are read, and whether somebody answers at the new place already; after \
+                 each the drive is looked for where it can be. What stands there already is not written", "davor werden die gespeicherten Einstellungen gelesen, und ob am neuen Ort schon jemand antwortet; nach \
+                 jedem wird der Antrieb gesucht, wo er sein kann. Was schon so steht, wird nicht geschrieben"));
         }
         return Ok(outcome);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let lang = settings.lang;
-    gate::somebody(*ask).map_err(|why| denied(why, lang))?;
+    gate::somebody(*ask).map_err(denied)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
-    let course = relocate::course(&mut session, &mut target, &wish, lang).await?;
+    let course = relocate::course(&mut session, &mut target, &wish).await?;
     if course.is_done() {
         return Ok(Outcome::of(Data::Relocation(course.told(&target, lang))));
     }
-    course.check_free(&mut session, &mut target, lang).await?;
-    let permit = super::asking::on_line(&mut session, *ask, &question(&course, lang), lang).await?;
+    course.check_free(&mut session, &mut target).await?;
+    let permit = super::asking::on_line(&mut session, *ask, &question(&course)).await?;
     let (relocation, failure) = course.go(&mut session, &mut target, &permit, lang).await;
     Ok(Outcome { data: Some(Data::Relocation(relocation)), warnings: Vec::new(), failure })
 }
 
-fn question(course: &Course, lang: Lang) -> Question {
+fn question(course: &Course) -> Question {
     let mut hazards = vec![Hazard::Write, Hazard::Wear, Hazard::Line];
     hazards.extend(course.restarts().then_some(Hazard::Reset));
-    let title = lang.pick("move the drive to other line settings", "die Leitung des Antriebs umstellen");
-    let mut details = course.details(lang);
+    let title = both!("move the drive to other line settings", "die Leitung des Antriebs umstellen");
+    let mut details = course.details();
     details.push(
-        lang.pick(
-            "LINE: the line follows the drive; if it does not answer there, everything is put back as far as it answers here",
-            "LEITUNG: die Leitung folgt dem Antrieb; antwortet er dort nicht, wird alles zurückgestellt, solange er hier antwortet",
-        )
-        .to_owned(),
+        both!("LINE: the line follows the drive; if it does not answer there, everything is put back as far as it answers here", "LEITUNG: die Leitung folgt dem Antrieb; antwortet er dort nicht, wird alles zurückgestellt, solange er hier antwortet"),
     );
-    Question { hazards, title: title.to_owned(), details }
+    Question { hazards, title, details }
 }

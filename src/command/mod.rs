@@ -51,7 +51,8 @@ use crate::drive::{
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
 use crate::outcome::{Data, Event, Outcome, Plan, Warning};
-use crate::profile::{DataSets, Family, Lang, Param, Registry, Selector, Type};
+use crate::profile::{DataSets, Family, Param, Registry, Selector, Type};
+use crate::text::{Text, both};
 use std::rc::Rc;
 
 /// What every verb works with.
@@ -82,7 +83,7 @@ async fn connect<'a>(
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
     settings.check_one_line()?;
-    let port = open_port(settings.port.as_ref(), settings.lang, observe)?;
+    let port = open_port(settings.port.as_ref(), observe)?;
     open(&port, settings, registry, interrupt, observe).await
 }
 
@@ -106,10 +107,10 @@ async fn open<'a>(
         lang: settings.lang,
     };
     if settings.verbose {
-        observe(Event::Note(settings.told().into()));
+        observe(Event::Note(settings.told()));
     }
     if let Some(note) = &settings.port_note {
-        observe(Event::Note(note.clone().into()));
+        observe(Event::Note(note.clone()));
     }
     let mut session = Session::open(opening, registry, interrupt.clone(), observe).await?;
     session.reach_node(settings.node);
@@ -122,16 +123,19 @@ fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Res
         Addresses::Named(list) if list.contains(&0) => Err(Failure::new(
             Class::Usage,
             "usage.broadcast_read",
-            "address 0 is everybody: it can be written to, but nobody answers",
+            both!(
+                "address 0 is everybody: it can be written to, but nobody answers",
+                "Adresse 0 meint alle: schreiben geht, aber niemand antwortet"
+            ),
         )
-        .hint("name one drive, such as -a 1")),
+        .hint(name_one())),
         Addresses::Named(list) => Ok(list.clone()),
         Addresses::Unnamed => {
-            let taking = settings.lang.pick(
+            let taking = both!(
                 "no address given, taking 1 (the factory setting)",
-                "keine Adresse angegeben, es wird 1 genommen (Werkseinstellung)",
+                "keine Adresse angegeben, es wird 1 genommen (Werkseinstellung)"
             );
-            observe(Event::Note(taking.to_owned().into()));
+            observe(Event::Note(taking));
             Ok(vec![1])
         }
     }
@@ -141,11 +145,23 @@ fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Res
 fn addresses_to_write(settings: &Settings) -> Result<Vec<u8>, Failure> {
     match &settings.addresses {
         Addresses::Named(list) => Ok(list.clone()),
-        Addresses::Unnamed => {
-            Err(Failure::new(Class::Usage, "usage.address", "expected the address of the drive to write to, got none")
-                .hint("add -a ADDRESS; `antrieb scan` finds the drives"))
-        }
+        Addresses::Unnamed => Err(Failure::new(
+            Class::Usage,
+            "usage.address",
+            both!(
+                "expected the address of the drive to write to, got none",
+                "erwartet: die Adresse des Antriebs, in den geschrieben wird; es ist keine angegeben"
+            ),
+        )
+        .hint(both!(
+            "add -a ADDRESS; `antrieb scan` finds the drives",
+            "-a ADRESSE ergänzen; `antrieb scan` findet die Antriebe"
+        ))),
     }
+}
+
+fn name_one() -> Text {
+    both!("name one drive, such as -a 1", "einen Antrieb nennen, etwa -a 1")
 }
 
 /// What the settings say of the line and its drives.
@@ -174,7 +190,11 @@ fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<
             Origin::File { path, .. } => format!("{}: ", path.display()),
             _ => String::new(),
         };
-        let message = format!("{whence}unknown drive '{name}' (expected: auto, {})", known.join(", "));
+        let message = both!(
+            "{whence}unknown drive '{name}' (expected: auto, {known})",
+            "{whence}unbekannter Antrieb '{name}' (erwartet: auto, {known})",
+            known = known.join(", ")
+        );
         Failure::new(Class::Usage, "usage.drive", message)
     })
 }
@@ -228,10 +248,14 @@ fn known_somewhere(settings: &Settings, registry: &Registry, selectors: &[Select
     }
     let whose = selectors.iter().zip(&known).map(|(selector, known)| format!("{selector} ({})", known.join(", ")));
     let whose = whose.collect::<Vec<_>>().join(", ");
-    let text = settings.lang.pick("no drive has all of these", "kein Antrieb hat alle diese");
-    Err(Failure::new(Class::Data, "data.unknown_parameter", format!("{text}: {whose}")).hint(settings.lang.pick(
+    Err(Failure::new(
+        Class::Data,
+        "data.unknown_parameter",
+        both!("no drive has all of these: {whose}", "kein Antrieb hat alle diese: {whose}"),
+    )
+    .hint(both!(
         "ask for what belongs to one family at a time",
-        "nach dem fragen, was zu einer Familie gehört, eine nach der anderen",
+        "nach dem fragen, was zu einer Familie gehört, eine nach der anderen"
     )))
 }
 
@@ -275,27 +299,32 @@ fn speech(settings: &Settings) -> Speech<'static> {
 }
 
 /// Refuses numbers that no telegram of the family can carry.
-fn check_number(family: &Family, param: &Param, lang: Lang) -> Result<(), Failure> {
+fn check_number(family: &Family, param: &Param) -> Result<(), Failure> {
     if family.link.carries(param.id) {
         return Ok(());
     }
-    let message = format!("there is no parameter {}: expected a number from 0 to {}", param.id, family.link.last);
-    Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint(family.link.numbers.get(lang)))
+    let message = both!(
+        "there is no parameter {number}: expected a number from 0 to {last}",
+        "es gibt keinen Parameter {number}: erwartet wird eine Nummer von 0 bis {last}",
+        number = param.id,
+        last = family.link.last
+    );
+    Err(Failure::new(Class::Data, "data.unknown_parameter", message).hint(family.link.numbers.clone()))
 }
 
 /// Refuses data sets where the family has none.
-fn check_sets(family: &Family, sets: DataSets, lang: Lang) -> Result<(), Failure> {
+fn check_sets(family: &Family, sets: DataSets) -> Result<(), Failure> {
     if sets == DataSets::Unnamed || family.link.route.has_data_sets() {
         return Ok(());
     }
-    let text = lang.pick("this drive has no data sets", "dieser Antrieb hat keine Datensätze");
-    let hint = lang.pick("name the parameter without @", "den Parameter ohne @ angeben");
+    let text = both!("this drive has no data sets", "dieser Antrieb hat keine Datensätze");
+    let hint = both!("name the parameter without @", "den Parameter ohne @ angeben");
     Err(Failure::new(Class::Data, "data.no_data_sets", text).hint(hint))
 }
 
 /// The outcome of a verb that goes over several drives.
-fn finish(data: Data, failures: Vec<Failure>, succeeded: usize, warnings: Vec<Warning>, lang: Lang) -> Outcome {
-    Outcome { data: Some(data), warnings, failure: summary(failures, succeeded, lang) }
+fn finish(data: Data, failures: Vec<Failure>, succeeded: usize, warnings: Vec<Warning>) -> Outcome {
+    Outcome { data: Some(data), warnings, failure: summary(failures, succeeded) }
 }
 
 /// A row of a verb that goes over several drives, what failed on the way to it, and how many values were read.

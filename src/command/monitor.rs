@@ -10,7 +10,7 @@ use crate::args::parse_span;
 use crate::drive::{Item, Rounds, watch};
 use crate::failure::Failure;
 use crate::outcome::{Outcome, Record};
-use crate::profile::{DataSets, Family, Lang, Param, Selection, Selector};
+use crate::profile::{DataSets, Family, Param, Selection, Selector};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
@@ -82,7 +82,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
     // Names are checked before the port is opened: some drive must know all of them.
-    let (family, items) = offline(settings, registry, |family| items(&selectors, family, settings.lang))?;
+    let (family, items) = offline(settings, registry, |family| items(&selectors, family))?;
     if settings.dry_run {
         let sets = items.iter().flat_map(|item| item.sets().wire().into_iter().map(move |set| (item.param(), set)));
         let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
@@ -92,7 +92,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if !args.unpaced {
         session.pace();
     }
-    let select = |family: &Family| self::items(&selectors, family, settings.lang);
+    let select = |family: &Family| self::items(&selectors, family);
     let Args { interval, duration, count, reconnect, .. } = *args;
     let rounds = Rounds { interval, duration, count, reconnect };
     Ok(watch(&mut session, &terms(settings, registry)?, rounds, &addresses, &items, &select).await)
@@ -110,7 +110,7 @@ const DEFAULT: [&[&str]; 7] = [
 ];
 
 /// What the selectors mean in this family; without any, the roles of the default view.
-fn items(selectors: &[Selector], family: &Family, lang: Lang) -> Result<Vec<Item>, Failure> {
+fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> {
     if selectors.is_empty() {
         let one_of = |roles: &&[&str]| {
             let mut known = roles.iter().filter_map(|role| family.role(role));
@@ -127,7 +127,7 @@ fn items(selectors: &[Selector], family: &Family, lang: Lang) -> Result<Vec<Item
             if selection.of_group && moves_on(family, &selection.param) {
                 continue;
             }
-            check_number(family, &selection.param, lang)?;
+            check_number(family, &selection.param)?;
             items.push(Item::new(selection));
         }
     }

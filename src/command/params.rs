@@ -5,6 +5,7 @@ use super::{Context, offline_family};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Outcome, Params};
+use crate::text::both;
 use clap::Args as ClapArgs;
 
 /// Browses the parameter catalogue. No drive is needed.
@@ -40,8 +41,19 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let params: Vec<_> =
         rows.into_iter().map(|param| describe::param_doc(&family, param, context.settings.lang)).collect();
     let none = params.is_empty().then(|| {
-        Failure::new(Class::No, "no.parameter_found", format!("no parameter of '{}' contains '{query}'", family.drive))
-            .hint("a drive has more parameters than its catalogue: `antrieb read NUMBER` reads any of them")
+        Failure::new(
+            Class::No,
+            "no.parameter_found",
+            both!(
+                "no parameter of '{drive}' contains '{query}'",
+                "kein Parameter von '{drive}' enthält '{query}'",
+                drive = family.drive
+            ),
+        )
+        .hint(both!(
+            "a drive has more parameters than its catalogue: `antrieb read NUMBER` reads any of them",
+            "ein Antrieb hat mehr Parameter als sein Katalog: `antrieb read NUMMER` liest jeden davon"
+        ))
     });
     let data = Params { drive: family.drive.clone(), params };
     Ok(Outcome { data: Some(Data::Params(data)), warnings: Vec::new(), failure: none })

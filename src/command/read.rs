@@ -9,6 +9,7 @@ use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Lang, Selection, Selector, Type};
+use crate::text::both;
 use clap::Args as ClapArgs;
 
 /// Reads parameters.
@@ -49,7 +50,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let addresses = addresses_to_read(settings, *observe)?;
     let named = || {
         known_somewhere(settings, registry, &selectors)?;
-        offline(settings, registry, |family| select(&selectors, family, args, settings.lang))
+        offline(settings, registry, |family| select(&selectors, family, args))
     };
     if settings.dry_run {
         let (family, selections) = named()?;
@@ -61,7 +62,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     // trouble with the port; some drive must know all of them.
     let session = connect(settings, registry, interrupt, *observe).await;
     let (family, _) = named()?;
-    let shows_register = shows_register(&selectors, &family, args, settings.lang)?;
+    let shows_register = shows_register(&selectors, &family, args)?;
     let mut session = session?;
     let mut haul = Haul::default();
     for address in addresses {
@@ -69,7 +70,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Ok(target) => target,
             Err(failure) => {
                 let over = is_over(&failure);
-                let selections = select(&selectors, &family, args, settings.lang)?;
+                let selections = select(&selectors, &family, args)?;
                 haul.values.extend(unreachable(address, &selections, &family, settings.lang, &failure));
                 haul.failures.push(failure);
                 if over {
@@ -78,7 +79,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 continue;
             }
         };
-        let selections = select(&selectors, &target.family, args, settings.lang)?;
+        let selections = select(&selectors, &target.family, args)?;
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }
@@ -89,7 +90,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     let Haul { values, failures, warnings } = haul;
     let succeeded = values.iter().filter(|value| value.error.is_none()).count();
-    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings, settings.lang))
+    Ok(finish(Data::Read(Read { values }), failures, succeeded, warnings))
 }
 
 /// What was read so far, and what came of the rest.
@@ -138,32 +139,34 @@ fn selectors(params: &[String]) -> Result<Vec<Selector>, Failure> {
 
 pub(super) fn select_failure(error: &crate::profile::SelectError) -> Failure {
     use crate::profile::{LookupError, SelectError};
-    let failure = |class, code: &str| Failure::new(class, code, error.to_string());
+    let failure = |class, code: &str| Failure::new(class, code, error.text());
     match error {
         SelectError::Lookup(LookupError::Unknown { near, .. }) => {
             let hint = if near.is_empty() {
-                "`antrieb params WORD` searches the catalogue; a number always works".to_owned()
+                both!(
+                    "`antrieb params WORD` searches the catalogue; a number always works",
+                    "`antrieb params WORT` sucht im Katalog; eine Nummer geht immer"
+                )
             } else {
-                format!("did you mean {}?", near.join(", "))
+                both!("did you mean {near}?", "gemeint ist vielleicht {near}", near = near.join(", "))
             };
             failure(Class::Data, "data.unknown_parameter").hint(hint)
         }
-        SelectError::Lookup(LookupError::Ambiguous { .. }) => {
-            failure(Class::Data, "data.ambiguous_parameter").hint("use the number or the slug")
-        }
+        SelectError::Lookup(LookupError::Ambiguous { .. }) => failure(Class::Data, "data.ambiguous_parameter")
+            .hint(both!("use the number or the slug", "die Nummer oder die Kennung angeben")),
         SelectError::Group { .. } => failure(Class::Data, "data.unknown_group"),
         _ => failure(Class::Usage, "usage.parameter"),
     }
 }
 
-fn select(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> Result<Vec<Selection>, Failure> {
+fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Selection>, Failure> {
     let mut selections = Vec::new();
     for selector in selectors {
         selections.extend(selector.resolve(family).map_err(|error| select_failure(&error))?);
     }
     for selection in &mut selections {
-        check_number(family, &selection.param, lang)?;
-        check_sets(family, selection.sets, lang)?;
+        check_number(family, &selection.param)?;
+        check_sets(family, selection.sets)?;
         if let Some(decimals) = args.decimals {
             selection.param.decimals = Some(decimals);
         }
@@ -176,9 +179,9 @@ fn select(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> R
 }
 
 /// Whether the error register is among what is read.
-fn shows_register(selectors: &[Selector], family: &Family, args: &Args, lang: Lang) -> Result<bool, Failure> {
+fn shows_register(selectors: &[Selector], family: &Family, args: &Args) -> Result<bool, Failure> {
     let register = family.role("error-register").map(|param| param.id);
-    Ok(select(selectors, family, args, lang)?.iter().any(|selection| Some(selection.param.id) == register))
+    Ok(select(selectors, family, args)?.iter().any(|selection| Some(selection.param.id) == register))
 }
 
 /// The rows of a drive that does not answer at all.

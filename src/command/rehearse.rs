@@ -8,6 +8,7 @@ use crate::drive::{Cell, Inquiry, decode};
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plan};
 use crate::profile::{DataSets, Facts, Family, Lang, Param, Sets, Type, value};
+use crate::text::{Text, both};
 
 /// A run that is only told.
 pub(super) struct Rehearsal<'r> {
@@ -40,10 +41,7 @@ impl<'r> Rehearsal<'r> {
             family.role("control-word").into_iter().for_each(|param| told.read(param, 0));
             if let Some(param) = family.role("control-mode") {
                 let (label, contacts) = (param.label(), control.contacts);
-                told.note(
-                    &format!("where that word lacks a bit of disable {label} decides: with {contacts} only the start contacts open; where neither is told in time the quick stop goes out in place of disable"),
-                    &format!("fehlt diesem Wort ein Bit des Sperrens, entscheidet {label}: bei {contacts} öffnen nur die Startkontakte; wird beides nicht rechtzeitig gesagt, geht der Schnellhalt statt des Sperrens hinaus"),
-                );
+                told.note(both!("where that word lacks a bit of disable {label} decides: with {contacts} only the start contacts open; where neither is told in time the quick stop goes out in place of disable", "fehlt diesem Wort ein Bit des Sperrens, entscheidet {label}: bei {contacts} öffnen nur die Startkontakte; wird beides nicht rechtzeitig gesagt, geht der Schnellhalt statt des Sperrens hinaus"));
             }
         }
         if let (Some(command), Some(param)) = (family.machine.command(slug), family.role("control-word")) {
@@ -60,10 +58,7 @@ impl<'r> Rehearsal<'r> {
         let roles = if is_added { ["setpoint-internal", "setpoint-bus"] } else { ["mode-active", ""] };
         roles.into_iter().filter_map(|role| family.role(role)).for_each(|param| told.read(param, 0));
         if is_added {
-            told.note(
-                "it goes out at once unless the internal setpoint has the other sign, which would then be left alone; with none, only the first is read",
-                "sie geht sofort hinaus, außer der interne Sollwert hat das andere Vorzeichen und bliebe dann allein übrig; ist er 0, wird nur er gelesen",
-            );
+            told.note(both!("it goes out at once unless the internal setpoint has the other sign, which would then be left alone; with none, only the first is read", "sie geht sofort hinaus, außer der interne Sollwert hat das andere Vorzeichen und bliebe dann allein übrig; ist er 0, wird nur er gelesen"));
         }
         told.write(zero, 0, 0);
         told.goes_first();
@@ -72,15 +67,12 @@ impl<'r> Rehearsal<'r> {
     }
 
     fn goes_first(&mut self) {
-        self.note(
-            "what takes motion away goes out first, up to five times until it is acknowledged; then the drive is looked at and the word goes out that fits its state",
-            "was Bewegung wegnimmt, geht zuerst hinaus, bis zu fünfmal, bis es bestätigt ist; dann wird der Antrieb angesehen, und das Wort geht hinaus, das zu seinem Zustand passt",
-        );
+        self.note(both!("what takes motion away goes out first, up to five times until it is acknowledged; then the drive is looked at and the word goes out that fits its state", "was Bewegung wegnimmt, geht zuerst hinaus, bis zu fünfmal, bis es bestätigt ist; dann wird der Antrieb angesehen, und das Wort geht hinaus, das zu seinem Zustand passt"));
         if self.family.role("word-order").is_some() {
-            self.note(
+            self.note(both!(
                 "where nobody names the word order, a word that is not 0 goes out in both",
-                "wo niemand die Wortfolge nennt, geht ein Wort, das nicht 0 ist, in beiden hinaus",
-            );
+                "wo niemand die Wortfolge nennt, geht ein Wort, das nicht 0 ist, in beiden hinaus"
+            ));
         }
     }
 
@@ -89,16 +81,11 @@ impl<'r> Rehearsal<'r> {
         let plan = Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() };
         let mut told = Rehearsal { reader, family, address, lang: settings.lang, plan, changed: Vec::new() };
         if settings.drive.is_none() {
-            told.note(
-                &format!(
-                    "taken for '{}': without --drive the drive is recognised first (code 43, P.411, code 100)",
-                    family.drive
-                ),
-                &format!(
-                    "angenommen ist '{}': ohne --drive wird der Antrieb zuerst erkannt (Code 43, P.411, Code 100)",
-                    family.drive
-                ),
-            );
+            told.note(both!(
+                "taken for '{drive}': without --drive the drive is recognised first (code 43, P.411, code 100)",
+                "angenommen ist '{drive}': ohne --drive wird der Antrieb zuerst erkannt (Code 43, P.411, Code 100)",
+                drive = family.drive
+            ));
         }
         told
     }
@@ -130,14 +117,11 @@ impl<'r> Rehearsal<'r> {
                 told.read(param, set);
             }
         }
-        told.note(
-            "a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may part old from new replies",
-            "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler 11) alte von neuen Antworten",
-        );
+        told.note(both!("a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may part old from new replies", "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler 11) alte von neuen Antworten"));
     }
 
-    fn note(&mut self, en: &str, de: &str) {
-        self.plan.notes.push(self.lang.pick(en, de).to_owned());
+    fn note(&mut self, text: Text) {
+        self.plan.notes.push(text);
     }
 
     fn ask(&mut self, inquiry: Inquiry) {
@@ -170,10 +154,10 @@ impl<'r> Rehearsal<'r> {
         self.changed.push(param.label());
         if param.sets == Some(Sets::Four) {
             let label = param.label();
-            self.note(
-                &format!("{label} goes to RAM of the active data set; here of set {ACTIVE_SET}, P.249 tells which"),
-                &format!("{label} geht in das RAM des aktiven Datensatzes; hier Satz {ACTIVE_SET}, P.249 sagt welcher"),
-            );
+            self.note(both!(
+                "{label} goes to RAM of the active data set; here of set {ACTIVE_SET}, P.249 tells which",
+                "{label} geht in das RAM des aktiven Datensatzes; hier Satz {ACTIVE_SET}, P.249 sagt welcher"
+            ));
         }
     }
 
@@ -225,10 +209,10 @@ impl<'r> Rehearsal<'r> {
         let way = family.machine.plan(FROM, goal, &Facts::default()).unwrap_or_default();
         way.iter().filter_map(|transition| transition.command.as_ref()).for_each(|slug| self.command(slug));
         let from = family.states.iter().find(|row| row.slug == FROM).map_or(FROM, |row| row.name(self.lang));
-        self.note(
-            &format!("the control words are those from '{from}' on; from another state it is another way"),
-            &format!("die Steuerwörter gelten ab '{from}'; von einem anderen Zustand aus ist der Weg ein anderer"),
-        );
+        self.note(both!(
+            "the control words are those from '{from}' on; from another state it is another way",
+            "die Steuerwörter gelten ab '{from}'; von einem anderen Zustand aus ist der Weg ein anderer"
+        ));
     }
 
     /// The end of a held run: the stop, then what is given back.
@@ -241,10 +225,10 @@ impl<'r> Rehearsal<'r> {
             StopArg::Keep => "keep",
         };
         if motion.hold {
-            self.note(
+            self.note(both!(
                 "--hold: until the stop the status word is read and the setpoint given again and again",
-                "--hold: bis zum Halt wird immer wieder das Statuswort gelesen und der Sollwert gegeben",
-            );
+                "--hold: bis zum Halt wird immer wieder das Statuswort gelesen und der Sollwert gegeben"
+            ));
             let row = family.motion.stop(slug);
             let other = row.and_then(|row| row.otherwise.as_ref()).filter(|_| zeroed.is_none());
             let row = other.and_then(|slug| family.motion.stop(slug)).or(row);
@@ -259,10 +243,10 @@ impl<'r> Rehearsal<'r> {
         }
         let changed = std::mem::take(&mut self.changed).join(", ");
         if !changed.is_empty() {
-            self.note(
-                &format!("at the end what was read before is written back: {changed}"),
-                &format!("am Ende wird zurückgeschrieben, was zuvor gelesen wurde: {changed}"),
-            );
+            self.note(both!(
+                "at the end what was read before is written back: {changed}",
+                "am Ende wird zurückgeschrieben, was zuvor gelesen wurde: {changed}"
+            ));
         }
     }
 

@@ -11,6 +11,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
 use crate::outcome::{Decimal, Outcome};
 use crate::profile::{Family, Lang, Mode, Registry};
+use crate::text::Text;
 
 mod done;
 mod report;
@@ -204,10 +205,10 @@ async fn agreed(
     lang: Lang,
 ) -> Result<Permit<gate::Motion>, Failure> {
     let one = session.demand_one_drive(target.address);
-    one.map_err(|error| error.failure(target.address, Some(&target.family), lang))?;
+    one.map_err(|error| error.failure(target.address, Some(&target.family)))?;
     session.insist(false);
     session.end_at(None);
-    asking::on_line(session, ask, &question(plan, target, node, before, lang), lang).await
+    asking::on_line(session, ask, &question(plan, target, node, before, lang)).await
 }
 
 /// Sends what stops the drive, before anything is asked that it does not need.
@@ -225,7 +226,7 @@ async fn stop_first(
         Some(modes) => shout_zero(session, registry, &meant, modes).await.map(|sent| (sent, FirstWord::default())),
         None => shout(session, registry, &meant, act).await.map(|first| (true, first)),
     };
-    sent.map_err(|error| unstopped(error.failure(address, None, settings.lang), act, zero.is_none(), settings.lang))
+    sent.map_err(|error| unstopped(error.failure(address, None), act, zero.is_none(), settings.lang))
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
@@ -312,7 +313,11 @@ fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang
     }
     details.extend(plan.details.iter().cloned());
     details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
-    Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+    Question {
+        hazards: vec![Hazard::Motion],
+        title: plan.announce.clone().into(),
+        details: details.into_iter().map(Text::from).collect(),
+    }
 }
 
 /// What the end of a run is whose only hand is on the setpoint.

@@ -7,7 +7,6 @@ use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Searched, U
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
-use crate::profile::Lang;
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 use serde::Deserialize;
@@ -86,9 +85,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 fn addresses(settings: &Settings) -> Result<Vec<u8>, Failure> {
     match &settings.addresses {
         Addresses::Named(list) if list.contains(&0) => {
-            let message = settings.lang.pick(
+            let message = both!(
                 "address 0 is everybody and nobody answers it; expected addresses from 1 to 247",
-                "Adresse 0 sind alle, und niemand antwortet; erwartet werden Adressen von 1 bis 247",
+                "Adresse 0 sind alle, und niemand antwortet; erwartet werden Adressen von 1 bis 247"
             );
             Err(Failure::new(Class::Usage, "usage.broadcast_read", message))
         }
@@ -116,43 +115,48 @@ fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> 
     let sought = [("baud", baud), ("parity", parity), ("protocol", protocol)];
     let sought: Vec<_> = sought.iter().filter(|row| row.1).map(|row| row.0).collect();
     let (line, spoken) = (settings.line, settings.protocol);
-    let mut notes = vec![match settings.lang {
-        Lang::En => {
-            format!("{count} address(es) on {ports} port(s) are asked for their status word, at {line} {spoken} first")
-        }
-        Lang::De => format!(
-            "{count} Adresse(n) an {ports} Anschluss/Anschlüssen werden nach dem Statuswort gefragt, zuerst mit {line} {spoken}"
-        ),
-    }];
+    let mut notes = vec![both!(
+        "{count} address(es) on {ports} port(s) are asked for their status word, at {line} {spoken} first",
+        "{count} Adresse(n) an {ports} Anschluss/Anschlüssen werden nach dem Statuswort gefragt, zuerst mit {line} {spoken}"
+    )];
     if !sought.is_empty() {
         let sought = sought.join(", ");
-        notes.push(match settings.lang {
-            Lang::En => format!("then again at every other likely setting: {sought} = auto"),
-            Lang::De => format!("danach mit jeder weiteren wahrscheinlichen Einstellung: {sought} = auto"),
-        });
+        notes.push(both!(
+            "then again at every other likely setting: {sought} = auto",
+            "danach mit jeder weiteren wahrscheinlichen Einstellung: {sought} = auto"
+        ));
     }
-    notes.push(settings.lang.pick(
-        "whoever answers is asked on what it is (code 100, P.484, P.11, code 43); whoever was garbled is asked again",
-        "wer antwortet, wird gefragt, was er ist (Code 100, P.484, P.11, Code 43); wer gestört kam, wird noch einmal gefragt",
-    ).to_owned());
+    notes.push(both!("whoever answers is asked on what it is (code 100, P.484, P.11, code 43); whoever was garbled is asked again", "wer antwortet, wird gefragt, was er ist (Code 100, P.484, P.11, Code 43); wer gestört kam, wird noch einmal gefragt"));
     Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })))
 }
 
 /// The ports that were named, or the only one that there is.
 fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
     let settings = context.settings;
-    let usage = |code: &str, message: String| Err(Failure::new(Class::Usage, code, message));
+    let usage = |code: &str, message: Text| Err(Failure::new(Class::Usage, code, message));
     let mut named = settings.ports.iter();
     while let Some(port) = named.next() {
         if named.as_slice().contains(port) {
-            return usage("usage.port", format!("port: {port} is named twice; expected every port once"));
+            return usage(
+                "usage.port",
+                both!(
+                    "port: {port} is named twice; expected every port once",
+                    "port: {port} ist zweimal genannt; erwartet: jeder Anschluss einmal"
+                ),
+            );
         }
     }
     if settings.ports.len() > 1 && settings.trace.is_some() {
-        return usage("usage.trace", "trace: one file holds one line; expected one port".to_owned());
+        return usage(
+            "usage.trace",
+            both!(
+                "trace: one file holds one line; expected one port",
+                "trace: eine Datei fasst eine Leitung; erwartet: ein Anschluss"
+            ),
+        );
     }
     if settings.ports.is_empty() {
-        return Ok(vec![open_port(None, settings.lang, context.observe)?]);
+        return Ok(vec![open_port(None, context.observe)?]);
     }
     Ok(settings.ports.clone())
 }
@@ -217,7 +221,6 @@ fn report(
     lines: Vec<Result<ScanResult, Failure>>,
     before: Option<Scan>,
 ) -> Outcome {
-    let lang = settings.lang;
     let (mut drives, mut searches) = before.map_or_else(Default::default, |scan| (scan.drives, scan.searches));
     let (mut addresses, mut asked, mut complete) = (0, 0, true);
     let (mut warnings, mut failures): (Vec<Warning>, Vec<Failure>) = (Vec::new(), Vec::new());
@@ -230,12 +233,12 @@ fn report(
                 continue;
             }
         };
-        let left_out = result.left_out(lang);
+        let left_out = result.left_out();
         drives.extend(result.drives);
         warnings.extend(result.warnings);
-        failures.extend(result.yielded.then(|| other_master(lang)).or(left_out));
+        failures.extend(result.yielded.then(other_master).or(left_out));
         failures.extend(result.cut.map(|error| {
-            let mut failure = error.failure(0, None, lang);
+            let mut failure = error.failure(0, None);
             failure.context.clear();
             failure
         }));
@@ -291,62 +294,62 @@ fn verdict(
     drives: &[FoundDrive],
     (asked, addresses): (usize, usize),
 ) -> Option<Failure> {
-    let lang = settings.lang;
     let count = failures.len();
     let interrupted = failures.iter().position(|failure| failure.class == Class::Interrupted);
     let Some(first) = failures.into_iter().nth(interrupted.unwrap_or(0)) else {
         return drives.is_empty().then(|| nobody(settings));
     };
-    let so_far = match lang {
-        Lang::En => format!("{}; {asked} of {addresses} addresses were asked", first.message.get(lang)),
-        Lang::De => format!("{}; {asked} von {addresses} Adressen wurden gefragt", first.message.get(lang)),
-    };
+    let so_far = both!(
+        "{why}; {asked} of {addresses} addresses were asked",
+        "{why}; {asked} von {addresses} Adressen wurden gefragt",
+        why = first.message
+    );
     if interrupted.is_some() {
-        let hint = lang.pick(
+        let hint = both!(
             "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
-            "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json",
+            "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json"
         );
-        return Some(Failure { message: so_far.into(), ..first }.hint(hint));
+        return Some(Failure { message: so_far, ..first }.hint(hint));
     }
     if ports == 1 || count == ports {
-        return Some(if addresses > 0 { Failure { message: so_far.into(), ..first } } else { first });
+        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
     }
-    let message = match lang {
-        Lang::En => format!("{count} of {ports} ports failed; the first: {}", first.message.get(lang)),
-        Lang::De => format!("{count} von {ports} Anschlüssen gescheitert; zuerst: {}", first.message.get(lang)),
-    };
-    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message: message.into(), ..first })
+    let message = both!(
+        "{count} of {ports} ports failed; the first: {why}",
+        "{count} von {ports} Anschlüssen gescheitert; zuerst: {why}",
+        why = first.message
+    );
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
 }
 
-fn other_master(lang: Lang) -> Failure {
-    let message = lang.pick(
+fn other_master() -> Failure {
+    let message = both!(
         "another master asks on this line, so nothing more was sent",
-        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet",
+        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet"
     );
-    let hint = lang.pick(
+    let hint = both!(
         "disconnect the other master; `antrieb sniff` shows what it asks; --force goes on beside it and may disturb it",
         "den anderen Master abklemmen; `antrieb sniff` zeigt, was er fragt; --force macht neben ihm weiter und kann ihn \
-         stören",
+         stören"
     );
     Failure::new(Class::Forbidden, "forbidden.other_master", message).hint(hint)
 }
 
 fn nobody(settings: &Settings) -> Failure {
-    let lang = settings.lang;
     let hint = if settings.unknown == crate::args::Unknown::default() {
-        lang.pick(
+        both!(
             "if the setting of the line is not known: --baud auto --parity auto --protocol auto (a drive leaves the \
              factory speaking VABus, P.395 = 0); else check whether A and B are swapped, and termination",
             "falls die Einstellung der Leitung unbekannt ist: --baud auto --parity auto --protocol auto (ein Antrieb \
-             spricht ab Werk VABus, P.395 = 0); sonst prüfen, ob A und B vertauscht sind, und den Abschluss",
+             spricht ab Werk VABus, P.395 = 0); sonst prüfen, ob A und B vertauscht sind, und den Abschluss"
         )
     } else {
-        lang.pick(
+        both!(
             "no setting brought an answer: check supply, whether A and B are swapped, termination, and the adapter",
-            "keine Einstellung brachte eine Antwort: Versorgung, Vertauschung von A und B, Abschluss und Adapter prüfen",
+            "keine Einstellung brachte eine Antwort: Versorgung, Vertauschung von A und B, Abschluss und Adapter prüfen"
         )
     };
-    Failure::new(Class::No, "no.drive_found", lang.pick("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
+    Failure::new(Class::No, "no.drive_found", both!("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
 }
 
 /// Writes `1-10,17`.

@@ -6,7 +6,7 @@ use crate::args::parse_span;
 use crate::drive::{Listening, Port, sniff};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff};
-use crate::profile::Lang;
+use crate::text::both;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
@@ -51,13 +51,12 @@ impl Verb for Args {
 /// Listens until the time or the count is over, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
-    let lang = settings.lang;
     let family = offline_family(settings, registry)?;
     if settings.dry_run {
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() })));
     }
     if matches!(settings.port, Some(Port::Mbtcp(_))) {
-        return Err(no_line(lang));
+        return Err(no_line());
     }
     let is_virtual = matches!(settings.port, Some(Port::Sim(_) | Port::Tape(_)));
     let plan = Listening {
@@ -68,54 +67,42 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     };
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
-    let failure = error.map(|error| error.failure(0, None, lang)).or_else(|| unheard(&heard, lang));
+    let failure = error.map(|error| error.failure(0, None)).or_else(|| unheard(&heard));
     Ok(Outcome { data: Some(Data::Sniff(heard)), warnings: Vec::new(), failure })
 }
 
 /// Why it was of no use to listen.
-fn unheard(sniff: &Sniff, lang: Lang) -> Option<Failure> {
+fn unheard(sniff: &Sniff) -> Option<Failure> {
     let summary = &sniff.summary;
     let (line, protocol, heard) = (&summary.line, summary.protocol, summary.heard);
     let failure = match (heard, heard - summary.garbled) {
         (0, _) => Failure::new(
             Class::Silence,
             "silence.nothing_heard",
-            match lang {
-                Lang::En => format!("nothing was heard on {} at {line}", summary.port),
-                Lang::De => format!("auf {} war bei {line} nichts zu hören", summary.port),
-            },
+            both!("nothing was heard on {port} at {line}", "auf {port} war bei {line} nichts zu hören", port = summary.port),
         )
-        .hint(lang.pick(
-            "sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and `antrieb \
-             decode trace FILE` reads a recording with what was sent",
-            "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
-             `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde",
-        )),
+        .hint(both!("sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and `antrieb \
+             decode trace FILE` reads a recording with what was sent", "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
+             `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde")),
         (_, 0) => Failure::new(
             Class::Garbled,
             "garbled.nothing_valid",
-            match lang {
-                Lang::En => format!("nothing that was heard is a telegram of {protocol} at {line}"),
-                Lang::De => format!("nichts des Gehörten ist ein Telegramm von {protocol} bei {line}"),
-            },
+            both!("nothing that was heard is a telegram of {protocol} at {line}", "nichts des Gehörten ist ein Telegramm von {protocol} bei {line}"),
         )
-        .hint(lang.pick(
-            "try other settings: --protocol rtu, ascii or vabus, --baud, --parity",
-            "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity",
-        )),
+        .hint(both!("try other settings: --protocol rtu, ascii or vabus, --baud, --parity", "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity")),
         _ => return None,
     };
     Some(failure)
 }
 
-fn no_line(lang: Lang) -> Failure {
-    let text = lang.pick(
+fn no_line() -> Failure {
+    let text = both!(
         "behind a Modbus/TCP gateway there is nothing to listen to: it passes on only answers to our own questions",
-        "hinter einem Modbus/TCP-Gateway gibt es nichts zu hören: es gibt nur Antworten auf eigene Fragen weiter",
+        "hinter einem Modbus/TCP-Gateway gibt es nichts zu hören: es gibt nur Antworten auf eigene Fragen weiter"
     );
-    let hint = lang.pick(
+    let hint = both!(
         "expected a serial port, tcp://HOST:PORT or rfc2217://HOST:PORT",
-        "erwartet: ein serieller Anschluss, tcp://HOST:PORT oder rfc2217://HOST:PORT",
+        "erwartet: ein serieller Anschluss, tcp://HOST:PORT oder rfc2217://HOST:PORT"
     );
     Failure::new(Class::Usage, "usage.no_line", text).hint(hint)
 }

@@ -149,7 +149,7 @@ async fn give(
             plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
                 // What went out needs no leave any more; what came of it is told.
                 Some(act) if plan.said => Some(act),
-                Some(_) => zero::relief(session, target, before, &wanted, lang).await?,
+                Some(_) => zero::relief(session, target, before, &wanted).await?,
                 None => None,
             };
             plan.details.extend(
@@ -338,7 +338,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
         },
     )
     .await?;
-    Ok(finish(Data::Sollwert(Sollwert { drives }), failures, succeeded, Vec::new(), context.settings.lang))
+    Ok(finish(Data::Sollwert(Sollwert { drives }), failures, succeeded, Vec::new()))
 }
 
 async fn show(

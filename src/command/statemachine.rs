@@ -253,7 +253,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
         },
     )
     .await?;
-    Ok(finish(Data::Statemachine(Statemachine { drives }), failures, succeeded, Vec::new(), context.settings.lang))
+    Ok(finish(Data::Statemachine(Statemachine { drives }), failures, succeeded, Vec::new()))
 }
 
 async fn show(

@@ -9,7 +9,8 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Writing};
 use crate::outcome::{Data, Document, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
-use crate::profile::{Family, Lang, Param, Selector, Type};
+use crate::profile::{Family, Param, Selector, Type};
+use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Writes parameters.
@@ -53,10 +54,9 @@ impl Verb for Args {
 /// Writes to every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses_to_write(context.settings)?;
-    let lang = context.settings.lang;
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
-    let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family, lang))?;
+    let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family))?;
     if context.settings.dry_run {
         return plan_only(&terms, &addresses, &family, &planned);
     }
@@ -68,15 +68,15 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
             _ => target(&mut session, settings, registry, address, false).await?,
         };
-        let steps = steps(args, &target.family, settings.lang)?;
+        let steps = steps(args, &target.family)?;
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let permit = match permit(&mut session, *ask, &jobs, settings.lang).await {
+    let permit = match permit(&mut session, *ask, &jobs).await {
         Ok(Some(permit)) => permit,
         Ok(None) => return Ok(job::done(jobs, Vec::new(), &terms)),
         Err(failure) if failure.class == Class::Port => {
-            let failure = job::leave(&mut jobs, failure, lang);
+            let failure = job::leave(&mut jobs, failure);
             return Ok(job::done(jobs, vec![failure], &terms));
         }
         Err(failure) => return Err(failure),
@@ -95,18 +95,18 @@ pub(super) async fn permit(
     session: &mut Session<'_>,
     ask: &mut dyn Ask,
     jobs: &[Job],
-    lang: Lang,
 ) -> Result<Option<Permit<Writing>>, Failure> {
-    match job::question(jobs, lang) {
-        Some(question) => asking::on_line(session, ask, &question, lang).await.map(Some),
+    match job::question(jobs) {
+        Some(question) => asking::on_line(session, ask, &question).await.map(Some),
         None => Ok(None),
     }
 }
 
 fn halves(text: &str) -> Result<(&str, &str), Failure> {
     text.split_once('=').ok_or_else(|| {
-        Failure::new(Class::Usage, "usage.assignment", format!("expected PARAMETER=VALUE, got '{text}'"))
-            .hint("for example 376@4=1.5kW")
+        let message = both!("expected PARAMETER=VALUE, got '{text}'", "erwartet: PARAMETER=WERT; angegeben: '{text}'");
+        Failure::new(Class::Usage, "usage.assignment", message)
+            .hint(both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW"))
     })
 }
 
@@ -117,19 +117,23 @@ fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
 }
 
 /// Reads the assignments; nothing is sent until all of them make sense.
-fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure> {
+fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for text in &args.assignments {
         let (who, what) = halves(text)?;
         let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
         if selector.is_group() {
-            let message = format!("'{who}' is a group: one value for all of it makes no sense");
-            return Err(Failure::new(Class::Usage, "usage.group", message).hint("name the parameters one by one"));
+            let message = both!(
+                "'{who}' is a group: one value for all of it makes no sense",
+                "'{who}' ist eine Gruppe: ein Wert für alle daraus ergibt keinen Sinn"
+            );
+            return Err(Failure::new(Class::Usage, "usage.group", message)
+                .hint(both!("name the parameters one by one", "die Parameter einzeln nennen")));
         }
         for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
             let mut param = selection.param;
-            super::check_number(family, &param, lang)?;
-            super::check_sets(family, selection.sets, lang)?;
+            super::check_number(family, &param)?;
+            super::check_sets(family, selection.sets)?;
             param.decimals = args.decimals.or(param.decimals);
             let kind = args.kind.or(param.kind);
             let raw = check(&param, family, what, kind, args.force)?;
@@ -137,57 +141,66 @@ fn steps(args: &Args, family: &Family, lang: Lang) -> Result<Vec<Step>, Failure>
             steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
         }
     }
-    cutting_last(steps, lang)
+    cutting_last(steps)
 }
 
 /// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.
-fn cutting_last(mut steps: Vec<Step>, lang: Lang) -> Result<Vec<Step>, Failure> {
+fn cutting_last(mut steps: Vec<Step>) -> Result<Vec<Step>, Failure> {
     steps.sort_by_key(|step| job::cuts(&step.param));
     let mut cutting = steps.iter().rev().take_while(|step| job::cuts(&step.param)).map(|step| step.param.label());
     let (Some(last), Some(other)) = (cutting.next(), cutting.next()) else { return Ok(steps) };
-    let message = match lang {
-        Lang::En => format!("{other} and {last} both cut the line or restart the drive at once; write them one by one"),
-        Lang::De => format!("{other} und {last} kappen beide sofort die Leitung oder starten den Antrieb neu"),
-    };
-    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(lang.pick(
-        "behind the first the drive is reached with its new setting only; `line set` changes several and follows",
-        "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und folgt",
-    )))
+    let message = both!(
+        "{other} and {last} both cut the line or restart the drive at once; write them one by one",
+        "{other} und {last} kappen beide sofort die Leitung oder starten den Antrieb neu"
+    );
+    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(both!("behind the first the drive is reached with its new setting only; `line set` changes several and follows", "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und folgt")))
 }
 
 /// The raw value, if everything that the catalogue knows allows it.
 fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: bool) -> Result<i64, Failure> {
+    let (number, slug) = (param.id, &param.slug);
+    let label = both!("parameter {number} ({slug})", "Parameter {number} ({slug})");
     let bad = |code: &str, error: &ValueError| {
-        let message = format!("parameter {} ({}): {error}", param.id, param.slug);
+        let message = both!("{label}: {why}", "{label}: {why}", label, why = error.text());
         Failure::new(Class::Data, code, message).with("param", param.id)
     };
     if !param.access.writes() && !force {
-        let message = format!("parameter {} ({}) is read-only", param.id, param.slug);
-        return Err(Failure::new(Class::Data, "data.read_only", message)
-            .hint("--force sends it and lets the drive judge")
-            .with("param", param.id));
+        let message = both!("{label} is read-only", "{label} ist nur lesbar", label);
+        return Err(Failure::new(Class::Data, "data.read_only", message).hint(force_sends()).with("param", param.id));
     }
     if kind == Some(Type::String) {
-        let message = format!("parameter {} ({}) is a text; Modbus carries numbers only", param.id, param.slug);
+        let message = both!(
+            "{label} is a text; Modbus carries numbers only",
+            "{label} ist ein Text; Modbus überträgt nur Zahlen",
+            label
+        );
         return Err(Failure::new(Class::Data, "data.string", message).with("param", param.id));
     }
     let raw = value::parse(text, param, &family.choices(param)).map_err(|error| match &error {
-        ValueError::NoScale { .. } => bad("data.no_scale", &error)
-            .hint("name the decimals with --decimals, or write the raw integer in hexadecimal (0x…)"),
+        ValueError::NoScale { .. } => bad("data.no_scale", &error).hint(both!(
+            "name the decimals with --decimals, or write the raw integer in hexadecimal (0x…)",
+            "die Nachkommastellen mit --decimals angeben, oder den Rohwert hexadezimal schreiben (0x…)"
+        )),
         _ => bad("data.value", &error),
     })?;
     if !force {
-        value::check_range(raw, param)
-            .map_err(|error| bad("data.range", &error).hint("--force sends it and lets the drive judge"))?;
+        value::check_range(raw, param).map_err(|error| bad("data.range", &error).hint(force_sends()))?;
     }
     if kind == Some(Type::Word) && raw < 0 && param.min.is_none_or(|min| min >= 0) {
         let error = ValueError::Width { value: format_decimal(raw, param.decimals_or_zero()), kind: "word" };
-        return Err(bad("data.width", &error).hint("no source tells that it is signed; --type int says so"));
+        return Err(bad("data.width", &error).hint(both!(
+            "no source tells that it is signed; --type int says so",
+            "keine Quelle nennt ein Vorzeichen; --type int gibt eines an"
+        )));
     }
     if let Some(kind) = kind {
         value::check_width(raw, kind, param.decimals_or_zero()).map_err(|error| bad("data.width", &error))?;
     }
     Ok(raw)
+}
+
+fn force_sends() -> Text {
+    both!("--force sends it and lets the drive judge", "--force sendet ihn und überlässt das Urteil dem Antrieb")
 }
 
 /// Shows what would be sent, without opening anything.
@@ -200,7 +213,7 @@ pub(super) fn plan_only(
     let mut values = Vec::new();
     for &address in addresses {
         for step in steps {
-            let kind = step.kind.ok_or_else(|| job::no_width(&step.param, terms.lang()))?;
+            let kind = step.kind.ok_or_else(|| job::no_width(&step.param))?;
             let row = describe::to_write(address, family, &step.param, step.set, step.raw, terms.lang());
             let mut row = Written { node: terms.speech.node, ..row };
             job::tell(&mut row, job::telegram(terms, family, address, step, kind));
@@ -208,15 +221,19 @@ pub(super) fn plan_only(
         }
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
-    let proves = terms.lang().pick(
+    let proves = both!(
         "before the first of these every old value is read, after each the new one; what the drive has already is not sent",
-        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet",
+        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet"
     );
-    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves.to_owned().into() });
+    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves });
     if terms.named.is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
-            message: format!("a dry run asks no drive: taken for '{}'; --drive names another", family.drive).into(),
+            message: both!(
+                "a dry run asks no drive: taken for '{drive}'; --drive names another",
+                "ein Probelauf fragt keinen Antrieb: angenommen ist '{drive}'; --drive nennt einen anderen",
+                drive = family.drive
+            ),
         });
     }
     Ok(outcome)

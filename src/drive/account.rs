@@ -7,6 +7,7 @@ use crate::profile::{Family, Lang};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::Hex;
 use crate::protocol::modbus::pdu::WordOrder;
+use crate::text::both;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -69,16 +70,12 @@ impl<'a> Account<'a> {
     /// Tells once that everything is answered twice: what is read may come from either of two drives.
     pub(super) fn tell_twice(&mut self, station: u8) {
         if self.twice.insert(station) {
-            let note = match self.lang {
-                Lang::En => format!(
-                    "address {station}: every question is answered twice: two drives with one address, or a repeater"
-                ),
-                Lang::De => format!(
-                    "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
-                     Repeater"
-                ),
-            };
-            (self.observe)(Event::Note(note.into()));
+            let note = both!(
+                "address {station}: every question is answered twice: two drives with one address, or a repeater",
+                "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
+                 Repeater"
+            );
+            (self.observe)(Event::Note(note));
         }
     }
 }
@@ -95,9 +92,12 @@ fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record:
     let reader = decode::Reader { protocol, node: 0, family, order, lang };
     let told = reader.telegram(&record.bytes, is_request);
     let meaning = match record.verdict {
-        Verdict::Fence => format!("fence: {}", told.meaning),
+        Verdict::Fence => format!("{}: {}", lang.pick("fence", "Sperrfrage"), told.meaning),
         Verdict::Echo => format!("{}: {}", lang.pick("echo of the adapter", "Echo des Adapters"), told.meaning),
-        Verdict::Stray { station } => format!("not the answer, from address {station}: {}", told.meaning),
+        Verdict::Stray { station } => {
+            let stray = lang.pick("not the answer, from address", "nicht die Antwort, von Adresse");
+            format!("{stray} {station}: {}", told.meaning)
+        }
         _ => told.meaning,
     };
     Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }

@@ -6,6 +6,7 @@ use crate::files;
 use crate::outcome::{Event, GapStatistics, Simulate};
 use crate::profile::Registry;
 use crate::simulator::Bench;
+use crate::text::both;
 use crate::tick::Span;
 use crate::transport::serve::{Note, Server};
 use anyhow::Context;
@@ -25,7 +26,10 @@ pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> 
         Ok(Bench::from_toml(&path, &text, registry)?)
     };
     read().map_err(|error| {
-        Failure::caused(Class::Data, "data.bench", &error).hint("the format is described in `antrieb simulate --help`")
+        Failure::caused(Class::Data, "data.bench", &error).hint(both!(
+            "the format is described in `antrieb simulate --help`",
+            "das Format beschreibt `antrieb simulate --help`"
+        ))
     })
 }
 
@@ -42,9 +46,12 @@ pub async fn serve(
     let port = server.name();
     for drive in bench.drives() {
         let (address, model, line, framing) = (drive.address(), drive.model(), drive.line(), drive.protocol());
-        observe(Event::Note(format!("{model} at address {address}, {line}, {framing}").into()));
+        observe(Event::Note(both!(
+            "{model} at address {address}, {line}, {framing}",
+            "{model} unter Adresse {address}, {line}, {framing}"
+        )));
     }
-    observe(Event::Note(format!("serving on {port}; Ctrl-C ends it").into()));
+    observe(Event::Note(both!("serving on {port}; Ctrl-C ends it", "bedient {port}; Strg-C beendet es")));
     let mut clients = 0;
     let stop = async {
         match duration {
@@ -58,8 +65,10 @@ pub async fn serve(
     let served = server
         .run(bench, stop, |note| {
             clients += u64::from(note == Note::Connected);
-            let text = if note == Note::Connected { "a client connected" } else { "the client left" };
-            observe(Event::Note(text.to_owned().into()));
+            observe(Event::Note(match note == Note::Connected {
+                true => both!("a client connected", "ein Client ist verbunden"),
+                false => both!("the client left", "der Client hat getrennt"),
+            }));
         })
         .await;
     served.map_err(|error| failure(&error))?;

@@ -7,9 +7,10 @@ use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Lang, Registry, Type};
+use crate::profile::{Family, Registry, Type};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
+use crate::text::{Text, both};
 use std::rc::Rc;
 
 /// Stator frequency: 32 bits on both families, proved by telegrams (sources B), so code 100 reads it.
@@ -37,9 +38,8 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn note(&mut self, asked: &str, answered: impl Into<String>, tells: &str) {
-        let (asked, tells) = (asked.to_owned(), tells.to_owned());
-        self.evidence.push(Evidence { asked, answered: answered.into(), tells });
+    fn note(&mut self, asked: Text, answered: Text, tells: Text) {
+        self.evidence.push(Evidence { asked, answered, tells });
     }
 
     /// The drive as a target, if it is one that we know.
@@ -60,7 +60,6 @@ pub async fn recognise(
     session: &mut Session<'_>,
     registry: &Registry,
     address: u8,
-    lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
     let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
@@ -69,7 +68,7 @@ pub async fn recognise(
         // A NAK may come from the drive in between; its cause says so.
         session.demand(route, &family, question.clone()).await?;
     }
-    let mut inquest = Inquest::new(session, registry, route, lang);
+    let mut inquest = Inquest::new(session, registry, route);
     // Code 43 harms nobody: an ACTIVE refuses it without touching its error register, while an LXM05 would refuse the
     // status word of an ACTIVE, and forget its last synchronous error over it.
     if matches!(route.protocol, Protocol::Modbus(_)) {
@@ -87,13 +86,12 @@ pub async fn introduce(
     session: &mut Session<'_>,
     registry: &Registry,
     target: &Target,
-    lang: Lang,
 ) -> Result<Option<Finding>, AccessError> {
     if target.family.link.product.is_none() || !matches!(session.protocol(), Protocol::Modbus(_)) {
         return Ok(None);
     }
     let route = presumed(session.protocol(), target.address);
-    let mut inquest = Inquest::new(session, registry, route, lang);
+    let mut inquest = Inquest::new(session, registry, route);
     inquest.identification().await?;
     Ok(Some(inquest.finding))
 }
@@ -117,11 +115,10 @@ pub(super) async fn judge(
     registry: &Registry,
     address: u8,
     answer: &Answer,
-    lang: Lang,
     keep_register: bool,
 ) -> Result<Finding, AccessError> {
     let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
-    let mut inquest = Inquest::new(session, registry, route, lang);
+    let mut inquest = Inquest::new(session, registry, route);
     inquest.goes_on(answer, keep_register).await?;
     Ok(inquest.finding)
 }
@@ -131,15 +128,14 @@ struct Inquest<'q, 's> {
     session: &'q mut Session<'s>,
     registry: &'q Registry,
     route: Route,
-    lang: Lang,
     finding: Finding,
     /// It has described itself, whatever it said.
     introduced: bool,
 }
 
 impl<'q, 's> Inquest<'q, 's> {
-    fn new(session: &'q mut Session<'s>, registry: &'q Registry, route: Route, lang: Lang) -> Self {
-        Inquest { session, registry, route, lang, finding: Finding::default(), introduced: false }
+    fn new(session: &'q mut Session<'s>, registry: &'q Registry, route: Route) -> Self {
+        Inquest { session, registry, route, finding: Finding::default(), introduced: false }
     }
 
     /// Asks on from the answer for the status word.
@@ -165,7 +161,6 @@ impl<'q, 's> Inquest<'q, 's> {
     /// What a product code begins with is printed nowhere for some families. A device that describes itself is still known
     /// by the parameter that holds its address, where the family of the unknown product keeps one.
     async fn knows_its_address(&mut self) -> Result<(), AccessError> {
-        let lang = self.lang;
         for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
             let Some(param) = family.role("address") else { continue };
             let route = Route::new(self.route.protocol, &family.link, self.route.address);
@@ -176,8 +171,8 @@ impl<'q, 's> Inquest<'q, 's> {
             // Which half comes first is not known yet.
             let own = u32::from(self.route.address);
             if bits == own || bits == own << 16 {
-                let tells = lang.pick("its own address: ", "seine eigene Adresse: ");
-                self.finding.note(&param.label(), own.to_string(), &format!("{tells}{}", family.title.get(lang)));
+                let tells = both!("its own address: {title}", "seine eigene Adresse: {title}", title = family.title);
+                self.finding.note(Text::name(param.label()), Text::name(own), tells);
                 self.finding.drive = Some(family.drive.clone());
                 return Ok(());
             }
@@ -191,17 +186,17 @@ impl<'q, 's> Inquest<'q, 's> {
         let status = self.route.number(said);
         self.finding.refused |= no(said).is_some();
         let answered = match (no(said), status) {
-            (Some(no), _) => told(no, self.lang),
-            (None, Some(status)) => format!("0x{status:04X}"),
-            (None, None) => "-".to_owned(),
+            (Some(no), _) => told(no),
+            (None, Some(status)) => Text::name(format!("0x{status:04X}")),
+            (None, None) => Text::name("-"),
         };
         let asked = match self.route.protocol {
-            Protocol::Modbus(_) => self.lang.pick("code 3, P.411", "Code 3, P.411"),
-            Protocol::Vabus => "ENQUIRY P.411",
+            Protocol::Modbus(_) => both!("code 3, P.411", "Code 3, P.411"),
+            Protocol::Vabus => Text::name("ENQUIRY P.411"),
         };
         let tells = match self.route.protocol {
-            Protocol::Modbus(_) => self.lang.pick("a Modbus device", "ein Modbus-Gerät"),
-            Protocol::Vabus => self.lang.pick("somebody speaks VABus", "jemand spricht VABus"),
+            Protocol::Modbus(_) => both!("a Modbus device", "ein Modbus-Gerät"),
+            Protocol::Vabus => both!("somebody speaks VABus", "jemand spricht VABus"),
         };
         self.finding.note(asked, answered, tells);
         status
@@ -210,37 +205,34 @@ impl<'q, 's> Inquest<'q, 's> {
     /// Whether the device knows the ACTIVE family's own function code. Silence is an answer too: many slaves ignore
     /// codes that they do not know.
     async fn speaks_code_100(&mut self) -> Result<bool, AccessError> {
-        let lang = self.lang;
-        let asked = lang.pick("code 100, P.210", "Code 100, P.210");
-        let stranger = lang.pick("no ACTIVE drive: does not know code 100", "kein ACTIVE: kennt Code 100 nicht");
+        let asked = both!("code 100, P.210", "Code 100, P.210");
+        let stranger = both!("no ACTIVE drive: does not know code 100", "kein ACTIVE: kennt Code 100 nicht");
         let (answered, tells, known) = match self.put(Inquiry::Read(STATOR_FREQUENCY, Type::Long)).await? {
             Ok(Said::Modbus(Reply::Long(value))) => {
-                let tells = lang
-                    .pick("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
-                (value.to_string(), tells, true)
+                let tells =
+                    both!("speaks the ACTIVE family's own code 100", "spricht den eigenen Code 100 der ACTIVE-Familie");
+                (Text::name(value), tells, true)
             }
             Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => {
-                (told(No::Exception(Exception::IllegalFunction), lang), stranger, false)
+                (told(No::Exception(Exception::IllegalFunction)), stranger, false)
             }
             Ok(Said::Modbus(Reply::Exception { code, .. })) => {
                 let tells =
-                    lang.pick("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
-                (told(No::Exception(code), lang), tells, true)
+                    both!("knows code 100, but not this parameter", "kennt Code 100, aber nicht diesen Parameter");
+                (told(No::Exception(code)), tells, true)
             }
-            Ok(_) => ("-".to_owned(), stranger, false),
-            Err(error) => (missing(&error, lang).to_owned(), stranger, false),
+            Ok(_) => (Text::name("-"), stranger, false),
+            Err(error) => (missing(&error), stranger, false),
         };
         self.finding.note(asked, answered, tells);
         Ok(known)
     }
 
     async fn act_or_acu(&mut self, status: u16, keep_register: bool) -> Result<(), AccessError> {
-        let lang = self.lang;
         if u32::from(status) & VOLTAGE_BIT != 0 {
-            let bit = lang.pick("bit 4 of P.411", "Bit 4 von P.411");
-            let tells =
-                lang.pick("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
-            self.finding.note(bit, "1", tells);
+            let bit = both!("bit 4 of P.411", "Bit 4 von P.411");
+            let tells = both!("voltage enabled exists on the ACU only", "Spannung freigegeben gibt es nur beim ACU");
+            self.finding.note(bit, Text::name(1), tells);
             self.finding.drive = Some("acu".to_owned());
             return Ok(());
         }
@@ -255,28 +247,26 @@ impl<'q, 's> Inquest<'q, 's> {
     }
 
     async fn reads_setpoint(&mut self, family: &Rc<Family>) -> Result<(), AccessError> {
-        let lang = self.lang;
         let asked = match self.route.protocol {
-            Protocol::Modbus(_) => lang.pick("code 100, P.484", "Code 100, P.484"),
-            Protocol::Vabus => "ENQUIRY P.484",
+            Protocol::Modbus(_) => both!("code 100, P.484", "Code 100, P.484"),
+            Protocol::Vabus => Text::name("ENQUIRY P.484"),
         };
         let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
         match self.session.demand(self.route, family, question).await {
             Ok(_) => {
-                let tells = lang.pick("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
-                self.finding.note(asked, lang.pick("a value", "ein Wert"), tells);
+                let tells = both!("the line setpoint is readable: ACT", "der Liniensollwert ist lesbar: ACT");
+                self.finding.note(asked, both!("a value", "ein Wert"), tells);
                 self.finding.drive = Some("act".to_owned());
             }
             Err(AccessError::Refused(Refusal { cause: Some(NOT_READABLE), .. })) => {
-                let tells =
-                    lang.pick("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
-                self.finding.note(asked, "P.11 = 3", tells);
+                let tells = both!("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
+                self.finding.note(asked, Text::name("P.11 = 3"), tells);
                 self.finding.drive = Some("acu".to_owned());
             }
             Err(AccessError::Refused(refusal)) => {
-                let tells = lang
-                    .pick("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
-                self.finding.note(asked, told(refusal.no, lang), tells);
+                let tells =
+                    both!("tells neither ACT nor ACU; name it with --drive", "weder ACT noch ACU; mit --drive angeben");
+                self.finding.note(asked, told(refusal.no), tells);
             }
             Err(error) => return Err(error),
         }
@@ -298,19 +288,18 @@ impl<'q, 's> Inquest<'q, 's> {
     /// Asks the device for its own description, code 43: the family whose product code it begins with. A lost reply is
     /// asked for again, and a garbled one tells nothing: neither makes a stranger of a drive.
     async fn identification(&mut self) -> Result<(), AccessError> {
-        let lang = self.lang;
         let answered = match self.ask_for(identification::VENDOR_NAME).await? {
             Ok(Said::Modbus(Reply::Identification(first))) => {
                 let told = self.rest_of(first).await?;
                 self.described(&told);
                 return Ok(());
             }
-            Ok(said) => no(&said).map_or_else(|| "-".to_owned(), |no| told(no, lang)),
-            Err(error @ ExchangeError::Silence { .. }) => missing(&error, lang).to_owned(),
+            Ok(said) => no(&said).map_or_else(|| Text::name("-"), told),
+            Err(error @ ExchangeError::Silence { .. }) => missing(&error),
             Err(error) => return Err(AccessError::Exchange(error)),
         };
-        let tells = lang.pick("does not describe itself", "beschreibt sich nicht");
-        self.finding.note(asked_for_itself(lang), answered, tells);
+        let tells = both!("does not describe itself", "beschreibt sich nicht");
+        self.finding.note(asked_for_itself(), answered, tells);
         Ok(())
     }
 
@@ -321,19 +310,20 @@ impl<'q, 's> Inquest<'q, 's> {
         let family = families
             .find(|family| family.link.product.as_ref().is_some_and(|start| product.starts_with(start.as_str())));
         let tells = match &family {
-            Some(family) => family.title.get(self.lang).to_owned(),
-            None => self.lang.pick("a product that we do not know", "ein Produkt, das wir nicht kennen").to_owned(),
+            Some(family) => family.title.clone(),
+            None => both!("a product that we do not know", "ein Produkt, das wir nicht kennen"),
         };
         let objects = described.objects.iter().filter(|object| !object.value.is_empty());
         let words: Vec<_> = objects.map(|object| String::from_utf8_lossy(&object.value)).collect();
-        let mut answered = if words.is_empty() { "-".to_owned() } else { words.join(", ") };
+        let mut answered = Text::name(if words.is_empty() { "-".to_owned() } else { words.join(", ") });
         if described.next.is_some() {
-            answered += self.lang.pick(
-                " … (cut off: it says again and again that more follows)",
-                " … (abgebrochen: es meldet immer wieder, dass noch etwas folgt)",
+            answered = both!(
+                "{answered} … (cut off: it says again and again that more follows)",
+                "{answered} … (abgebrochen: es meldet immer wieder, dass noch etwas folgt)",
+                answered
             );
         }
-        self.finding.note(asked_for_itself(self.lang), answered, &tells);
+        self.finding.note(asked_for_itself(), answered, tells);
         self.finding.drive = family.map(|family| family.drive.clone());
         self.finding.product = Some(product).filter(|product| !product.is_empty());
         self.introduced = true;
@@ -395,24 +385,24 @@ fn said(answer: Result<Answer, AccessError>) -> Result<Result<Said, ExchangeErro
     }
 }
 
-fn asked_for_itself(lang: Lang) -> &'static str {
-    lang.pick("code 43, identification", "Code 43, Identifikation")
+fn asked_for_itself() -> Text {
+    both!("code 43, identification", "Code 43, Identifikation")
 }
 
 fn text(described: &Identification, object: u8) -> String {
     described.object(object).map_or_else(String::new, |value| String::from_utf8_lossy(value).into_owned())
 }
 
-fn missing(error: &ExchangeError, lang: Lang) -> &'static str {
+fn missing(error: &ExchangeError) -> Text {
     match error {
-        ExchangeError::Silence { .. } => lang.pick("no reply", "keine Antwort"),
-        _ => lang.pick("no valid answer", "keine gültige Antwort"),
+        ExchangeError::Silence { .. } => both!("no reply", "keine Antwort"),
+        _ => both!("no valid answer", "keine gültige Antwort"),
     }
 }
 
-fn told(no: No, lang: Lang) -> String {
+fn told(no: No) -> Text {
     match no {
-        No::Exception(code) => format!("{} {code}", lang.pick("exception", "Ausnahme")),
-        No::Nak => "NAK".to_owned(),
+        No::Exception(code) => both!("exception {code}", "Ausnahme {code}"),
+        No::Nak => Text::name("NAK"),
     }
 }

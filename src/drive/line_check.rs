@@ -6,7 +6,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, LinkTest, Pauses};
-use crate::profile::Lang;
+use crate::text::both;
 use crate::transport::{AdapterInfo, ErrorCounts, LowLatency};
 
 /// More than this an adapter should not hold bytes back: FTDI's default of 16 ms nearly halves the speed of the line
@@ -22,7 +22,6 @@ pub async fn check_line(
     targets: Vec<Target>,
     missing: &[(u8, Failure)],
     count: u64,
-    lang: Lang,
 ) -> (LineCheck, Vec<Failure>) {
     let before = session.adapter();
     let mut drives = Vec::new();
@@ -32,8 +31,8 @@ pub async fn check_line(
             Ok((test, error)) => (Some(test), error),
             Err(error) => (None, Some(error)),
         };
-        let failure = error.as_ref().map(|error| error.failure(target.address, Some(&target.family), lang));
-        let failure = failure.or_else(|| test.as_ref().and_then(|test| mute(target.address, test, lang)));
+        let failure = error.as_ref().map(|error| error.failure(target.address, Some(&target.family)));
+        let failure = failure.or_else(|| test.as_ref().and_then(|test| mute(target.address, test)));
         drives.push(CheckedDrive { address: target.address, test, error: failure.as_ref().map(ErrorDoc::from) });
         failures.extend(failure);
         if error.as_ref().is_some_and(AccessError::is_fatal) {
@@ -60,24 +59,20 @@ pub async fn check_line(
         drives,
         advice: Vec::new(),
     };
-    check.advice = advice(&check, lang);
+    check.advice = advice(&check);
     (check, failures)
 }
 
 /// The failure of a drive of which not one reply was understood.
-fn mute(address: u8, test: &LinkTest, lang: Lang) -> Option<Failure> {
+fn mute(address: u8, test: &LinkTest) -> Option<Failure> {
     if test.replies > 0 {
         return None;
     }
     let (asked, garbled) = (test.asked, test.garbled);
-    let message = match lang {
-        Lang::En => {
-            format!("address {address}: no valid reply to {asked} questions, {garbled} of them answered by garbage")
-        }
-        Lang::De => {
-            format!("Adresse {address}: keine gültige Antwort auf {asked} Fragen, {garbled}-mal kam Unlesbares")
-        }
-    };
+    let message = both!(
+        "address {address}: no valid reply to {asked} questions, {garbled} of them answered by garbage",
+        "Adresse {address}: keine gültige Antwort auf {asked} Fragen, {garbled}-mal kam Unlesbares"
+    );
     let (class, code) = match garbled {
         0 => (Class::Silence, "silence.no_reply"),
         _ => (Class::Garbled, "garbled.no_valid_reply"),
@@ -108,57 +103,93 @@ fn adapter(before: AdapterInfo, after: &AdapterInfo) -> Adapter {
 }
 
 /// What is seen, and what to do about it: one row a sign.
-fn advice(check: &LineCheck, lang: Lang) -> Vec<Advice> {
+fn advice(check: &LineCheck) -> Vec<Advice> {
     let tests = || check.drives.iter().filter_map(|drive| drive.test.as_ref());
     let errors = check.adapter.errors;
     let any = |of: fn(&AdapterErrors) -> u32| errors.as_ref().is_some_and(|errors| of(errors) > 0);
     let timer = check.adapter.latency_timer_ms.filter(|&ms| ms > LATENCY_MS);
     let rows = [
-        (timer.is_some(), "latency_timer", lang.pick(
-            "the adapter holds bytes back: set its latency timer to 1 ms (Linux, FTDI: echo 1 | sudo tee \
+        (
+            timer.is_some(),
+            "latency_timer",
+            both!(
+                "the adapter holds bytes back: set its latency timer to 1 ms (Linux, FTDI: echo 1 | sudo tee \
              /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: port settings, advanced)",
-            "der Adapter hält Bytes zurück: seine Latenzzeit auf 1 ms stellen (Linux, FTDI: echo 1 | sudo tee \
-             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert)",
-        )),
-        (check.echo == Some(true), "echo", lang.pick(
-            "the adapter hears itself; the echo is taken away, but switch it off at the adapter if it can do that",
-            "der Adapter hört sich selbst; das Echo wird entfernt, besser ist, es am Adapter abzuschalten",
-        )),
-        (any(|errors| errors.frame) , "frame_errors", lang.pick(
-            "characters without a stop bit: another baud rate or format on the line, or no bias resistors",
-            "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende Ruhepegelwiderstände",
-        )),
-        (any(|errors| errors.parity), "parity_errors", lang.pick(
-            "characters with wrong parity: check the parity setting, shielding and termination",
-            "Zeichen mit falscher Parität: Paritätseinstellung, Schirmung und Abschluss prüfen",
-        )),
-        (any(|errors| errors.overrun), "overruns", lang.pick(
-            "the computer fetched characters too late: another adapter or less load",
-            "der Rechner holte Zeichen zu spät ab: anderer Adapter oder weniger Last",
-        )),
-        (tests().any(|test| test.garbled > 0), "garbled", lang.pick(
-            "disturbed replies: 120 ohm at both ends, bias at one place, shield on one side, A and B twisted; two drives \
+                "der Adapter hält Bytes zurück: seine Latenzzeit auf 1 ms stellen (Linux, FTDI: echo 1 | sudo tee \
+             /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert)"
+            ),
+        ),
+        (
+            check.echo == Some(true),
+            "echo",
+            both!(
+                "the adapter hears itself; the echo is taken away, but switch it off at the adapter if it can do that",
+                "der Adapter hört sich selbst; das Echo wird entfernt, besser ist, es am Adapter abzuschalten"
+            ),
+        ),
+        (
+            any(|errors| errors.frame),
+            "frame_errors",
+            both!(
+                "characters without a stop bit: another baud rate or format on the line, or no bias resistors",
+                "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende Ruhepegelwiderstände"
+            ),
+        ),
+        (
+            any(|errors| errors.parity),
+            "parity_errors",
+            both!(
+                "characters with wrong parity: check the parity setting, shielding and termination",
+                "Zeichen mit falscher Parität: Paritätseinstellung, Schirmung und Abschluss prüfen"
+            ),
+        ),
+        (
+            any(|errors| errors.overrun),
+            "overruns",
+            both!(
+                "the computer fetched characters too late: another adapter or less load",
+                "der Rechner holte Zeichen zu spät ab: anderer Adapter oder weniger Last"
+            ),
+        ),
+        (
+            tests().any(|test| test.garbled > 0),
+            "garbled",
+            both!(
+                "disturbed replies: 120 ohm at both ends, bias at one place, shield on one side, A and B twisted; two drives \
              with one address look like this too",
-            "gestörte Antworten: 120 Ohm an beiden Enden, Ruhepegel an einer Stelle, Schirm einseitig, A und B verdrillt; \
-             zwei Antriebe mit einer Adresse sehen auch so aus",
-        )),
-        (check.drives.iter().any(is_absent), "no_reply", lang.pick(
-            "a drive does not answer at all: check its supply, address, baud rate, parity and protocol (P.395 leaves the \
+                "gestörte Antworten: 120 Ohm an beiden Enden, Ruhepegel an einer Stelle, Schirm einseitig, A und B verdrillt; \
+             zwei Antriebe mit einer Adresse sehen auch so aus"
+            ),
+        ),
+        (
+            check.drives.iter().any(is_absent),
+            "no_reply",
+            both!(
+                "a drive does not answer at all: check its supply, address, baud rate, parity and protocol (P.395 leaves the \
              factory as VABus), A and B swapped, the cable up to it; `antrieb scan` asks every address",
-            "ein Antrieb antwortet gar nicht: Versorgung, Adresse, Baudrate, Parität und Protokoll prüfen (P.395 ist ab \
-             Werk VABus), vertauschte Adern A und B, das Kabel bis zu ihm; `antrieb scan` fragt alle Adressen",
-        )),
-        (tests().any(|test| test.silent > 0 && test.replies > 0), "lost_replies", lang.pick(
-            "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
-            "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über 500 ms)",
-        )),
-        (tests().any(|test| test.strays > 0), "strays", lang.pick(
-            "telegrams that nobody asked for: a second master on the bus, or replies later than the time-out",
-            "Telegramme, nach denen niemand fragte: ein zweiter Master am Bus, oder Antworten nach der Wartezeit",
-        )),
+                "ein Antrieb antwortet gar nicht: Versorgung, Adresse, Baudrate, Parität und Protokoll prüfen (P.395 ist ab \
+             Werk VABus), vertauschte Adern A und B, das Kabel bis zu ihm; `antrieb scan` fragt alle Adressen"
+            ),
+        ),
+        (
+            tests().any(|test| test.silent > 0 && test.replies > 0),
+            "lost_replies",
+            both!(
+                "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
+                "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über 500 ms)"
+            ),
+        ),
+        (
+            tests().any(|test| test.strays > 0),
+            "strays",
+            both!(
+                "telegrams that nobody asked for: a second master on the bus, or replies later than the time-out",
+                "Telegramme, nach denen niemand fragte: ein zweiter Master am Bus, oder Antworten nach der Wartezeit"
+            ),
+        ),
     ];
     let seen = rows.into_iter().filter(|row| row.0);
-    seen.map(|(_, code, text)| Advice { code, text: text.to_owned() }).collect()
+    seen.map(|(_, code, text)| Advice { code, text }).collect()
 }
 
 /// Whether a drive was asked and never answered.

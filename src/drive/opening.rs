@@ -8,6 +8,7 @@ use crate::profile::Lang;
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
+use crate::text::both;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Trace, list_ports};
 use std::path::Path;
@@ -63,37 +64,48 @@ impl<'a> Opening<'a> {
 }
 
 /// The port that was named, or the one USB serial adapter that is plugged in, which is said.
-pub fn open_port(named: Option<&Port>, lang: Lang, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
+pub fn open_port(named: Option<&Port>, observe: &mut dyn FnMut(Event)) -> Result<Port, Failure> {
     if let Some(port) = named {
         return Ok(port.clone());
     }
     let ports = list_ports();
     let adapters: Vec<_> = ports.iter().filter(|port| port.usb).collect();
     if let [only] = adapters.as_slice() {
-        let taking = lang.pick("no port given, taking", "kein Anschluss angegeben, es wird genommen:");
-        observe(Event::Note(format!("{taking} {only}").into()));
+        observe(Event::Note(both!(
+            "no port given, taking {only}",
+            "kein Anschluss angegeben, es wird genommen: {only}"
+        )));
         return Ok(Port::Serial(only.name.clone()));
     }
-    let message = match (adapters.len(), lang) {
-        (0, Lang::En) => "no port given, and no USB serial adapter is plugged in",
-        (0, Lang::De) => "kein Anschluss angegeben, und kein USB-Adapter ist eingesteckt",
-        (_, Lang::En) => "no port given, and more than one USB serial adapter is plugged in",
-        (_, Lang::De) => "kein Anschluss angegeben, und mehr als ein USB-Adapter ist eingesteckt",
+    let message = match adapters.len() {
+        0 => both!(
+            "no port given, and no USB serial adapter is plugged in",
+            "kein Anschluss angegeben, und kein USB-Adapter ist eingesteckt"
+        ),
+        _ => both!(
+            "no port given, and more than one USB serial adapter is plugged in",
+            "kein Anschluss angegeben, und mehr als ein USB-Adapter ist eingesteckt"
+        ),
     };
-    let hint = format!("{} -p; {}", lang.pick("name it with", "angeben mit"), trouble::found_ports(lang));
+    let found = trouble::found_ports();
+    let hint = both!("name it with -p; {found}", "angeben mit -p; {found}", found);
     Err(Failure::new(Class::Port, "port.none", message).hint(hint))
 }
 
 /// The file that the line is recorded to.
-pub(super) fn open_trace(recording: Recording<'_>, about: &str, lang: Lang) -> Result<Trace, Failure> {
+pub(super) fn open_trace(recording: Recording<'_>, about: &str) -> Result<Trace, Failure> {
     let Recording { path, overwrite } = recording;
     let trace = files::create(path, overwrite).and_then(|file| Ok(Trace::new(Box::new(file), about)?));
     trace.map_err(|error| {
-        let failure = Failure::new(Class::Data, "data.trace", format!("{}: {error}", path.display()));
+        let failure = Failure::new(
+            Class::Data,
+            "data.trace",
+            both!("{file}: {why}", "{file}: {why}", file = path.display(), why = error.text()),
+        );
         match error {
-            FileError::Exists => failure.hint(lang.pick(
+            FileError::Exists => failure.hint(both!(
                 "name another file; --force replaces this one, and forces whatever else the verb would refuse",
-                "eine andere Datei nennen; --force ersetzt diese und erzwingt auch, was der Befehl sonst ablehnte",
+                "eine andere Datei nennen; --force ersetzt diese und erzwingt auch, was der Befehl sonst ablehnte"
             )),
             _ => failure,
         }

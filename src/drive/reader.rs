@@ -5,6 +5,7 @@ use super::{AccessError, Reading, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Value, Warning};
 use crate::profile::{DataSets, Lang, Param, Store};
+use crate::text::both;
 use std::collections::BTreeMap;
 
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
@@ -78,7 +79,7 @@ impl<'t, 'o> Reader<'t, 'o> {
             return Ok(InForce { value, stored: None });
         }
         let set = self.target.working_set(self.session, &param).await;
-        let set = set.map_err(|error| error.failure(self.target.address, Some(&self.target.family), self.lang))?;
+        let set = set.map_err(|error| error.failure(self.target.address, Some(&self.target.family)))?;
         let forgiven = self.forgiven.len();
         let working = self.rows(&param, DataSets::One(set, Store::Ram)).await?.into_iter().next();
         let stored = self.rows(&param, DataSets::One(set, Store::Eeprom)).await?.into_iter().next();
@@ -105,7 +106,7 @@ impl<'t, 'o> Reader<'t, 'o> {
                 self.fetched.extend(readings);
                 Ok(())
             }
-            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family), self.lang)),
+            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family))),
         }
     }
 
@@ -130,31 +131,32 @@ impl<'t, 'o> Reader<'t, 'o> {
                 if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
                     self.asked_widths.push(param.id);
                     let bits = reading.kind.bits().unwrap_or(0);
-                    let found = match self.lang {
-                        Lang::En => format!("parameter {}: {bits} bits wide, found out by asking", param.id),
-                        Lang::De => format!("Parameter {}: {bits} Bit breit, durch Fragen ermittelt", param.id),
-                    };
-                    self.session.tell(Event::Note(found.into()));
+                    let found = both!(
+                        "parameter {param}: {bits} bits wide, found out by asking",
+                        "Parameter {param}: {bits} Bit breit, durch Fragen ermittelt",
+                        param = param.id
+                    );
+                    self.session.tell(Event::Note(found));
                 }
                 if reading.corrected {
                     self.warnings.push(Warning {
                         code: "catalogue.width".to_owned(),
-                        message: format!(
-                            "parameter {}: the catalogue says {} (unconfirmed), drive {address} uses {}",
-                            param.id,
-                            param.kind.map_or("nothing", |kind| kind.name()),
-                            reading.kind.name()
-                        )
-                        .into(),
+                        message: both!(
+                            "parameter {param}: the catalogue says {told} (unconfirmed), drive {address} uses {used}",
+                            "Parameter {param}: der Katalog nennt {told} (unbestätigt), Antrieb {address} benutzt {used}",
+                            param = param.id,
+                            told = param.kind.map_or("-", |kind| kind.name()),
+                            used = reading.kind.name()
+                        ),
                     });
                 }
                 let lookup = |id: u32| self.modes.get(&id).copied();
                 let value = describe::value(address, &self.target.family, param, reading, lang, &lookup);
-                self.warnings.extend(implausible(&value, param, lang));
+                self.warnings.extend(implausible(&value, param));
                 Ok(value)
             }
             Err(error) => {
-                let failure = error.failure(address, Some(&self.target.family), lang).with("param", param.id);
+                let failure = error.failure(address, Some(&self.target.family)).with("param", param.id);
                 if error.is_fatal() {
                     return Err(failure);
                 }
@@ -177,7 +179,7 @@ impl<'t, 'o> Reader<'t, 'o> {
             }
             let deciding = self.target.family.param_or_unknown(when.param);
             // What is in force decides, not what is stored.
-            if let Some(raw) = working(self.session, self.target, &deciding, self.lang).await? {
+            if let Some(raw) = working(self.session, self.target, &deciding).await? {
                 self.modes.insert(when.param, raw);
             }
         }
@@ -186,20 +188,16 @@ impl<'t, 'o> Reader<'t, 'o> {
 }
 
 /// The warning about a value that the catalogue says cannot be.
-fn implausible(value: &Value, param: &Param, lang: Lang) -> Option<Warning> {
+fn implausible(value: &Value, param: &Param) -> Option<Warning> {
     let (expected, raw) = (value.expected.as_ref()?, value.raw?);
     let (label, address) = (param.label(), value.address);
-    let message = match lang {
-        Lang::En => format!(
-            "drive {address}: {label} reads as {raw}, expected {expected}: two drives at one address, a disturbed reply, \
-             or a drive of another kind (--drive)?"
-        ),
-        Lang::De => format!(
-            "Antrieb {address}: {label} liest sich als {raw}, erwartet {expected}: zwei Antriebe mit einer Adresse, eine \
+    let message = both!(
+        "drive {address}: {label} reads as {raw}, expected {expected}: two drives at one address, a disturbed reply, \
+             or a drive of another kind (--drive)?",
+        "Antrieb {address}: {label} liest sich als {raw}, erwartet {expected}: zwei Antriebe mit einer Adresse, eine \
              gestörte Antwort oder ein Antrieb anderer Art (--drive)?"
-        ),
-    };
-    Some(Warning { code: "value.implausible".to_owned(), message: message.into() })
+    );
+    Some(Warning { code: "value.implausible".to_owned(), message })
 }
 
 /// A setting as the drive works with it, and as it is stored where that is another value.

@@ -16,10 +16,11 @@ use super::target::Target;
 use crate::failure::Failure;
 use crate::gate::{Line, Permit};
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
-use crate::profile::{Family, Lang, Param, Text, Type};
+use crate::profile::{Family, Lang, Param, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
+use crate::text::{Text, both};
 use journey::{Journey, Setback, follow, is_taken};
 use said::{left, lost, occupied, out_of_range};
 use std::fmt;
@@ -137,17 +138,17 @@ impl Wish {
     }
 
     /// Refuses what no drive of these families can be set to.
-    pub fn check(&self, families: &[Rc<Family>], lang: Lang) -> Result<(), Failure> {
+    pub fn check(&self, families: &[Rc<Family>]) -> Result<(), Failure> {
         let mut rates: Vec<u32> =
             families.iter().flat_map(|family| &family.link.line.baud_rates).map(|row| row.1).collect();
         rates.sort_unstable();
         rates.dedup();
         if let Some(baud) = self.baud.filter(|baud| !rates.contains(baud)) {
             let rates = rates.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-            return Err(out_of_range("baud", &rates, &baud, lang));
+            return Err(out_of_range("baud", &rates, &baud));
         }
         match self.address.filter(|address| !(1..=LAST_STATION).contains(address)) {
-            Some(address) => Err(out_of_range("address", &format!("1-{LAST_STATION}"), &address, lang)),
+            Some(address) => Err(out_of_range("address", &format!("1-{LAST_STATION}"), &address)),
             None => Ok(()),
         }
     }
@@ -187,22 +188,29 @@ impl Course {
     }
 
     /// Every step in words, then from where to where.
-    pub fn details(&self, lang: Lang) -> Vec<String> {
+    pub fn details(&self) -> Vec<Text> {
         let step = |leg: &Leg| {
             let old = leg.old.map_or_else(String::new, |old| format!("{old} -> "));
             let when = match leg.then {
-                Then::Stored => lang.pick("holds after the restart", "gilt nach dem Neustart"),
-                Then::At(_) => lang.pick("holds at once", "gilt sofort"),
-                Then::Perhaps(Change::Line(_)) => self.after_reset.get(lang),
-                Then::Perhaps(Change::Address(_)) => lang.pick(
+                Then::Stored => both!("holds after the restart", "gilt nach dem Neustart"),
+                Then::At(_) => both!("holds at once", "gilt sofort"),
+                Then::Perhaps(Change::Line(_)) => self.after_reset.clone(),
+                Then::Perhaps(Change::Address(_)) => both!(
                     "holds at once or when the drive is switched on the next time: its manual does not say; both are looked at",
-                    "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird nachgesehen",
+                    "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird nachgesehen"
                 ),
-                Then::Restart(_) => lang.pick("restarts the drive", "startet den Antrieb neu"),
+                Then::Restart(_) => both!("restarts the drive", "startet den Antrieb neu"),
             };
-            format!("{} {}: {old}{}, {when}", leg.param.label(), leg.param.name(lang), leg.raw)
+            both!(
+                "{label} {name}: {old}{raw}, {when}",
+                "{label} {name}: {old}{raw}, {when}",
+                label = leg.param.label(),
+                name = leg.param.name,
+                raw = leg.raw,
+                when
+            )
         };
-        self.legs.iter().map(step).chain([format!("{} -> {}", self.from, self.to)]).collect()
+        self.legs.iter().map(step).chain([Text::name(format!("{} -> {}", self.from, self.to))]).collect()
     }
 
     /// What can be told before anything is done, and if nothing has to be.
@@ -240,7 +248,7 @@ impl Course {
     }
 
     /// Looks whether somebody else answers already where the drive will pass or stay; the line is as before then.
-    pub async fn check_free(&self, session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<(), Failure> {
+    pub async fn check_free(&self, session: &mut Session<'_>, target: &mut Target) -> Result<(), Failure> {
         let places = self.legs.iter().filter_map(|leg| match leg.then {
             Then::At(place) | Then::Restart(place) => Some(place),
             Then::Perhaps(change) => Some(change.of(self.from)),
@@ -249,8 +257,8 @@ impl Course {
         for place in places.filter(|place| *place != self.from) {
             let taken = is_taken(session, target, place).await;
             let back = follow(session, target, self.from).await;
-            if taken.and_then(|taken| back.map(|()| taken)).map_err(|error| error.failure(place.address, None, lang))? {
-                return Err(occupied(place, lang));
+            if taken.and_then(|taken| back.map(|()| taken)).map_err(|error| error.failure(place.address, None))? {
+                return Err(occupied(place));
             }
         }
         Ok(())
@@ -267,7 +275,7 @@ impl Course {
         // Half a move is worse than one that takes some seconds longer.
         session.ignore_interrupts();
         let mut told = self.told(target, lang);
-        let mut journey = Journey { session, target, permit, lang, here: self.from, undo: Vec::new() };
+        let mut journey = Journey { session, target, permit, here: self.from, undo: Vec::new() };
         for (leg, step) in self.legs.iter().zip(&mut told.steps) {
             let setback = match journey.leg(leg).await {
                 Ok(()) => {
@@ -295,12 +303,11 @@ impl Course {
 
     /// Puts back what can be put back, and says where the drive is.
     async fn end(&self, journey: &mut Journey<'_, '_>, setback: Setback, told: &mut Relocation) -> Failure {
-        let lang = journey.lang;
         if setback.is_lost() {
             told.result = RelocationResult::Lost;
             (told.now, told.perhaps) = (None, setback.perhaps.iter().map(|place| place.doc()).collect());
             told.after_restart = self.after_restart(&told.steps);
-            return lost(setback.cause, &setback.perhaps, told.after_restart.as_ref(), lang);
+            return lost(setback.cause, &setback.perhaps, told.after_restart.as_ref());
         }
         let undone = journey.put_back().await;
         for step in told.steps.iter_mut().filter(|step| step.result == StepResult::Proven) {
@@ -310,20 +317,20 @@ impl Course {
             Ok(()) => {
                 told.result = RelocationResult::Restored;
                 told.now = Some(self.from.doc());
-                left(setback.cause, lang.pick("left as it was", "gelassen, wie er war"), self.from, lang)
+                left(setback.cause, &both!("left as it was", "gelassen, wie er war"), self.from)
             }
             Err(second) if second.is_lost() => {
                 told.result = RelocationResult::Lost;
                 (told.now, told.perhaps) = (None, second.perhaps.iter().map(|place| place.doc()).collect());
                 told.after_restart = self.after_restart(&told.steps);
-                lost(setback.cause, &second.perhaps, told.after_restart.as_ref(), lang)
+                lost(setback.cause, &second.perhaps, told.after_restart.as_ref())
             }
             Err(_) => {
                 told.result = RelocationResult::Halfway;
                 told.now = Some(journey.here.doc());
                 told.after_restart = self.after_restart(&told.steps);
-                let what = lang.pick("not all of it could be put back", "nicht alles ließ sich zurücksetzen");
-                left(setback.cause, what, journey.here, lang)
+                let what = both!("not all of it could be put back", "nicht alles ließ sich zurücksetzen");
+                left(setback.cause, &what, journey.here)
             }
         }
     }

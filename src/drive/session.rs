@@ -76,12 +76,12 @@ impl<'a> Session<'a> {
         let mut link = match port {
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
             port => tokio::select! {
-                link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error, lang))?,
-                () = interrupt.raised() => return Err(trouble::interrupted(lang)),
+                link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error))?,
+                () = interrupt.raised() => return Err(trouble::interrupted()),
             },
         };
         if let Some(recording) = trace {
-            link.record_to(open_trace(recording, &format!("{line}, {protocol}"), lang)?);
+            link.record_to(open_trace(recording, &format!("{line}, {protocol}"))?);
         }
         for deviation in link.deviations() {
             observe(Event::Note(format!("{port}: {deviation}").into()));

@@ -1,10 +1,10 @@
 //! What to say of work on several values or drives of which some failed.
 
 use crate::failure::{Class, Failure};
-use crate::profile::Lang;
+use crate::text::both;
 
 /// What to say when some of many questions failed: nothing, the failure itself, or that it is partly done.
-pub fn summary(failures: Vec<Failure>, succeeded: usize, lang: Lang) -> Option<Failure> {
+pub fn summary(failures: Vec<Failure>, succeeded: usize) -> Option<Failure> {
     let count = failures.len();
     if let Some(end) = failures.iter().find(|failure| is_over(failure)) {
         return Some(end.clone());
@@ -13,11 +13,13 @@ pub fn summary(failures: Vec<Failure>, succeeded: usize, lang: Lang) -> Option<F
     if succeeded == 0 {
         return Some(first);
     }
-    let message = match lang {
-        Lang::En => format!("{count} of {} failed; the first: {}", count + succeeded, first.message.get(lang)),
-        Lang::De => format!("{count} von {} gescheitert; zuerst: {}", count + succeeded, first.message.get(lang)),
-    };
-    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message: message.into(), ..first };
+    let message = both!(
+        "{count} of {succeeded} failed; the first: {why}",
+        "{count} von {succeeded} gescheitert; zuerst: {why}",
+        succeeded = count + succeeded,
+        why = first.message
+    );
+    let failure = Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first };
     Some(failure)
 }
 

@@ -2,9 +2,11 @@
 
 use super::{Session, Target, decode, recognise};
 use crate::failure::{Class, Failure};
+use crate::outcome::Evidence;
 use crate::profile::{Family, Lang, Registry};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
+use crate::text::{Text, both};
 use std::rc::Rc;
 
 /// What somebody said.
@@ -49,20 +51,30 @@ impl Terms<'_> {
         address: u8,
         shows_register: bool,
     ) -> Result<Target, Failure> {
-        let lang = self.lang();
         if let Some(family) = &self.named {
             return Ok(Target::new(address, family.clone()).in_word_order(self.word_order));
         }
         let presumed = self.registry.family("acu");
-        let finding = recognise(session, self.registry, address, lang, shows_register)
+        let finding = recognise(session, self.registry, address, shows_register)
             .await
-            .map_err(|error| error.failure(address, presumed.as_deref(), lang))?;
+            .map_err(|error| error.failure(address, presumed.as_deref()))?;
         let target = finding.target(address, self.registry);
         target.map(|target| target.in_word_order(self.word_order)).ok_or_else(|| {
-            let told: Vec<_> =
-                finding.evidence.iter().map(|row| format!("{}: {} ({})", row.asked, row.answered, row.tells)).collect();
-            Failure::new(Class::Data, "data.unknown_drive", format!("address {address} is no drive that we know"))
-                .hint(format!("{}; name the family with --drive if you know better", told.join("; ")))
+            let row = |row: &Evidence| {
+                let Evidence { asked, answered, tells } = row;
+                both!("{asked}: {answered} ({tells})", "{asked}: {answered} ({tells})", asked, answered, tells)
+            };
+            let told: Vec<Text> = finding.evidence.iter().map(row).collect();
+            let text = both!(
+                "address {address} is no drive that we know",
+                "unter Adresse {address} antwortet kein bekannter Antrieb"
+            );
+            Failure::new(Class::Data, "data.unknown_drive", text)
+                .hint(both!(
+                    "{told}; name the family with --drive if you know better",
+                    "{told}; ist sie bekannt, die Familie mit --drive angeben",
+                    told = Text::join(&told, "; ")
+                ))
                 .with("address", address)
         })
     }

@@ -1,6 +1,7 @@
 //! What `scan`, `identify` and `diag` found.
 
 use super::{ErrorDoc, Fault, Register, State, Value, Word};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -50,7 +51,8 @@ pub struct FoundDrive {
     /// Family, or `unknown`.
     pub drive: String,
     /// Title of the family, or what answered in its place.
-    pub title: String,
+    #[serde(deserialize_with = "Text::as_printed")]
+    pub title: Text,
     /// Port that it was found at.
     pub port: String,
     /// Line setting that it was found with.
@@ -69,11 +71,14 @@ pub struct FoundDrive {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Evidence {
     /// What was asked.
-    pub asked: String,
+    #[serde(deserialize_with = "Text::as_printed")]
+    pub asked: Text,
     /// What came.
-    pub answered: String,
+    #[serde(deserialize_with = "Text::as_printed")]
+    pub answered: Text,
     /// What it tells.
-    pub tells: String,
+    #[serde(deserialize_with = "Text::as_printed")]
+    pub tells: Text,
 }
 
 /// Result of `identify`.
@@ -91,7 +96,7 @@ pub struct Identity {
     /// Family, or `unknown`.
     pub drive: String,
     /// Title of the family.
-    pub title: String,
+    pub title: Text,
     /// Product code as the drive itself tells it; null if it tells none.
     pub product: Option<String>,
     /// What the device answered that tells the family.
@@ -112,7 +117,7 @@ pub struct Module {
     /// Whether its parameters answer.
     pub present: bool,
     /// How that was found out.
-    pub evidence: String,
+    pub evidence: Text,
 }
 
 /// Result of `diag`.

@@ -1,6 +1,7 @@
 //! What `diag line` found: the adapter, the pauses, the reply times, and what to do.
 
 use super::{ErrorDoc, LinkTest};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -87,5 +88,5 @@ pub struct Advice {
     /// Stable name.
     pub code: &'static str,
     /// For people.
-    pub text: String,
+    pub text: Text,
 }

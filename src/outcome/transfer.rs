@@ -1,6 +1,7 @@
 //! What `read`, `write` and `dataset` did.
 
 use super::{Decimal, ErrorDoc, TelegramDoc, Value};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -96,7 +97,7 @@ pub struct Plan {
     /// The telegrams in their order; what depends on answers stands as in the usual case.
     pub telegrams: Vec<TelegramDoc>,
     /// What depends on answers, what is left out, what else is asked.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// Result of `dataset`.

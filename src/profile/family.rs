@@ -6,7 +6,7 @@ use super::motion::{Mode, MotionRules};
 use super::names::{fold, same, starts};
 use super::param::Param;
 use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
-use crate::text::Text;
+use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
 /// Everything that the catalogues know of one drive.
@@ -63,7 +63,7 @@ pub struct WordBit<'a> {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LookupError {
     /// Nothing fits.
-    #[error("no parameter is called '{query}'")]
+    #[error("{}", self.text().en)]
     Unknown {
         /// What was asked.
         query: String,
@@ -71,13 +71,27 @@ pub enum LookupError {
         near: Vec<String>,
     },
     /// More than one fits.
-    #[error("'{query}' could be {}", .found.join(", "))]
+    #[error("{}", self.text().en)]
     Ambiguous {
         /// What was asked.
         query: String,
         /// Parameters that fit.
         found: Vec<String>,
     },
+}
+
+impl LookupError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            LookupError::Unknown { query, .. } => {
+                both!("no parameter is called '{query}'", "kein Parameter heißt '{query}'")
+            }
+            LookupError::Ambiguous { query, found } => {
+                both!("'{query}' could be {found}", "'{query}' kann {found} sein", found = found.join(", "))
+            }
+        }
+    }
 }
 
 impl Family {

@@ -190,6 +190,11 @@ macro_rules! two_languages {
                     Lang::De => &self.de,
                 }
             }
+
+            /// The name in both languages.
+            pub fn text(&self) -> Text {
+                Text { en: self.en.clone().into(), de: self.de.clone().into() }
+            }
         }
     )*};
 }

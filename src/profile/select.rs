@@ -2,6 +2,7 @@
 
 use super::family::{Family, LookupError};
 use super::param::Param;
+use crate::text::{Text, both};
 use std::fmt;
 use std::str::FromStr;
 
@@ -77,16 +78,16 @@ pub struct Selection {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SelectError {
     /// The part behind `@` is no data set.
-    #[error("'{0}' is no data set: expected 0-4, 5-9, all, ram, allram, or 0ram-4ram")]
+    #[error("{}", self.text().en)]
     Set(String),
     /// Nothing before the `@`.
-    #[error("'{0}' names no parameter: expected a number, a range such as 480-483, a name, or a group such as @actual")]
+    #[error("{}", self.text().en)]
     Empty(String),
     /// A range that runs backwards or is too long.
-    #[error("'{0}' is no range: expected FIRST-LAST with at most 1000 numbers")]
+    #[error("{}", self.text().en)]
     Range(String),
     /// No such group.
-    #[error("there is no group '@{name}' (expected: {})", .known.join(", "))]
+    #[error("{}", self.text().en)]
     Group {
         /// What came.
         name: String,
@@ -96,6 +97,33 @@ pub enum SelectError {
     /// No such parameter.
     #[error(transparent)]
     Lookup(#[from] LookupError),
+}
+
+impl SelectError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            SelectError::Set(set) => both!(
+                "'{set}' is no data set: expected 0-4, 5-9, all, ram, allram, or 0ram-4ram",
+                "'{set}' ist kein Datensatz: erwartet 0-4, 5-9, all, ram, allram oder 0ram-4ram"
+            ),
+            SelectError::Empty(text) => both!(
+                "'{text}' names no parameter: expected a number, a range such as 480-483, a name, or a group such as @actual",
+                "'{text}' nennt keinen Parameter: erwartet eine Nummer, ein Bereich wie 480-483, ein Name oder eine Gruppe wie \
+                 @actual"
+            ),
+            SelectError::Range(text) => both!(
+                "'{text}' is no range: expected FIRST-LAST with at most 1000 numbers",
+                "'{text}' ist kein Bereich: erwartet ERSTE-LETZTE mit höchstens 1000 Nummern"
+            ),
+            SelectError::Group { name, known } => both!(
+                "there is no group '@{name}' (expected: {known})",
+                "es gibt keine Gruppe '@{name}' (erwartet: {known})",
+                known = known.join(", ")
+            ),
+            SelectError::Lookup(error) => error.text(),
+        }
+    }
 }
 
 impl FromStr for DataSets {

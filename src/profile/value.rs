@@ -1,12 +1,13 @@
 //! Exact values: an integer and a count of decimals. No float anywhere.
 
 use super::param::{Param, Type};
+use crate::text::{Text, both};
 
 /// Why a text is not a value of a parameter.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ValueError {
     /// No number, and no text of the parameter's table either.
-    #[error("'{text}' is neither a number nor one of the values of this parameter{}", list(.choices))]
+    #[error("{}", self.text().en)]
     NotANumber {
         /// What came.
         text: String,
@@ -14,7 +15,7 @@ pub enum ValueError {
         choices: Vec<String>,
     },
     /// The unit is another one than the parameter's.
-    #[error("the unit '{got}' does not fit: this parameter is in {}", .expected.as_deref().unwrap_or("no unit"))]
+    #[error("{}", self.text().en)]
     Unit {
         /// What came.
         got: String,
@@ -22,13 +23,13 @@ pub enum ValueError {
         expected: Option<String>,
     },
     /// Nobody knows how many decimals the parameter has.
-    #[error("no source tells the decimals of this parameter in {unit}")]
+    #[error("{}", self.text().en)]
     NoScale {
         /// Unit of the parameter.
         unit: String,
     },
     /// More decimals than the parameter has.
-    #[error("'{text}' has more decimals than the {decimals} of this parameter")]
+    #[error("{}", self.text().en)]
     Decimals {
         /// What came.
         text: String,
@@ -36,13 +37,13 @@ pub enum ValueError {
         decimals: u8,
     },
     /// The lower number of a ratio is 0.
-    #[error("'{text}': the lower number of a ratio is never 0")]
+    #[error("{}", self.text().en)]
     Denominator {
         /// What came.
         text: String,
     },
     /// Out of the printed range.
-    #[error("{value} is out of the range {min} … {max}")]
+    #[error("{}", self.text().en)]
     Range {
         /// What came.
         value: String,
@@ -52,7 +53,7 @@ pub enum ValueError {
         max: String,
     },
     /// Does not fit into the width of the type.
-    #[error("{value} does not fit into a {kind}")]
+    #[error("{}", self.text().en)]
     Width {
         /// What came.
         value: String,
@@ -61,8 +62,50 @@ pub enum ValueError {
     },
 }
 
-fn list(choices: &[String]) -> String {
-    if choices.is_empty() { String::new() } else { format!(" (expected: {})", choices.join(", ")) }
+impl ValueError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            ValueError::NotANumber { text, choices } => both!(
+                "'{text}' is neither a number nor one of the values of this parameter{known}",
+                "'{text}' ist weder eine Zahl noch einer der Werte dieses Parameters{known}",
+                known = list(choices)
+            ),
+            ValueError::Unit { got, expected: Some(unit) } => both!(
+                "the unit '{got}' does not fit: this parameter is in {unit}",
+                "die Einheit '{got}' passt nicht: dieser Parameter ist in {unit}"
+            ),
+            ValueError::Unit { got, expected: None } => both!(
+                "the unit '{got}' does not fit: this parameter is in no unit",
+                "die Einheit '{got}' passt nicht: dieser Parameter hat keine Einheit"
+            ),
+            ValueError::NoScale { unit } => both!(
+                "no source tells the decimals of this parameter in {unit}",
+                "keine Quelle nennt die Nachkommastellen dieses Parameters in {unit}"
+            ),
+            ValueError::Decimals { text, decimals } => both!(
+                "'{text}' has more decimals than the {decimals} of this parameter",
+                "'{text}' hat mehr Nachkommastellen als die {decimals} dieses Parameters"
+            ),
+            ValueError::Denominator { text } => both!(
+                "'{text}': the lower number of a ratio is never 0",
+                "'{text}': der Nenner eines Verhältnisses ist nie 0"
+            ),
+            ValueError::Range { value, min, max } => {
+                both!("{value} is out of the range {min} … {max}", "{value} liegt außerhalb des Bereichs {min} … {max}")
+            }
+            ValueError::Width { value, kind } => {
+                both!("{value} does not fit into a {kind}", "{value} passt nicht in den Typ {kind}")
+            }
+        }
+    }
+}
+
+fn list(choices: &[String]) -> Text {
+    match choices.is_empty() {
+        true => Text::default(),
+        false => both!(" (expected: {choices})", " (erwartet: {choices})", choices = choices.join(", ")),
+    }
 }
 
 /// Units that are the same or differ by a power of ten: as typed, as in the catalogue, power.

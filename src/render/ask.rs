@@ -47,9 +47,9 @@ impl Terminal {
     async fn put(&mut self, question: &Question) -> Answer {
         self.console.finish();
         if !(self.yes && self.quiet) {
-            self.console.line(&question.title);
+            self.console.line(question.title.get(self.lang));
             for detail in &question.details {
-                self.console.line(&format!("  {}", clean(detail)));
+                self.console.line(&format!("  {}", clean(detail.get(self.lang))));
             }
         }
         if self.yes {

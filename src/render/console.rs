@@ -117,7 +117,7 @@ impl Console {
                 if !inner.quiet {
                     let FoundDrive { drive, address, title, port, line, protocol, .. } = drive;
                     let found = inner.lang.pick("found", "gefunden:");
-                    let at = inner.lang.pick("at", "unter");
+                    let (at, title) = (inner.lang.pick("at", "unter"), title.get(inner.lang));
                     inner.line(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
                 }
             }

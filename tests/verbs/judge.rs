@@ -76,7 +76,7 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
     let found = scan(session, &plan, registry).await;
     assert_eq!(found.drives.len(), 2, "{found:?}");
     for address in [1, 2] {
-        let finding = recognise(session, registry, address, Lang::En, false).await.unwrap();
+        let finding = recognise(session, registry, address, false).await.unwrap();
         let mut target = finding.target(address, registry).unwrap();
         let family = target.family.clone();
         for id in family.group("all").unwrap() {
@@ -99,7 +99,7 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
     let order = Order { set: 5, raw: 700, kind: Type::Long, read_back: false };
     let fate = target.write(session, everybody.param(480).unwrap(), order, &permit::<Writing>()).await;
     assert!(matches!(fate, Ok(WriteFate::Broadcast)), "{fate:?}");
-    assert!(recognise(session, registry, 1, Lang::En, false).await.is_ok(), "the line goes on behind a broadcast");
+    assert!(recognise(session, registry, 1, false).await.is_ok(), "the line goes on behind a broadcast");
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
         let plan = by_the_book(vec![1, 2]);
         scan(session, &plan, registry).await;
         for address in [1, 2] {
-            let finding = recognise(session, registry, address, Lang::En, false).await.unwrap();
+            let finding = recognise(session, registry, address, false).await.unwrap();
             let mut target = finding.target(address, registry).unwrap();
             let family = target.family.clone();
             for id in family.group("all").unwrap() {

@@ -56,7 +56,7 @@ impl Check<'_, '_> {
     }
 
     async fn pole_pairs(&mut self) -> Result<i64, Failure> {
-        let pairs = role_raw(self.session, self.target, "pole-pairs", self.lang).await?;
+        let pairs = role_raw(self.session, self.target, "pole-pairs").await?;
         pairs.filter(|&pairs| pairs > 0).ok_or_else(|| {
             let label = self.target.family.role("pole-pairs").map_or_else(|| "-".to_owned(), Param::label);
             let text = match self.lang {
@@ -90,9 +90,9 @@ impl Check<'_, '_> {
         };
         let family = self.target.family.clone();
         let (shows, by) = (family.param_or_unknown(adds.param), family.param_or_unknown(adds.by));
-        let Some(value) = working(self.session, self.target, &shows, self.lang).await? else { return Ok(None) };
+        let Some(value) = working(self.session, self.target, &shows).await? else { return Ok(None) };
         if value != 0 {
-            let selected = working(self.session, self.target, &by, self.lang).await?;
+            let selected = working(self.session, self.target, &by).await?;
             let text = self.told_addition(wanted, adds, (&shows, value), (&by, selected));
             self.session.tell(Event::Note(text.into()));
         }
@@ -182,7 +182,7 @@ impl Check<'_, '_> {
             return Ok(Some(*raw));
         }
         let param = self.target.family.param_or_unknown(id);
-        working(self.session, self.target, &param, self.lang).await
+        working(self.session, self.target, &param).await
     }
 }
 

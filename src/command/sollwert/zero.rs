@@ -39,9 +39,8 @@ pub(super) async fn relief(
     target: &mut Target,
     before: &Situation,
     wanted: &Wanted,
-    lang: Lang,
 ) -> Result<Option<Relief>, Failure> {
-    let active = role_raw(session, target, "mode-active", lang).await?;
+    let active = role_raw(session, target, "mode-active").await?;
     if wanted.mode.value.is_some() && active != wanted.mode.value {
         return Ok(None);
     }
@@ -49,14 +48,14 @@ pub(super) async fn relief(
         return Ok(Some(Relief::Zero));
     };
     let family = target.family.clone();
-    let present = working(session, target, &family.param_or_unknown(source.param), lang).await?;
+    let present = working(session, target, &family.param_or_unknown(source.param)).await?;
     let adds = source.choices.iter().any(|choice| choice.slug == "sum" && Some(choice.value) == present);
     if !adds {
         return Ok(Some(Relief::Zero));
     }
     // Without the line setpoint the internal one remains. It must not turn the shaft the other way.
-    let internal = role_raw(session, target, "setpoint-internal", lang).await?;
-    let line = role_raw(session, target, "setpoint-bus", lang).await?;
+    let internal = role_raw(session, target, "setpoint-internal").await?;
+    let line = role_raw(session, target, "setpoint-bus").await?;
     let only_slows = internal.zip(line).is_some_and(|(internal, line)| internal.signum() * line.signum() >= 0);
     Ok(only_slows.then_some(Relief::Zero))
 }
@@ -67,7 +66,7 @@ pub(super) async fn present_mode(
     target: &mut Target,
     lang: Lang,
 ) -> Result<Option<Mode>, Failure> {
-    let Some(active) = role_raw(session, target, "mode-active", lang).await? else { return Ok(None) };
+    let Some(active) = role_raw(session, target, "mode-active").await? else { return Ok(None) };
     let mode = target.family.modes.iter().find(|mode| mode.value == Some(active)).cloned();
     match mode {
         Some(mode) if !mode.zero_stops() => {

@@ -5,10 +5,11 @@ use crate::drive::{describe, who};
 use crate::gate::{Hazard, Question};
 use crate::outcome::{WriteResult, Written};
 use crate::profile::value::format_decimal;
-use crate::profile::{Family, HazardKind, Lang, Store};
+use crate::profile::{Family, HazardKind, Store};
+use crate::text::{Text, both};
 
 /// What is to be asked before everything that is left to do; `None` if that is nothing.
-pub fn question(jobs: &[Job], lang: Lang) -> Option<Question> {
+pub fn question(jobs: &[Job]) -> Option<Question> {
     let todo = jobs.iter().flat_map(|job| job.steps.iter().zip(&job.rows).map(move |pair| (job, pair)));
     let todo: Vec<_> = todo.filter(|(_, (_, row))| row.result == WriteResult::Planned).collect();
     if todo.is_empty() {
@@ -18,21 +19,18 @@ pub fn question(jobs: &[Job], lang: Lang) -> Option<Question> {
     let mut details = Vec::new();
     for (job, (step, row)) in &todo {
         hazards.extend(hazards_of(step, &job.target.family));
-        details.push(describe_step(step, row, &job.target.family, lang));
+        details.push(describe_step(step, row, &job.target.family));
     }
     hazards.sort_unstable();
     hazards.dedup();
     if todo.len() > 1 && todo.iter().any(|(_, (step, _))| cuts(&step.param)) {
-        let last =
-            lang.pick("what cuts the line at once goes last", "was die Leitung sofort kappt, geht zuletzt hinaus");
-        details.push(last.to_owned());
+        let last = both!("what cuts the line at once goes last", "was die Leitung sofort kappt, geht zuletzt hinaus");
+        details.push(last);
     }
-    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard, lang)).map(str::to_owned));
-    let title = match (todo.len(), lang) {
-        (1, Lang::En) => "write 1 value".to_owned(),
-        (1, Lang::De) => "1 Wert schreiben".to_owned(),
-        (count, Lang::En) => format!("write {count} values"),
-        (count, Lang::De) => format!("{count} Werte schreiben"),
+    details.extend(hazards.iter().filter_map(|hazard| consequence(*hazard)));
+    let title = match todo.len() {
+        1 => both!("write 1 value", "1 Wert schreiben"),
+        count => both!("write {count} values", "{count} Werte schreiben"),
     };
     Some(Question { hazards, title, details })
 }
@@ -51,41 +49,45 @@ fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
     hazards
 }
 
-fn consequence(hazard: Hazard, lang: Lang) -> Option<&'static str> {
-    let (en, de) = match hazard {
+fn consequence(hazard: Hazard) -> Option<Text> {
+    Some(match hazard {
         Hazard::Write | Hazard::Counters => return None,
-        Hazard::Wear => (
+        Hazard::Wear => both!(
             "EEPROM: each of these writes wears it a little; @ram does not",
-            "EEPROM: jedes Schreiben nutzt es etwas ab; @ram nicht",
+            "EEPROM: jedes Schreiben nutzt es etwas ab; @ram nicht"
         ),
-        Hazard::Motion => (
+        Hazard::Motion => both!(
             "MOTION: this can start the shaft or change how it turns",
-            "BEWEGUNG: das kann die Welle anlaufen lassen oder ihre Drehung ändern",
+            "BEWEGUNG: das kann die Welle anlaufen lassen oder ihre Drehung ändern"
         ),
-        Hazard::Line => (
+        Hazard::Line => both!(
             "LINE: this can cut the line to the drive; the old setting is shown above",
-            "LEITUNG: das kann die Verbindung zum Antrieb kappen; die alte Einstellung steht oben",
+            "LEITUNG: das kann die Verbindung zum Antrieb kappen; die alte Einstellung steht oben"
         ),
-        Hazard::Reset => (
+        Hazard::Reset => both!(
             "RESET: the drive restarts or its faults are reset",
-            "RESET: der Antrieb startet neu oder seine Störungen werden quittiert",
+            "RESET: der Antrieb startet neu oder seine Störungen werden quittiert"
         ),
-    };
-    Some(lang.pick(en, de))
+    })
 }
 
-fn describe_step(step: &Step, row: &Written, family: &Family, lang: Lang) -> String {
+fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
     let new = format_decimal(row.raw, row.value.decimals);
     let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
     let who = match row.address {
-        0 => lang.pick("every drive", "alle Antriebe").to_owned(),
-        address => who(address, row.node, &row.drive, lang),
+        0 => both!("every drive", "alle Antriebe"),
+        address => Text::by(|lang| who(address, row.node, &row.drive, lang)),
     };
     let (label, store) = match family.link.route.has_data_sets() {
         true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),
         false => (step.param.label(), String::new()),
     };
-    format!("{who}: {label} {}: {old} -> {new}{unit}{text}{store}", row.name)
+    both!(
+        "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",
+        "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",
+        who,
+        name = step.param.name
+    )
 }

@@ -12,7 +12,8 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Type};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Param, Type};
+use crate::text::{Text, both};
 use crate::tick::Span;
 
 /// A value for one parameter in one data set.
@@ -29,9 +30,8 @@ pub struct Step {
 }
 
 /// Leaves out what is planned: the port went away before anything was sent.
-pub fn leave(jobs: &mut [Job], mut failure: Failure, lang: Lang) -> Failure {
-    failure.message =
-        format!("{}; {}", failure.message.get(lang), lang.pick("nothing was begun", "es wurde nichts begonnen")).into();
+pub fn leave(jobs: &mut [Job], mut failure: Failure) -> Failure {
+    failure.message = both!("{why}; nothing was begun", "{why}; es wurde nichts begonnen", why = failure.message);
     let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
     for row in planned {
         row.result = WriteResult::Skipped;
@@ -85,10 +85,10 @@ pub async fn prepare(
             }
             let failures = reader.failures;
             if let Some(failure) = failures.into_iter().find(|failure| forbids(failure, force)) {
-                return Err(nothing_sent(failure, lang));
+                return Err(nothing_sent(failure));
             }
         }
-        check_found(step, target, lang)?;
+        check_found(step, target)?;
         if row.old_raw == Some(step.raw) && !force {
             row.result = WriteResult::Unchanged;
         }
@@ -107,28 +107,30 @@ fn forbids(failure: &Failure, force: bool) -> bool {
     failure.class != Class::Refused || !(force || names_another)
 }
 
-fn nothing_sent(failure: Failure, lang: Lang) -> Failure {
-    let text = lang.pick("nothing was written", "es wurde nichts geschrieben");
-    Failure { message: format!("{}; {text}", failure.message.get(lang)).into(), ..failure }
+fn nothing_sent(failure: Failure) -> Failure {
+    let text = both!("nothing was written", "es wurde nichts geschrieben");
+    Failure { message: both!("{why}; {text}", "{why}; {text}", why = failure.message, text), ..failure }
 }
 
 /// The width that the drive has told, or that nobody tells, before anything is sent.
-fn check_found(step: &Step, target: &Target, lang: Lang) -> Result<(), Failure> {
-    let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param, lang)) };
+fn check_found(step: &Step, target: &Target) -> Result<(), Failure> {
+    let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param)) };
     value::check_width(step.raw, kind, step.param.decimals_or_zero()).map_err(|error| {
-        let message = format!("{} ({}): {error}", step.param.label(), step.param.slug);
-        nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id), lang)
+        let (label, slug) = (step.param.label(), &step.param.slug);
+        let message = both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", why = error.text());
+        nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id))
     })
 }
 
 /// The failure of a value whose width nobody tells.
-pub fn no_width(param: &Param, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("parameter {}: no source tells its width, and nobody can be asked", param.id),
-        Lang::De => format!("Parameter {}: keine Quelle nennt seine Breite, und fragen lässt sich niemand", param.id),
-    };
+pub fn no_width(param: &Param) -> Failure {
+    let message = both!(
+        "parameter {param}: no source tells its width, and nobody can be asked",
+        "Parameter {param}: keine Quelle nennt seine Breite, und fragen lässt sich niemand",
+        param = param.id
+    );
     Failure::new(Class::Data, "data.width", message)
-        .hint(lang.pick("name it with --type uint, int, word or long", "mit --type uint, int, word oder long angeben"))
+        .hint(both!("name it with --type uint, int, word or long", "mit --type uint, int, word oder long angeben"))
 }
 
 /// Says in a row what is sent for it.
@@ -150,7 +152,7 @@ pub async fn carry_out(
     permit: &Permit<Writing>,
     failures: &mut Vec<Failure>,
 ) -> bool {
-    let (address, lang) = (job.target.address, terms.lang());
+    let address = job.target.address;
     let mut stopped = false;
     let mut over = false;
     for (step, row) in job.steps.iter().zip(&mut job.rows) {
@@ -174,18 +176,18 @@ pub async fn carry_out(
         let failure = match fate {
             Ok(fate) => {
                 row.result = result(&fate);
-                unproven(&fate, &job.target, row, lang)
+                unproven(&fate, &job.target, row)
             }
             Err((error, otherwise)) => {
                 row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
-                let mut failure = error.failure(address, Some(&job.target.family), lang);
+                let mut failure = error.failure(address, Some(&job.target.family));
                 if row.result == WriteResult::Skipped {
-                    failure.message = match lang {
-                        Lang::En => format!("{}; P.{} was not begun", failure.message.get(lang), row.param).into(),
-                        Lang::De => {
-                            format!("{}; P.{} wurde nicht begonnen", failure.message.get(lang), row.param).into()
-                        }
-                    };
+                    failure.message = both!(
+                        "{why}; P.{param} was not begun",
+                        "{why}; P.{param} wurde nicht begonnen",
+                        why = failure.message,
+                        param = row.param
+                    );
                 }
                 Some(failure)
             }
@@ -256,22 +258,30 @@ fn result(fate: &WriteFate) -> WriteResult {
     }
 }
 
-fn unproven(fate: &WriteFate, target: &Target, row: &Written, lang: Lang) -> Option<Failure> {
+fn unproven(fate: &WriteFate, target: &Target, row: &Written) -> Option<Failure> {
     let address = target.address;
     match fate {
         WriteFate::Verified | WriteFate::Written | WriteFate::Broadcast => None,
         WriteFate::Differs(raw) => {
             let read = format_decimal(*raw, row.value.decimals);
-            let message = format!("drive {address} took the telegram, but P.{} reads back as {read}", row.param);
-            Some(
-                Failure::new(Class::Refused, "refused.reads_back_differently", message)
-                    .hint("the drive limits the value, or something else writes it too"),
-            )
+            let param = row.param;
+            let message = both!(
+                "drive {address} took the telegram, but P.{param} reads back as {read}",
+                "Antrieb {address} hat das Telegramm angenommen, aber P.{param} liest sich als {read} zurück"
+            );
+            Some(Failure::new(Class::Refused, "refused.reads_back_differently", message).hint(both!(
+                "the drive limits the value, or something else writes it too",
+                "der Antrieb begrenzt den Wert, oder etwas anderes schreibt ihn auch"
+            )))
         }
         WriteFate::Unknown(error) => {
-            let mut failure = error.failure(address, Some(&target.family), lang);
-            failure.message =
-                format!("whether P.{} was written is unknown: {}", row.param, failure.message.get(lang)).into();
+            let mut failure = error.failure(address, Some(&target.family));
+            failure.message = both!(
+                "whether P.{param} was written is unknown: {why}",
+                "ob P.{param} geschrieben wurde, ist unbekannt: {why}",
+                param = row.param,
+                why = failure.message
+            );
             Some(failure)
         }
     }
@@ -287,14 +297,14 @@ pub fn done(jobs: Vec<Job>, failures: Vec<Failure>, terms: &Terms<'_>) -> Outcom
     }
     let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
     if values.iter().any(|row| row.address == 0 && row.result == WriteResult::Broadcast) {
-        let message = terms.lang().pick(
+        let message = both!(
             "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
-            "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen",
+            "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen"
         );
-        warnings.push(Warning { code: "write.broadcast".to_owned(), message: message.to_owned().into() });
+        warnings.push(Warning { code: "write.broadcast".to_owned(), message });
     }
     let succeeded = values.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
-    let failure = summary(failures, succeeded, terms.lang());
+    let failure = summary(failures, succeeded);
     Outcome { data: Some(Data::Write(Write { dry_run: false, values })), warnings, failure }
 }
 
@@ -304,29 +314,26 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
     if !sent || step.param.hazard != Some(HazardKind::Line) {
         return None;
     }
-    let lang = terms.lang();
     let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
     let when = match (step.param.effective, is_address, family.link.line.address) {
-        (Effective::Reset, ..) => lang.pick("after the next reset", "nach dem nächsten Reset"),
-        (_, true, Holds::Unsaid) => lang.pick(
+        (Effective::Reset, ..) => both!("after the next reset", "nach dem nächsten Reset"),
+        (_, true, Holds::Unsaid) => both!(
             "from now on or after the next power-on, which its manual does not say,",
-            "ab jetzt oder nach dem nächsten Einschalten, was die Anleitung nicht sagt,",
+            "ab jetzt oder nach dem nächsten Einschalten, was die Anleitung nicht sagt,"
         ),
-        _ => lang.pick("from now on", "ab jetzt"),
+        _ => both!("from now on", "ab jetzt"),
     };
-    let unknown = || lang.pick("its old value", "den alten Wert").to_owned();
-    let old = row.old.map_or_else(unknown, |old| format_decimal(old.raw, old.decimals));
+    let unknown = || both!("its old value", "den alten Wert");
+    let old = row.old.map_or_else(unknown, |old| Text::name(format_decimal(old.raw, old.decimals)));
     let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
     let (label, address, line, protocol) = (step.param.label(), row.address, terms.line, terms.speech.protocol.name());
-    let message = match lang {
-        Lang::En => format!(
-            "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
-             back is to write {old} with the new setting"
-        ),
-        Lang::De => format!(
-            "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
-             zurück führt, mit der neuen Einstellung {old} zu schreiben"
-        ),
-    };
-    Some(Warning { code: "line.changed".to_owned(), message: message.into() })
+    let message = both!(
+        "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
+             back is to write {old} with the new setting",
+        "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
+             zurück führt, mit der neuen Einstellung {old} zu schreiben",
+        when,
+        old
+    );
+    Some(Warning { code: "line.changed".to_owned(), message })
 }

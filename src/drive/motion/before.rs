@@ -17,12 +17,12 @@ pub struct Standing {
 }
 
 /// Everything that stands in the drive from before.
-pub async fn standing(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<Standing>, Failure> {
+pub async fn standing(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Standing>, Failure> {
     let family = target.family.clone();
     let mut found = Vec::new();
     for row in &family.motion.rest {
         let shows = family.param_or_unknown(row.shown.unwrap_or(row.param));
-        if let Some(value) = raw(session, target, &shows, 0, lang).await?.filter(|&value| value != 0) {
+        if let Some(value) = raw(session, target, &shows, 0).await?.filter(|&value| value != 0) {
             found.push(Standing { param: family.param_or_unknown(row.param), shown: (shows, value) });
         }
     }
@@ -32,7 +32,7 @@ pub async fn standing(session: &mut Session<'_>, target: &mut Target, lang: Lang
 /// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the
 /// drive runs at by its own settings even then.
 pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
-    let mut told: Vec<String> = standing(session, target, lang).await?.iter().map(|row| row.told(lang)).collect();
+    let mut told: Vec<String> = standing(session, target).await?.iter().map(|row| row.told(lang)).collect();
     told.extend(own_setpoints(session, target, lang).await?);
     Ok(told)
 }
@@ -40,7 +40,7 @@ pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target, lang:
 /// What the shaft runs at once contacts start it, in words: what stands there from before stays.
 pub async fn runs_at(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
     let mut told = Vec::new();
-    for Standing { param, shown: (shows, value) } in standing(session, target, lang).await? {
+    for Standing { param, shown: (shows, value) } in standing(session, target).await? {
         let (label, value) = (param.label(), shown(&shows, value));
         told.push(match lang {
             Lang::En => format!("{label} stands at {value}: it runs at that"),
@@ -57,12 +57,12 @@ async fn own_setpoints(session: &mut Session<'_>, target: &mut Target, lang: Lan
     let mut told = Vec::new();
     for mode in &family.modes {
         let Some(source) = &mode.source else { continue };
-        let chosen = working(session, target, &family.param_or_unknown(source.param), lang).await?;
+        let chosen = working(session, target, &family.param_or_unknown(source.param)).await?;
         let is = |with: i64| chosen == Some(with);
         let own = mode.adds.filter(|adds| is(source.ignored) || adds.source.is_some_and(is)).map(|adds| adds.param);
         let least = mode.floor.as_ref().filter(|floor| is(floor.source)).map(|floor| floor.param);
         let Some(param) = own.or(least).map(|id| family.param_or_unknown(id)) else { continue };
-        let Some(value) = working(session, target, &param, lang).await?.filter(|&value| value != 0) else { continue };
+        let Some(value) = working(session, target, &param).await?.filter(|&value| value != 0) else { continue };
         let (value, label, by) = (shown(&param, value), param.label(), family.param_or_unknown(source.param).label());
         let chosen = chosen.unwrap_or(0);
         told.push(match lang {

@@ -23,7 +23,7 @@ impl Motor<'_, '_> {
 
     /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
     pub async fn change_param(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
-        let set = ram_set(self.session, self.target, param, self.lang).await?;
+        let set = ram_set(self.session, self.target, param).await?;
         let reading = self.target.read_set(self.session, param, set).await;
         let old = reading.map_err(|error| self.failure(&error))?.raw;
         if old == new {
@@ -59,7 +59,7 @@ impl Motor<'_, '_> {
         if self.settled.contains(&(param.id, set)) {
             return Ok(());
         }
-        match raw(self.session, self.target, param, set, self.lang).await? {
+        match raw(self.session, self.target, param, set).await? {
             Some(old) if old != new && fit(old) => self.note_change(param, set, old, new),
             // Written once more with another value it is another matter.
             Some(old) if old == new => {}

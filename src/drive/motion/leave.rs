@@ -35,7 +35,7 @@ impl Motor<'_, '_> {
         let known = changed.map(|change| if change.restored { change.old } else { change.new });
         let raw = match known.or(self.target.known_watchdog) {
             Some(raw) => Some(raw),
-            None => working_raw(self.session, self.target, "watchdog", self.lang).await.ok().flatten(),
+            None => working_raw(self.session, self.target, "watchdog").await.ok().flatten(),
         };
         raw.map(|raw| watchdog_seconds(&family, raw))
     }

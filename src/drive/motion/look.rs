@@ -72,21 +72,21 @@ impl Situation {
 
 /// What the drive says that matters for moving it.
 pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Situation, Failure> {
-    let status = role_raw(session, target, "status-word", lang).await?.unwrap_or(0) as u32;
-    let watchdog = working_raw(session, target, "watchdog", lang).await?;
+    let status = role_raw(session, target, "status-word").await?.unwrap_or(0) as u32;
+    let watchdog = working_raw(session, target, "watchdog").await?;
     target.known_watchdog = watchdog;
     let mut situation = Situation {
         status,
         state: describe::state(&target.family, status, lang).slug,
-        mode: working_raw(session, target, "control-mode", lang).await?,
-        fault: present_fault(session, target, status, lang).await?,
-        inputs: role_raw(session, target, "digital-inputs", lang).await?,
+        mode: working_raw(session, target, "control-mode").await?,
+        fault: present_fault(session, target, status).await?,
+        inputs: role_raw(session, target, "digital-inputs").await?,
         settings: BTreeMap::new(),
         watchdog_s: watchdog.map(|raw| watchdog_seconds(&target.family, raw)),
     };
     let family = target.family.clone();
     for setting in family.motion.interlocks.iter().filter_map(|row| row.setting.as_ref()) {
-        if let Some(raw) = role_raw(session, target, &setting.role, lang).await? {
+        if let Some(raw) = role_raw(session, target, &setting.role).await? {
             situation.settings.insert(setting.role.clone(), raw);
         }
     }
@@ -95,16 +95,11 @@ pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) ->
 
 /// Code of the fault that is present; 0 is none. A memory is not touched where the state says that there is none: on some
 /// drives reading moves on to the entry before.
-async fn present_fault(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    status: u32,
-    lang: Lang,
-) -> Result<Option<i64>, Failure> {
+async fn present_fault(session: &mut Session<'_>, target: &mut Target, status: u32) -> Result<Option<i64>, Failure> {
     if target.family.present_fault(status, u32::MAX).is_none() {
         return Ok(Some(0));
     }
-    role_raw(session, target, "fault", lang).await
+    role_raw(session, target, "fault").await
 }
 
 /// Refuses to change the operating mode of a shaft that somebody else turns: a drive may refuse it then (LXM05 manual 6.3.1),
@@ -117,10 +112,10 @@ pub async fn may_change_mode(
     lang: Lang,
 ) -> Result<(), Failure> {
     let active = match mode.value.filter(|_| state == "operation-enabled") {
-        Some(_) => role_raw(session, target, "mode-active", lang).await?,
+        Some(_) => role_raw(session, target, "mode-active").await?,
         None => None,
     };
-    if active == mode.value || active.is_none() || !turns(session, target, lang).await? {
+    if active == mode.value || active.is_none() || !turns(session, target).await? {
         return Ok(());
     }
     let present = target.family.modes.iter().find(|row| row.value == active).map(|row| row.name(lang));
@@ -136,16 +131,16 @@ pub async fn may_change_mode(
 }
 
 /// Whether the shaft turns now, as far as the drive tells.
-async fn turns(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<bool, Failure> {
+async fn turns(session: &mut Session<'_>, target: &mut Target) -> Result<bool, Failure> {
     let mut watch = Watch::new(target.family.motion.movement);
     for _ in 0..TURN_LOOKS {
-        let Some(raw) = role_raw(session, target, "movement", lang).await? else { return Ok(false) };
+        let Some(raw) = role_raw(session, target, "movement").await? else { return Ok(false) };
         watch.see(session.now(), Some(raw));
         if watch.stands() {
             return Ok(false);
         }
         let rested = session.rest(TURN_BEAT).await;
-        rested.map_err(|error| error.failure(target.address, Some(&target.family), lang))?;
+        rested.map_err(|error| error.failure(target.address, Some(&target.family)))?;
     }
     Ok(true)
 }
@@ -262,36 +257,21 @@ pub(super) fn state_name<'f>(family: &'f Family, slug: &'f str, lang: Lang) -> &
 }
 
 /// The raw value of the parameter with a role; `None` if the drive refuses it or has none.
-pub async fn role_raw(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    role: &str,
-    lang: Lang,
-) -> Result<Option<i64>, Failure> {
+pub async fn role_raw(session: &mut Session<'_>, target: &mut Target, role: &str) -> Result<Option<i64>, Failure> {
     let Some(param) = target.family.role(role).cloned() else { return Ok(None) };
-    raw(session, target, &param, 0, lang).await
+    raw(session, target, &param, 0).await
 }
 
 /// The raw value that the drive works with: RAM of the active data set.
-pub async fn working_raw(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    role: &str,
-    lang: Lang,
-) -> Result<Option<i64>, Failure> {
+pub async fn working_raw(session: &mut Session<'_>, target: &mut Target, role: &str) -> Result<Option<i64>, Failure> {
     let Some(param) = target.family.role(role).cloned() else { return Ok(None) };
-    working(session, target, &param, lang).await
+    working(session, target, &param).await
 }
 
 /// The raw value of a parameter that the drive works with; `None` if it refuses it.
-pub async fn working(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    param: &Param,
-    lang: Lang,
-) -> Result<Option<i64>, Failure> {
-    let set = ram_set(session, target, param, lang).await?;
-    raw(session, target, param, set, lang).await
+pub async fn working(session: &mut Session<'_>, target: &mut Target, param: &Param) -> Result<Option<i64>, Failure> {
+    let set = ram_set(session, target, param).await?;
+    raw(session, target, param, set).await
 }
 
 pub(super) async fn raw(
@@ -299,22 +279,16 @@ pub(super) async fn raw(
     target: &mut Target,
     param: &Param,
     set: u8,
-    lang: Lang,
 ) -> Result<Option<i64>, Failure> {
     match target.read_set(session, param, set).await {
         Ok(reading) => Ok(Some(reading.raw)),
         Err(AccessError::Refused(_)) => Ok(None),
-        Err(error) => Err(error.failure(target.address, Some(&target.family), lang)),
+        Err(error) => Err(error.failure(target.address, Some(&target.family))),
     }
 }
 
 /// The RAM data set in which the drive works with a parameter; 0 where there are no data sets.
-pub(super) async fn ram_set(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    param: &Param,
-    lang: Lang,
-) -> Result<u8, Failure> {
+pub(super) async fn ram_set(session: &mut Session<'_>, target: &mut Target, param: &Param) -> Result<u8, Failure> {
     // An actual value has one place, whatever the data set.
     if !target.family.link.route.has_data_sets() || !param.access.writes() {
         return Ok(0);
@@ -322,7 +296,7 @@ pub(super) async fn ram_set(
     if param.sets != Some(Sets::Four) {
         return Ok(DataSets::RAM_OFFSET);
     }
-    let active = role_raw(session, target, "active-set", lang).await?.unwrap_or(1);
+    let active = role_raw(session, target, "active-set").await?.unwrap_or(1);
     Ok(DataSets::RAM_OFFSET + u8::try_from(active).unwrap_or(1).clamp(1, 4))
 }
 

@@ -338,7 +338,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// The raw value of a parameter; `None` if the drive refuses it.
     async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
-        let raw = look::raw(self.session, self.target, param, 0, self.lang).await?;
+        let raw = look::raw(self.session, self.target, param, 0).await?;
         self.heard = self.session.now();
         self.goes_on();
         Ok(raw)
@@ -402,7 +402,7 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     fn failure(&self, error: &AccessError) -> Failure {
-        error.failure(self.target.address, Some(&self.target.family), self.lang)
+        error.failure(self.target.address, Some(&self.target.family))
     }
 }
 

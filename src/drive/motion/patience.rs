@@ -170,7 +170,7 @@ impl Motor<'_, '_> {
         }
         let family = self.target.family.clone();
         for param in family.motion.patience.iter().filter_map(|role| family.role(role)) {
-            let raw = look::working(self.session, self.target, param, self.lang).await?.unwrap_or(0);
+            let raw = look::working(self.session, self.target, param).await?.unwrap_or(0);
             let ms = raw.saturating_mul(1_000) / 10i64.pow(param.decimals_or_zero().into());
             sum = sum + Span::from_millis(u64::try_from(ms).unwrap_or(0));
         }

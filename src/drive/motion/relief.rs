@@ -176,7 +176,7 @@ impl Motor<'_, '_> {
     async fn state_and_mode(&mut self) -> Result<Situation, Failure> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status, self.lang).slug;
-        let mode = working_raw(self.session, self.target, "control-mode", self.lang).await?;
+        let mode = working_raw(self.session, self.target, "control-mode").await?;
         Ok(Situation { status, state, mode, ..Situation::default() })
     }
 

@@ -30,11 +30,11 @@ impl Motor<'_, '_> {
 
     /// Takes away what stands in the drive from before and would turn the shaft as soon as it is enabled.
     pub(super) async fn clear(&mut self) -> Result<(), Failure> {
-        for row in standing(self.session, self.target, self.lang).await? {
+        for row in standing(self.session, self.target).await? {
             let Standing { param, shown } = &row;
             let sent = self.write(param, 0, 0).await;
             let left = match param.id == shown.0.id {
-                true => raw(self.session, self.target, param, 0, self.lang).await?,
+                true => raw(self.session, self.target, param, 0).await?,
                 // What shows it may show more than that.
                 false => sent.is_err().then_some(shown.1),
             };
@@ -79,7 +79,7 @@ impl Motor<'_, '_> {
         let wait = self.wait();
         loop {
             self.look_on().await?;
-            let active = raw(self.session, self.target, shows, 0, self.lang).await?;
+            let active = raw(self.session, self.target, shows, 0).await?;
             if active == Some(value) {
                 return Ok(());
             }
@@ -329,7 +329,7 @@ impl Motor<'_, '_> {
         }
         self.minded = now;
         let retries = self.session.set_retries(0);
-        let mode = working_raw(self.session, self.target, "control-mode", self.lang).await;
+        let mode = working_raw(self.session, self.target, "control-mode").await;
         self.session.set_retries(retries);
         match mode {
             Ok(Some(mode)) if mode != ours => Err(self.taken().await),

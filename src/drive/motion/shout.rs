@@ -209,7 +209,7 @@ async fn told(
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
     session.end_at(Some(session.now() + BRIEF));
-    in_short(role_raw(session, &mut target, role, Lang::En).await)
+    in_short(role_raw(session, &mut target, role).await)
 }
 
 /// What was not told in a short time is not known.
@@ -310,7 +310,7 @@ async fn asked(
     session.end_at(Some(until));
     let patient = Limits { reply_timeout: Limits::default().reply_timeout, ..session.limits() };
     let tell = async |session: &mut Session<'_>| loop {
-        match raw(session, &mut target, param, set, Lang::En).await {
+        match raw(session, &mut target, param, set).await {
             Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
             told => break told,
         }

@@ -246,7 +246,7 @@ impl Motor<'_, '_> {
         let family = self.target.family.clone();
         let Some(shows) = family.role("mode-active") else { return self.mode.clone() };
         let retries = self.session.set_retries(0);
-        let value = raw(self.session, self.target, shows, 0, self.lang).await;
+        let value = raw(self.session, self.target, shows, 0).await;
         self.session.set_retries(retries);
         let value = value.ok().flatten()?;
         family.modes.iter().find(|mode| mode.value == Some(value)).cloned()

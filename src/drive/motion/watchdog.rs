@@ -14,7 +14,7 @@ impl Motor<'_, '_> {
         let raw = match set {
             Some(raw) => Some(raw),
             None => {
-                let told = working_raw(self.session, self.target, "watchdog", self.lang).await;
+                let told = working_raw(self.session, self.target, "watchdog").await;
                 told.ok().flatten().or(self.target.known_watchdog)
             }
         };

@@ -10,7 +10,7 @@ use crate::drive::write::{Order, WriteFate};
 use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
 use crate::gate::{Line, Permit};
-use crate::profile::{Lang, Type};
+use crate::profile::Type;
 use crate::protocol::Protocol;
 use crate::tick::Span;
 
@@ -26,7 +26,6 @@ pub(super) struct Journey<'j, 's> {
     pub(super) session: &'j mut Session<'s>,
     pub(super) target: &'j mut Target,
     pub(super) permit: &'j Permit<Line>,
-    pub(super) lang: Lang,
     /// Where it answered last.
     pub(super) here: Place,
     /// What puts it back, in the order in which it was done.
@@ -63,7 +62,7 @@ impl Journey<'_, '_> {
             Ok(WriteFate::Verified | WriteFate::Written) => return Ok(()),
             Ok(WriteFate::Unknown(error)) | Err(error) => error,
             Ok(WriteFate::Differs(_) | WriteFate::Broadcast) => {
-                return Err(Setback { cause: unmoved(self.here, self.lang), perhaps: Vec::new() });
+                return Err(Setback { cause: unmoved(self.here), perhaps: Vec::new() });
             }
         };
         if error.is_refused() {
@@ -97,13 +96,13 @@ impl Journey<'_, '_> {
                 }
                 Ok(Some(_)) => {}
                 Ok(None) => {
-                    let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+                    let cause = last.as_ref().map_or_else(|| unmoved(place), |error| self.failure(error));
                     return Err(Setback { cause, perhaps: both });
                 }
                 Err(error) => return Err(Setback { cause: self.failure(&error), perhaps: both }),
             }
         }
-        let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+        let cause = last.as_ref().map_or_else(|| unmoved(place), |error| self.failure(error));
         Err(Setback { cause, perhaps: Vec::new() })
     }
 
@@ -130,7 +129,7 @@ impl Journey<'_, '_> {
                 }
                 Ok(Some(_)) => self.target.read_set(self.session, &leg.param, 0).await,
                 Ok(None) => {
-                    let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+                    let cause = last.as_ref().map_or_else(|| unmoved(place), |error| self.failure(error));
                     return Err(Setback { cause, perhaps: both.to_vec() });
                 }
                 Err(error) => return Err(Setback { cause: self.failure(&error), perhaps: both.to_vec() }),
@@ -140,7 +139,7 @@ impl Journey<'_, '_> {
                 return Ok(());
             }
         }
-        let cause = last.as_ref().map_or_else(|| unmoved(place, self.lang), |error| self.failure(error));
+        let cause = last.as_ref().map_or_else(|| unmoved(place), |error| self.failure(error));
         Err(Setback { cause, perhaps: Vec::new() })
     }
 
@@ -166,7 +165,7 @@ impl Journey<'_, '_> {
         }
         let stays = self.answers(self.here, None).await.map_err(|error| lost(self, &error))?;
         let perhaps = if stays { Vec::new() } else { both.clone() };
-        Err(Setback { cause: unmoved(place, self.lang), perhaps })
+        Err(Setback { cause: unmoved(place), perhaps })
     }
 
     /// Puts everything back that was done, the last first.
@@ -229,7 +228,7 @@ impl Journey<'_, '_> {
     }
 
     fn failure(&self, error: &AccessError) -> Failure {
-        error.failure(self.here.address, Some(&self.target.family), self.lang)
+        error.failure(self.here.address, Some(&self.target.family))
     }
 }
 

@@ -5,29 +5,24 @@ use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, pari
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
-use crate::profile::{Holds, Lang, Param};
+use crate::profile::{Holds, Param};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::LAST_STATION;
 use crate::protocol::vabus::Address;
 
 /// Finds the way to what is wished for, by reading the settings of the drive; says why if there is none.
-pub async fn course(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    wish: &Wish,
-    lang: Lang,
-) -> Result<Course, Failure> {
+pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish) -> Result<Course, Failure> {
     let family = target.family.clone();
-    wish.check(std::slice::from_ref(&family), lang)?;
+    wish.check(std::slice::from_ref(&family))?;
     if session.node() != 0 {
-        return Err(behind_another(lang));
+        return Err(behind_another());
     }
     let from = Place { protocol: session.protocol(), line: session.line(), address: target.address };
-    let mut plot = Plot { session, target, lang, here: from, legs: Vec::new(), restarts: false };
+    let mut plot = Plot { session, target, here: from, legs: Vec::new(), restarts: false };
     if let Some(protocol) = wish.protocol.filter(|to| *to != from.protocol) {
         let (protocol, raw) =
-            coded(&protocols(&family), Some(protocol)).ok_or_else(|| speaks_one_only(&from.protocol, lang))?;
+            coded(&protocols(&family), Some(protocol)).ok_or_else(|| speaks_one_only(&from.protocol))?;
         plot.speak(protocol, raw).await?;
     }
     if let Some(address) = wish.address.filter(|address| *address != plot.here.address) {
@@ -53,7 +48,7 @@ pub async fn course(
         Then::Stored => false,
     };
     if plot.legs.iter().any(moves) && !plot.session.can_retune() {
-        return Err(cannot_follow(plot.session.port(), lang));
+        return Err(cannot_follow(plot.session.port()));
     }
     Ok(Course { from, to: plot.here, legs: plot.legs, after_reset: family.link.after_reset.clone() })
 }
@@ -62,7 +57,6 @@ pub async fn course(
 struct Plot<'p, 's> {
     session: &'p mut Session<'s>,
     target: &'p mut Target,
-    lang: Lang,
     /// Where the drive is after what is drawn so far.
     here: Place,
     legs: Vec<Leg>,
@@ -76,7 +70,7 @@ impl Plot<'_, '_> {
         let family = self.target.family.clone();
         let old = number(&protocols(&family), &self.here.protocol);
         let address = self.stored(address_role(protocol)).await?;
-        let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address, self.lang))?;
+        let address = u8::try_from(address).map_err(|_| out_of_range("address", "1-247", &address))?;
         // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
         let parity = match self.here.protocol {
             Protocol::Modbus(_) => self.here.line.parity,
@@ -93,7 +87,7 @@ impl Plot<'_, '_> {
     fn readdress(&mut self, address: u8) -> Result<(), Failure> {
         let last = if self.here.protocol == Protocol::Vabus { Address::LAST } else { LAST_STATION };
         if address > last {
-            return Err(out_of_range("address", &format!("1-{last}"), &address, self.lang));
+            return Err(out_of_range("address", &format!("1-{last}"), &address));
         }
         let param = self.row(address_role(self.here.protocol))?;
         let old = Some(self.here.address.into());
@@ -128,14 +122,14 @@ impl Plot<'_, '_> {
     }
 
     fn row(&self, role: &str) -> Result<Param, Failure> {
-        self.target.family.role(role).cloned().ok_or_else(|| unknown_settings(self.lang))
+        self.target.family.role(role).cloned().ok_or_else(unknown_settings)
     }
 
     async fn stored(&mut self, role: &str) -> Result<i64, Failure> {
         let param = self.row(role)?;
         let (address, family) = (self.target.address, self.target.family.clone());
         let reading = self.target.read_set(self.session, &param, 0).await;
-        reading.map(|reading| reading.raw).map_err(|error| error.failure(address, Some(&family), self.lang))
+        reading.map(|reading| reading.raw).map_err(|error| error.failure(address, Some(&family)))
     }
 }
 

@@ -3,105 +3,94 @@
 use super::Place;
 use crate::failure::{Class, Failure};
 use crate::outcome;
-use crate::profile::Lang;
+use crate::text::{Text, both};
 use std::fmt::Display;
 
-pub(super) fn unknown_settings(lang: Lang) -> Failure {
-    let text = lang.pick(
+pub(super) fn unknown_settings() -> Failure {
+    let text = both!(
         "how this family's line is set is not known to this tool",
-        "wie die Leitung dieser Familie eingestellt wird, weiß dieses Werkzeug nicht",
+        "wie die Leitung dieser Familie eingestellt wird, weiß dieses Werkzeug nicht"
     );
     Failure::new(Class::Data, "data.line_settings", text)
-        .hint(lang.pick("`write` sets single parameters", "`write` setzt einzelne Parameter"))
+        .hint(both!("`write` sets single parameters", "`write` setzt einzelne Parameter"))
 }
 
-pub(super) fn speaks_one_only(protocol: &dyn Display, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("this drive speaks {protocol} and nothing else"),
-        Lang::De => format!("dieser Antrieb spricht {protocol} und sonst nichts"),
-    };
+pub(super) fn speaks_one_only(protocol: &dyn Display) -> Failure {
+    let message =
+        both!("this drive speaks {protocol} and nothing else", "dieser Antrieb spricht {protocol} und sonst nichts");
     Failure::new(Class::Data, "data.protocol", message)
 }
 
-pub(super) fn behind_another(lang: Lang) -> Failure {
-    let text = lang.pick(
+pub(super) fn behind_another() -> Failure {
+    let text = both!(
         "a node is reached through another drive: it has no line here that could be set",
-        "ein Knoten wird über einen anderen Antrieb erreicht: er hat hier keine eigene Leitung",
+        "ein Knoten wird über einen anderen Antrieb erreicht: er hat hier keine eigene Leitung"
     );
     Failure::new(Class::Usage, "usage.node", text)
 }
 
-pub(super) fn out_of_range(what: &str, expected: &str, got: &dyn Display, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("{what}: expected {expected}, got {got}"),
-        Lang::De => format!("{what}: erwartet {expected}, erhalten {got}"),
-    };
+pub(super) fn out_of_range(what: &str, expected: &str, got: &dyn Display) -> Failure {
+    let message = both!("{what}: expected {expected}, got {got}", "{what}: erwartet {expected}, erhalten {got}");
     Failure::new(Class::Data, "data.range", message)
 }
 
-pub(super) fn cannot_follow(port: &str, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("{port} carries bytes only: the line cannot follow the drive to other settings"),
-        Lang::De => format!("{port} überträgt nur Bytes: die Leitung kann dem Antrieb nicht folgen"),
-    };
-    Failure::new(Class::Forbidden, "forbidden.fixed_line", message).hint(lang.pick(
+pub(super) fn cannot_follow(port: &str) -> Failure {
+    let message = both!(
+        "{port} carries bytes only: the line cannot follow the drive to other settings",
+        "{port} überträgt nur Bytes: die Leitung kann dem Antrieb nicht folgen"
+    );
+    Failure::new(Class::Forbidden, "forbidden.fixed_line", message).hint(both!(
         "use the tty itself, or a server that speaks rfc2217://",
-        "den Anschluss selbst verwenden oder einen Server, der rfc2217:// spricht",
+        "den Anschluss selbst verwenden oder einen Server, der rfc2217:// spricht"
     ))
 }
 
-pub(super) fn occupied(place: Place, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("somebody answers at {place} already; nothing was written"),
-        Lang::De => format!("unter {place} antwortet schon jemand; es wurde nichts geschrieben"),
-    };
-    Failure::new(Class::Forbidden, "forbidden.occupied", message).hint(lang.pick(
+pub(super) fn occupied(place: Place) -> Failure {
+    let message = both!(
+        "somebody answers at {place} already; nothing was written",
+        "unter {place} antwortet schon jemand; es wurde nichts geschrieben"
+    );
+    Failure::new(Class::Forbidden, "forbidden.occupied", message).hint(both!(
         "choose another address; `antrieb scan` shows them",
-        "eine andere Adresse wählen; `antrieb scan` zeigt sie",
+        "eine andere Adresse wählen; `antrieb scan` zeigt sie"
     ))
 }
 
 /// The drive took the telegram, but is not where it should be.
-pub(super) fn unmoved(place: Place, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("the drive does not answer at {place}"),
-        Lang::De => format!("der Antrieb antwortet nicht unter {place}"),
-    };
+pub(super) fn unmoved(place: Place) -> Failure {
+    let message = both!("the drive does not answer at {place}", "der Antrieb antwortet nicht unter {place}");
     Failure::new(Class::Silence, "silence.not_followed", message)
 }
 
 /// A failure that leaves the drive at a known place.
-pub(super) fn left(cause: Failure, how: &str, place: Place, lang: Lang) -> Failure {
-    let message = match lang {
-        Lang::En => format!("{}; the drive answers at {place} ({how})", cause.message.get(lang)),
-        Lang::De => format!("{}; der Antrieb antwortet unter {place} ({how})", cause.message.get(lang)),
-    };
-    Failure { message: message.into(), ..cause }
+pub(super) fn left(cause: Failure, how: &Text, place: Place) -> Failure {
+    let message = both!(
+        "{why}; the drive answers at {place} ({how})",
+        "{why}; der Antrieb antwortet unter {place} ({how})",
+        why = cause.message,
+        how
+    );
+    Failure { message, ..cause }
 }
 
 /// A failure that leaves the drive nobody knows where.
-pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&outcome::Place>, lang: Lang) -> Failure {
+pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&outcome::Place>) -> Failure {
     let places: Vec<String> = perhaps.iter().map(Place::to_string).collect();
-    let places = places.join(lang.pick(", or ", ", oder "));
+    let places = Text::by(|lang| places.join(lang.pick(", or ", ", oder ")));
     let later = after_restart.filter(|later| !perhaps.iter().any(|place| place.to_string() == later.text));
-    let later = later.map_or_else(String::new, |later| match lang {
-        Lang::En => format!("; after a restart perhaps at {}", later.text),
-        Lang::De => format!("; nach einem Neustart vielleicht unter {}", later.text),
+    let later = later.map_or_else(Text::default, |later| {
+        both!("; after a restart perhaps at {text}", "; nach einem Neustart vielleicht unter {text}", text = later.text)
     });
-    let message = match lang {
-        Lang::En => {
-            format!("{}; where the drive is now is not known: look at {places}{later}", cause.message.get(lang))
-        }
-        Lang::De => {
-            format!(
-                "{}; wo der Antrieb jetzt ist, ist unbekannt: zu suchen unter {places}{later}",
-                cause.message.get(lang)
-            )
-        }
-    };
+    let message = both!(
+        "{why}; where the drive is now is not known: look at {places}{later}",
+        "{why}; wo der Antrieb jetzt ist, ist unbekannt: zu suchen unter {places}{later}",
+        why = cause.message,
+        places,
+        later
+    );
     let class = if cause.class == Class::Port { Class::Port } else { Class::Silence };
-    Failure { message: message.into(), class, code: "silence.lost".to_owned(), ..cause }.hint(lang.pick(
+    Failure { message, class, code: "silence.lost".to_owned(), ..cause }.hint(both!(
         "check the cable; `antrieb scan --protocol auto --baud auto --parity auto` finds the drive wherever it is",
-        "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist",
+        "Kabel prüfen; `antrieb scan --protocol auto --baud auto --parity auto` findet den Antrieb, wo er auch ist"
     ))
 }

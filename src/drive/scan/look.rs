@@ -11,6 +11,7 @@ use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Lang, Registry};
+use crate::text::{Text, both};
 
 /// Characters of the reply to the first question, about.
 pub(super) const REPLY: u64 = 8;
@@ -35,7 +36,7 @@ pub(super) async fn look(
     lang: Lang,
 ) -> Result<Sight, AccessError> {
     match describe_drive(session, registry, sign, is_late, lang).await {
-        Ok(Some(drive)) => Ok(Sight::Drive(Box::new(drive), is_late.then(|| late(sign, lang)))),
+        Ok(Some(drive)) => Ok(Sight::Drive(Box::new(drive), is_late.then(|| late(sign)))),
         Ok(None) => Ok(Sight::Nobody),
         Err(AccessError::Exchange(_)) => Ok(Sight::Garbled),
         Err(error) => Err(error),
@@ -57,11 +58,11 @@ async fn describe_drive(
             None => return Ok(None),
         },
     };
-    let finding = family::judge(session, registry, address, &first, lang, false).await?;
+    let finding = family::judge(session, registry, address, &first, false).await?;
     if finding.drive.is_none() && is_late && sign.said.is_some() && confirm(session, address).await?.is_none() {
         return Ok(None);
     }
-    let stranger = lang.pick("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
+    let stranger = both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
     let mut found = FoundDrive {
         address,
         drive: finding.drive.clone().unwrap_or_else(|| "unknown".to_owned()),
@@ -75,7 +76,7 @@ async fn describe_drive(
     };
     let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
     let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
-    found.title = titles.map_or_else(String::new, |drive| drive.title.get(lang).to_owned());
+    found.title = titles.map_or_else(Text::default, |drive| drive.title.clone());
     let status = match status_word(&target, session, &first) {
         Some(word) => Some(word),
         None => read(&mut target, session, "status-word").await?,
@@ -116,179 +117,136 @@ async fn confirm(session: &mut Session<'_>, address: u8) -> Result<Option<Answer
     }
 }
 
-fn late(sign: &Sign, lang: Lang) -> Warning {
+fn late(sign: &Sign) -> Warning {
     let (address, after) = (sign.station, sign.after);
-    let message = match lang {
-        Lang::En => format!(
-            "address {address} answered only after {after}; a reply as late as that can be lost behind another \
-             question: --thorough leaves nobody out"
-        ),
-        Lang::De => format!(
-            "Adresse {address} antwortete erst nach {after}; eine so späte Antwort kann hinter einer anderen Frage \
+    let message = both!(
+        "address {address} answered only after {after}; a reply as late as that can be lost behind another \
+             question: --thorough leaves nobody out",
+        "Adresse {address} antwortete erst nach {after}; eine so späte Antwort kann hinter einer anderen Frage \
              verloren gehen: --thorough lässt niemanden aus"
-        ),
-    };
-    Warning { code: "scan.late".to_owned(), message: message.into() }
+    );
+    Warning { code: "scan.late".to_owned(), message }
 }
 
 /// The warning about somebody who was heard once and is gone.
-pub(super) fn gone(address: u8, lang: Lang) -> Warning {
-    let message = match lang {
-        Lang::En => format!("address {address} was heard once and does not answer any more"),
-        Lang::De => format!("Adresse {address} war einmal zu hören und antwortet nicht mehr"),
-    };
-    Warning { code: "scan.gone".to_owned(), message: message.into() }
+pub(super) fn gone(address: u8) -> Warning {
+    let message = both!(
+        "address {address} was heard once and does not answer any more",
+        "Adresse {address} war einmal zu hören und antwortet nicht mehr"
+    );
+    Warning { code: "scan.gone".to_owned(), message }
 }
 
 /// The warning about an address where only garbage came. `is_clear`: others are understood at this setting.
-pub(super) fn garbled(address: u8, is_clear: bool, lang: Lang) -> Warning {
+pub(super) fn garbled(address: u8, is_clear: bool) -> Warning {
     let (code, message) = match is_clear {
-        true => ("scan.same_address", same_address(address, lang)),
-        false => ("scan.garbage", garbage(address, lang)),
+        true => ("scan.same_address", same_address(address)),
+        false => ("scan.garbage", garbage(address)),
     };
-    Warning { code: code.to_owned(), message: message.into() }
+    Warning { code: code.to_owned(), message }
 }
 
 /// The warning about a port whose line cannot be set from here.
-pub(super) fn fixed_line(port: &str, known: Tuning, lang: Lang) -> Warning {
+pub(super) fn fixed_line(port: &str, known: Tuning) -> Warning {
     let line = known.line;
-    let message = match lang {
-        Lang::En => format!(
-            "{port}: speed and parity are set at the other end, so only {line} was searched; rfc2217:// can set them"
-        ),
-        Lang::De => format!(
-            "{port}: Baudrate und Parität werden am anderen Ende eingestellt, deshalb wurde nur {line} abgesucht; \
+    let message = both!(
+        "{port}: speed and parity are set at the other end, so only {line} was searched; rfc2217:// can set them",
+        "{port}: Baudrate und Parität werden am anderen Ende eingestellt, deshalb wurde nur {line} abgesucht; \
              rfc2217:// kann sie einstellen"
-        ),
-    };
-    Warning { code: "scan.fixed_line".to_owned(), message: message.into() }
+    );
+    Warning { code: "scan.fixed_line".to_owned(), message }
 }
 
 /// What is odd about what a survey heard.
-pub(super) fn remarks(survey: &Survey, tuning: Tuning, lang: Lang) -> Vec<Warning> {
+pub(super) fn remarks(survey: &Survey, tuning: Tuning) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn =
-        |code: &str, message: String| warnings.push(Warning { code: format!("scan.{code}"), message: message.into() });
+    let mut warn = |code: &str, message: Text| warnings.push(Warning { code: format!("scan.{code}"), message });
     if survey.is_shared() {
-        warn("other_master", other_master(tuning, lang));
+        warn("other_master", other_master(tuning));
     } else if survey.is_occupied() {
-        warn("occupied", occupied(tuning, lang));
+        warn("occupied", occupied(tuning));
     } else if survey.is_noisy() {
-        warn("noise", noise(tuning, lang));
+        warn("noise", noise(tuning));
     }
     // Beside another master replies are too many because he asked too.
     let surplus = |known: &Attendance| known.surplus() > 0 && !survey.is_shared();
     for (&address, known) in survey.attendance().iter().filter(|(_, known)| surplus(known)) {
         let (asked, replies) = (known.asked, known.replies.len());
         match known.differ() {
-            true => warn("same_address", two_voices(address, asked, replies, lang)),
-            false => warn("doubled", doubled(address, asked, replies, lang)),
+            true => warn("same_address", two_voices(address, asked, replies)),
+            false => warn("doubled", doubled(address, asked, replies)),
         }
     }
     for &address in survey.strangers() {
-        warn("stranger", stranger(address, lang));
+        warn("stranger", stranger(address));
     }
     warnings
 }
 
-fn other_master(tuning: Tuning, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "{tuning}: somebody else asks drives on this line; what both ask at once is lost for both, and a drive that \
-             is not listed may be there"
-        ),
-        Lang::De => format!(
-            "{tuning}: jemand anderes fragt Antriebe auf dieser Leitung; was beide zugleich fragen, geht beiden \
+fn other_master(tuning: Tuning) -> Text {
+    both!(
+        "{tuning}: somebody else asks drives on this line; what both ask at once is lost for both, and a drive that \
+             is not listed may be there",
+        "{tuning}: jemand anderes fragt Antriebe auf dieser Leitung; was beide zugleich fragen, geht beiden \
              verloren, und ein Antrieb, der nicht in der Liste steht, kann da sein"
-        ),
-    }
+    )
 }
 
-fn occupied(tuning: Tuning, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "{tuning}: the line is never silent, somebody else speaks on it all the time, so it was left alone; \
-             disconnect the other master"
-        ),
-        Lang::De => format!(
-            "{tuning}: die Leitung ist nie still, jemand anderes spricht ununterbrochen, deshalb wurde sie in Ruhe \
+fn occupied(tuning: Tuning) -> Text {
+    both!(
+        "{tuning}: the line is never silent, somebody else speaks on it all the time, so it was left alone; \
+             disconnect the other master",
+        "{tuning}: die Leitung ist nie still, jemand anderes spricht ununterbrochen, deshalb wurde sie in Ruhe \
              gelassen; den anderen Master abklemmen"
-        ),
-    }
+    )
 }
 
-fn noise(tuning: Tuning, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "{tuning}: garbage came after most questions, so it is the line's own: check termination, bias resistors, \
-             shield, and whether another master speaks"
-        ),
-        Lang::De => format!(
-            "{tuning}: nach den meisten Fragen kam Unlesbares, es kommt also von der Leitung selbst: Abschluss, \
+fn noise(tuning: Tuning) -> Text {
+    both!(
+        "{tuning}: garbage came after most questions, so it is the line's own: check termination, bias resistors, \
+             shield, and whether another master speaks",
+        "{tuning}: nach den meisten Fragen kam Unlesbares, es kommt also von der Leitung selbst: Abschluss, \
              Ruhepegel-Widerstände und Schirm prüfen, und ob ein anderer Master spricht"
-        ),
-    }
+    )
 }
 
-fn garbage(address: u8, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "address {address}: only garbage came; another baud rate or parity, or two devices with this address"
-        ),
-        Lang::De => format!(
-            "Adresse {address}: es kam nur Unlesbares; andere Baudrate oder Parität, oder zwei Geräte mit dieser Adresse"
-        ),
-    }
+fn garbage(address: u8) -> Text {
+    both!(
+        "address {address}: only garbage came; another baud rate or parity, or two devices with this address",
+        "Adresse {address}: es kam nur Unlesbares; andere Baudrate oder Parität, oder zwei Geräte mit dieser Adresse"
+    )
 }
 
-fn same_address(address: u8, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "address {address}: every reply is garbage, while others are understood at this setting: two drives with \
-             one address?"
-        ),
-        Lang::De => format!(
-            "Adresse {address}: jede Antwort ist unlesbar, während andere bei dieser Einstellung verstanden werden: \
+fn same_address(address: u8) -> Text {
+    both!(
+        "address {address}: every reply is garbage, while others are understood at this setting: two drives with \
+             one address?",
+        "Adresse {address}: jede Antwort ist unlesbar, während andere bei dieser Einstellung verstanden werden: \
              zwei Antriebe mit derselben Adresse?"
-        ),
-    }
+    )
 }
 
-fn two_voices(address: u8, asked: u32, replies: usize, lang: Lang) -> String {
-    match lang {
-        Lang::En => {
-            format!(
-                "address {address}: {replies} different replies to {asked} question(s): two drives with one address?"
-            )
-        }
-        Lang::De => format!(
-            "Adresse {address}: {replies} verschiedene Antworten auf {asked} Frage(n): zwei Antriebe mit derselben Adresse?"
-        ),
-    }
+fn two_voices(address: u8, asked: u32, replies: usize) -> Text {
+    both!(
+        "address {address}: {replies} different replies to {asked} question(s): two drives with one address?",
+        "Adresse {address}: {replies} verschiedene Antworten auf {asked} Frage(n): zwei Antriebe mit derselben Adresse?"
+    )
 }
 
-fn doubled(address: u8, asked: u32, replies: usize, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "address {address}: {replies} equal replies to {asked} question(s): the line doubles them, or two drives of \
-             the same kind have one address"
-        ),
-        Lang::De => format!(
-            "Adresse {address}: {replies} gleiche Antworten auf {asked} Frage(n): die Leitung verdoppelt sie, oder zwei \
+fn doubled(address: u8, asked: u32, replies: usize) -> Text {
+    both!(
+        "address {address}: {replies} equal replies to {asked} question(s): the line doubles them, or two drives of \
+             the same kind have one address",
+        "Adresse {address}: {replies} gleiche Antworten auf {asked} Frage(n): die Leitung verdoppelt sie, oder zwei \
              gleiche Antriebe haben dieselbe Adresse"
-        ),
-    }
+    )
 }
 
-fn stranger(address: u8, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(
-            "a telegram of address {address} came that nobody here had asked for: another master on the line, or a \
-             telegram that the line changed"
-        ),
-        Lang::De => format!(
-            "es kam ein Telegramm der Adresse {address}, die hier niemand gefragt hat: ein anderer Master an der \
+fn stranger(address: u8) -> Text {
+    both!(
+        "a telegram of address {address} came that nobody here had asked for: another master on the line, or a \
+             telegram that the line changed",
+        "es kam ein Telegramm der Adresse {address}, die hier niemand gefragt hat: ein anderer Master an der \
              Leitung, oder ein Telegramm, das die Leitung verändert hat"
-        ),
-    }
+    )
 }

@@ -16,6 +16,7 @@ use crate::profile::{Lang, Registry, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Framing;
+use crate::text::both;
 use crate::tick::Span;
 use look::Sight;
 pub use order::Unknown;
@@ -131,14 +132,14 @@ pub struct ScanResult {
 impl ScanResult {
     /// The failure of a search that left addresses out because somebody spoke all the time: who is there cannot be told.
     /// A setting at which nobody answers does not matter where drives answer at another one.
-    pub fn left_out(&self, lang: Lang) -> Option<Failure> {
+    pub fn left_out(&self) -> Option<Failure> {
         let elsewhere = !self.drives.is_empty();
         let left_out = |row: &Searched| row.occupied && !row.is_complete() && (row.found || !elsewhere);
-        let message = lang.pick(
+        let message = both!(
             "the line is never silent, so it was left alone",
-            "die Leitung schweigt nie und wurde deshalb in Ruhe gelassen",
+            "die Leitung schweigt nie und wurde deshalb in Ruhe gelassen"
         );
-        self.searched.iter().any(left_out).then(|| trouble::never_silent(message, lang))
+        self.searched.iter().any(left_out).then(|| trouble::never_silent(message))
     }
 }
 
@@ -181,7 +182,7 @@ pub async fn scan(session: &mut Session<'_>, plan: &ScanPlan, registry: &Registr
     // The garbage of a line that is never silent is nobody's.
     for searched in searched.iter().filter(|searched| !searched.occupied) {
         let garbled = searched.garbled.iter();
-        warnings.extend(garbled.map(|&address| look::garbled(address, searched.found, plan.lang)));
+        warnings.extend(garbled.map(|&address| look::garbled(address, searched.found)));
     }
     ScanResult { drives, searched, warnings, yielded, cut }
 }
@@ -223,7 +224,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         };
         let mut warnings = Vec::new();
         if unknown != plan.unknown {
-            warnings.push(look::fixed_line(session.port(), known, plan.lang));
+            warnings.push(look::fixed_line(session.port(), known));
         }
         let searched = order::tunings(known, unknown).into_iter().map(|tuning| {
             let before = || plan.before.iter().filter(|row| row.is_at(tuning));
@@ -361,7 +362,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                 self.drives.push(*drive);
             }
             Sight::Garbled => _ = searched.garbled.insert(sign.station),
-            Sight::Nobody => self.warnings.push(look::gone(sign.station, self.plan.lang)),
+            Sight::Nobody => self.warnings.push(look::gone(sign.station)),
         }
     }
 
@@ -381,7 +382,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
 
     /// Notes what a survey leaves, also when it was cut short.
     fn conclude(&mut self, survey: &Survey, index: usize, depth: Depth) {
-        let (now, lang) = (self.session.now(), self.plan.lang);
+        let now = self.session.now();
         let Some(searched) = self.searched.get_mut(index) else { return };
         searched.hint |= survey.is_garbled() || !survey.strangers().is_empty();
         searched.occupied |= survey.is_occupied();
@@ -392,7 +393,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         }
         searched.garbled.extend(survey.garbled());
         if !depth.glance {
-            self.warnings.extend(look::remarks(survey, searched.tuning, lang));
+            self.warnings.extend(look::remarks(survey, searched.tuning));
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::outcome::{
     StreamStart, Value, Warning, WatchedDrive,
 };
 use crate::profile::Family;
+use crate::text::both;
 use crate::tick::{Span, Tick};
 use station::Station;
 
@@ -234,16 +235,16 @@ impl Watch<'_> {
         let note = match (failure, station.silent) {
             (Some(failure), None) => {
                 station.silent = Some(now);
-                format!("{} ({})", failure.message.get(self.terms.lang()), self.words("going on"))
+                both!("{why} (going on)", "{why} (es geht weiter)", why = failure.message)
             }
             (None, Some(since)) => {
                 station.silent = None;
                 let (address, gap) = (station.address, now.since(since));
-                format!("{} {address} {} {gap}", self.words("address"), self.words("answers again after"))
+                both!("address {address} answers again after {gap}", "Adresse {address} antwortet wieder nach {gap}")
             }
             _ => return,
         };
-        session.tell(Event::Note(note.into()));
+        session.tell(Event::Note(note));
     }
 
     /// What to do when the session is over: end with this reason, or go on without a port.
@@ -255,9 +256,8 @@ impl Watch<'_> {
             let change = self.port_change(session, Some(&failure));
             self.emit(session, Record::Lost(change));
             if reconnect {
-                session.tell(Event::Note(
-                    format!("{}; {}", failure.message.get(self.terms.lang()), self.words("waiting for it")).into(),
-                ));
+                let text = both!("{why}; waiting for it", "{why}; es wird darauf gewartet", why = failure.message);
+                session.tell(Event::Note(text));
             }
         }
         self.lost = Some(failure);
@@ -270,7 +270,8 @@ impl Watch<'_> {
         if reopened.is_ok() {
             self.lost = None;
             let change = self.port_change(session, None);
-            session.tell(Event::Note(format!("{}: {}", change.port, self.words("the port is back")).into()));
+            let text = both!("{port}: the port is back", "{port}: der Anschluss ist wieder da", port = change.port);
+            session.tell(Event::Note(text));
             self.emit(session, Record::Reopened(change));
             return Ok(());
         }
@@ -279,8 +280,11 @@ impl Watch<'_> {
             && failure.code == "port.stranger"
             && self.lost.as_ref().is_some_and(|known| known.message != failure.message)
         {
-            let waits = self.words("waiting for the one that was lost");
-            session.tell(Event::Note(format!("{}; {waits}", failure.message.get(self.terms.lang())).into()));
+            session.tell(Event::Note(both!(
+                "{why}; waiting for the one that was lost",
+                "{why}; es wird auf den verlorenen gewartet",
+                why = failure.message
+            )));
             self.lost = Some(failure);
         }
         let pause = TRY_AGAIN.min(until.since(session.now()));
@@ -288,20 +292,7 @@ impl Watch<'_> {
     }
 
     fn told(&self, error: &AccessError) -> Failure {
-        error.failure(0, None, self.terms.lang())
-    }
-
-    fn words(&self, english: &'static str) -> &'static str {
-        let german = match english {
-            "waiting for it" => "es wird darauf gewartet",
-            "waiting for the one that was lost" => "es wird auf den verlorenen gewartet",
-            "the port is back" => "der Anschluss ist wieder da",
-            "going on" => "es geht weiter",
-            "answers again after" => "antwortet wieder nach",
-            "address" => "Adresse",
-            _ => english,
-        };
-        self.terms.lang().pick(english, german)
+        error.failure(0, None)
     }
 
     fn port_change(&self, session: &Session<'_>, failure: Option<&Failure>) -> PortChange {
@@ -380,7 +371,7 @@ impl Watch<'_> {
             failures.extend(never.filter_map(|item| item.failure));
         }
         let lost = self.lost.filter(|_| self.tally.because == "lost");
-        let failure = lost.or_else(|| summary(failures, good, self.terms.lang()));
+        let failure = lost.or_else(|| summary(failures, good));
         Outcome { data: Some(Data::Monitor(self.tally)), warnings: self.warnings, failure }
     }
 }

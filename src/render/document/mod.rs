@@ -7,7 +7,7 @@ mod table;
 
 use super::{Console, Format};
 use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, both};
 use std::io::{self, Write};
 
 /// What is to be printed, and for whom.
@@ -47,18 +47,19 @@ pub fn print(
 }
 
 /// Says on the console how a run ended whose document nobody reads.
-pub fn print_end(outcome: &Outcome, lang: Lang, console: &Console) {
+pub fn print_end(outcome: &Outcome, console: &Console) {
     console.finish();
     if let Some(Data::Motion(motion)) = &outcome.data {
         if let Some(stop) = motion.stop.as_ref().filter(|_| outcome.failure.is_none()) {
             let proof = match stop.acknowledged {
                 false if stop.choice == "keep" => {
-                    lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt")
+                    both!("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt")
                 }
-                true => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
-                false => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
+                true => both!("the stop was acknowledged", "der Halt wurde bestätigt"),
+                false => both!("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
             };
-            console.note(&Text::name(format!("{}: {proof}", stop.escalated.unwrap_or(stop.choice))));
+            let by = stop.escalated.unwrap_or(stop.choice);
+            console.note(&both!("{by}: {proof}", "{by}: {proof}", proof));
         }
         motion.notes.iter().for_each(|note| console.note(&Text::name(note)));
     }

@@ -56,7 +56,7 @@ impl Page {
                 text += &format!("{}\n", clean(error.message.get(self.lang)));
             }
         }
-        let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text));
+        let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text.get(self.lang)));
         let nothing = format!("{}\n", self.word("nothing to complain of"));
         let fine = check.drives.iter().all(|drive| drive.error.is_none());
         let advice = if check.advice.is_empty() && fine { nothing } else { advice.collect() };

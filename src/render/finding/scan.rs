@@ -24,7 +24,9 @@ impl Page {
             || several(|drive| &drive.line)
             || several(|drive| &drive.protocol);
         let row = |drive: &FoundDrive| {
-            let told = drive.evidence.last().map_or_else(String::new, |row| format!("{}: {}", row.asked, row.answered));
+            let told = drive.evidence.last().map_or_else(String::new, |row| {
+                format!("{}: {}", row.asked.get(self.lang), row.answered.get(self.lang))
+            });
             let mut row = if shows_port { vec![drive.port.clone()] } else { Vec::new() };
             if shows_line {
                 row.extend([drive.line.clone(), drive.protocol.clone()]);
@@ -32,7 +34,7 @@ impl Page {
             row.extend([
                 drive.address.to_string(),
                 drive.drive.clone(),
-                drive.title.clone(),
+                drive.title.get(self.lang).to_owned(),
                 drive.state.as_ref().map_or_else(String::new, |state| state.name.clone()),
                 drive.fault.clone().unwrap_or_else(|| "-".to_owned()),
                 told,

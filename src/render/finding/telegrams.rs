@@ -28,7 +28,7 @@ impl Finding for Sniff {
 
 impl Page {
     fn plan(self, plan: &Plan) -> String {
-        let notes: String = plan.notes.iter().map(|note| format!("- {}\n", clean(note))).collect();
+        let notes: String = plan.notes.iter().map(|note| format!("- {}\n", clean(note.get(self.lang)))).collect();
         let gap = if notes.is_empty() { "" } else { "\n" };
         self.telegrams(&plan.telegrams) + gap + &notes
     }

@@ -78,9 +78,9 @@ async fn one_move(
 ) -> Result<(Relocation, Option<Failure>), Failure> {
     let lang = Lang::En;
     let mut target = Target::new(address, registry.family("acu").unwrap());
-    let course = course(session, &mut target, wish, lang).await?;
-    course.check_free(session, &mut target, lang).await?;
-    Ok(course.go(session, &mut target, &permit(), lang).await)
+    let course = course(session, &mut target, wish).await?;
+    course.check_free(session, &mut target).await?;
+    Ok(course.go(session, &mut target, &permit()).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {

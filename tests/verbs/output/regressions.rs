@@ -134,7 +134,7 @@ fn nothing_but_a_refusal_of_its_own_reads_the_cause_away() {
     });
     assert_eq!(scanned, 1, "a scan leaves the register of an ACT alone");
     let read = cause_after(async |session, registry| {
-        let finding = recognise(session, registry, 1, Lang::En, false).await.unwrap();
+        let finding = recognise(session, registry, 1, false).await.unwrap();
         let mut target = finding.target(1, registry).unwrap();
         let param = target.family.param(372).unwrap().clone();
         let rows: Vec<Result<_, AccessError>> =
