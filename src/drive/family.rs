@@ -7,7 +7,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Lang, Registry, Type};
+use crate::profile::{Family, Lang, Registry, Role, Type};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
 use std::rc::Rc;
@@ -167,7 +167,7 @@ impl<'q, 's> Inquest<'q, 's> {
     async fn knows_its_address(&mut self) -> Result<(), AccessError> {
         let lang = self.lang;
         for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
-            let Some(param) = family.role("address") else { continue };
+            let Some(param) = family.role(Role::Address) else { continue };
             let route = Route::new(self.route.protocol, &family.link, self.route.address);
             let cell = Cell { number: param.id, set: 0 };
             let Some(question) = route.question(Inquiry::Read(cell, Type::Long)) else { continue };

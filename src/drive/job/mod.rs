@@ -12,7 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Type};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Lang, Param, Role, Type};
 use crate::tick::Span;
 
 /// A value for one parameter in one data set.
@@ -305,7 +305,7 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
         return None;
     }
     let lang = terms.lang();
-    let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
+    let is_address = family.role(Role::Address).is_some_and(|param| param.id == step.param.id);
     let when = match (step.param.effective, is_address, family.link.line.address) {
         (Effective::Reset, ..) => lang.pick("after the next reset", "nach dem nächsten Reset"),
         (_, true, Holds::Unsaid) => lang.pick(
