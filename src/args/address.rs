@@ -1,6 +1,6 @@
 //! Which drives are meant: `1`, `1,2,5-9`, `3.17`.
 
-use super::low::bad_setting;
+use super::wrong::bad_setting;
 use crate::failure::Failure;
 use crate::protocol::modbus::LAST_STATION;
 use crate::text::{Text, both};

@@ -2,6 +2,7 @@
 
 use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
+use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::place;
@@ -224,11 +225,6 @@ impl<'a> Low<'a> {
 
 /// The project file.
 const PROJECT: &str = "antrieb.toml";
-
-/// A setting that does not do.
-pub(super) fn bad_setting(name: &str, why: &Text) -> Failure {
-    Failure::new(Class::Usage, format!("usage.{name}"), both!("{name}: {why}", "{name}: {why}", why))
-}
 
 fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
     let shown = path.display();

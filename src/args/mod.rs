@@ -5,6 +5,7 @@ mod globals;
 mod low;
 mod motion;
 mod settings;
+mod wrong;
 
 pub use address::{Addresses, parse_addresses};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};

@@ -6,7 +6,7 @@ use crate::args::Settings;
 use crate::drive::{AccessError, Session, Target, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
-use crate::profile::{DataSets, Registry};
+use crate::profile::{DataSets, Registry, Role};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -18,20 +18,20 @@ use clap::Args as ClapArgs;
 pub struct Args {}
 
 /// Roles whose values matter for talking to a drive, in the order in which they are shown.
-const ROLES: [&str; 9] = [
-    "address",
-    "protocol",
-    "baud-rate",
-    "parity",
-    "watchdog",
-    "control-mode",
-    "configuration",
-    "active-set",
-    "set-selection",
+const ROLES: [Role; 9] = [
+    Role::Address,
+    Role::Protocol,
+    Role::BaudRate,
+    Role::Parity,
+    Role::Watchdog,
+    Role::ControlMode,
+    Role::Configuration,
+    Role::ActiveSet,
+    Role::SetSelection,
 ];
 
 /// What is often changed in RAM alone: shown as it holds now. The others of [`ROLES`] wait for a restart anyway.
-const IN_FORCE: [&str; 2] = ["watchdog", "control-mode"];
+const IN_FORCE: [Role; 2] = [Role::Watchdog, Role::ControlMode];
 
 impl Verb for Args {
     const NAME: &'static str = "identify";

@@ -275,7 +275,7 @@ fn plan(context: &mut Context<'_>, family: &Family, questions: &[Inquiry]) -> Re
 }
 
 /// The questions that read the parameters with these roles.
-fn role_questions(family: &Family, roles: &[&str]) -> Vec<Inquiry> {
+fn role_questions(family: &Family, roles: &[impl AsRef<str>]) -> Vec<Inquiry> {
     roles.iter().filter_map(|role| family.role(role)).map(|param| read_question(param, 0)).collect()
 }
 

@@ -6,7 +6,7 @@ use crate::outcome::{
     Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, ParamDoc, Register, State, Value, Word, WriteResult, Written,
 };
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Sets, Store};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Role, Sets, Store};
 
 /// Tells the present raw value of another parameter, where the names of bits depend on one.
 pub type Lookup<'a> = &'a dyn Fn(u32) -> Option<i64>;
@@ -75,13 +75,13 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang
 
 /// What codes stand for that have tables of their own: faults and the error register.
 fn coded(family: &Family, param: &Param, raw: i64, lang: Lang) -> Option<String> {
-    let is = |role: &str| family.role(role).is_some_and(|known| known.id == param.id);
+    let is = |role: Role| family.role(role).is_some_and(|known| known.id == param.id);
     let code = u32::try_from(raw).ok()?;
-    if is("fault") {
+    if is(Role::Fault) {
         let none = if lang == Lang::De { "keine Störung" } else { "no fault" };
         return Some(fault(family, code, lang).map_or_else(|| none.to_owned(), |f| format!("{} {}", f.key, f.name)));
     }
-    is("error-register").then(|| register(family, code, lang).name)
+    is(Role::ErrorRegister).then(|| register(family, code, lang).name)
 }
 
 /// A value that could not be read.
@@ -155,7 +155,7 @@ pub fn word(family: &Family, param: &Param, raw: u32, lang: Lang, lookup: Lookup
             help: bit.row.and_then(|row| row.help.as_ref()).map(|help| help.get(lang).to_owned()),
         })
         .collect();
-    let is_status = family.role("status-word").is_some_and(|status| status.id == param.id);
+    let is_status = family.role(Role::StatusWord).is_some_and(|status| status.id == param.id);
     Word {
         raw,
         hex: format!("0x{raw:04X}"),

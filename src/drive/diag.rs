@@ -7,7 +7,7 @@ use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::{Counters, Permit};
 use crate::outcome::{Bucket, Counter, Event, LinkTest};
-use crate::profile::{Cause, Lang, Type};
+use crate::profile::{Cause, Lang, Role, Type};
 use crate::protocol::Protocol;
 
 /// Reads every counter that the family defines; VABus has none.
@@ -58,7 +58,7 @@ pub async fn clear_counters(
 /// has none, the status word.
 async fn harmless(session: &mut Session<'_>, target: &mut Target) -> Result<Question, AccessError> {
     let route = target.route(session).await?;
-    let status = target.family.role("status-word").map(|param| Cell { number: param.id, set: 0 });
+    let status = target.family.role(Role::StatusWord).map(|param| Cell { number: param.id, set: 0 });
     let inquiry = match (route.protocol, status) {
         (Protocol::Vabus, Some(status)) => Inquiry::Read(status, Type::Uint),
         _ => Inquiry::Counter(target.family.link.echo),

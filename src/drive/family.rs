@@ -7,7 +7,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Registry, Type};
+use crate::profile::{Family, Registry, Role, Type};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Exception, Identification, Reply, Request, identification};
 use crate::text::{Text, both};
@@ -162,7 +162,7 @@ impl<'q, 's> Inquest<'q, 's> {
     /// by the parameter that holds its address, where the family of the unknown product keeps one.
     async fn knows_its_address(&mut self) -> Result<(), AccessError> {
         for family in self.registry.families().into_iter().filter(|family| family.link.product.is_some()) {
-            let Some(param) = family.role("address") else { continue };
+            let Some(param) = family.role(Role::Address) else { continue };
             let route = Route::new(self.route.protocol, &family.link, self.route.address);
             let cell = Cell { number: param.id, set: 0 };
             let Some(question) = route.question(Inquiry::Read(cell, Type::Long)) else { continue };

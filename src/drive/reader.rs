@@ -63,7 +63,7 @@ impl<'t, 'o> Reader<'t, 'o> {
     }
 
     /// The parameter that plays a role, read in its own data set; `None` if the family has none.
-    pub async fn role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+    pub async fn role(&mut self, role: impl AsRef<str>) -> Result<Option<Value>, Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
         self.lenient = true;
         Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())
@@ -71,7 +71,7 @@ impl<'t, 'o> Reader<'t, 'o> {
 
     /// The parameter that plays a role as the drive works with it, and the stored one where that differs. A drive without
     /// data sets has one value.
-    pub async fn in_force(&mut self, role: &str) -> Result<InForce, Failure> {
+    pub async fn in_force(&mut self, role: impl AsRef<str>) -> Result<InForce, Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(InForce::default()) };
         self.lenient = true;
         if !self.target.family.link.route.has_data_sets() || param.is_volatile() {
@@ -93,7 +93,7 @@ impl<'t, 'o> Reader<'t, 'o> {
     }
 
     /// Like [`Reader::role`], but a refusal is a failure: the verb is about this value.
-    pub async fn vital_role(&mut self, role: &str) -> Result<Option<Value>, Failure> {
+    pub async fn vital_role(&mut self, role: impl AsRef<str>) -> Result<Option<Value>, Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
         self.lenient = false;
         Ok(self.rows(&param, DataSets::Unnamed).await?.into_iter().next())

@@ -2,7 +2,7 @@
 //! the ways of every family.
 
 use crate::exchange::{Question, Said};
-use crate::profile::{Cause, Family, Link, Route as Way, Type};
+use crate::profile::{Cause, Family, Link, Role, Route as Way, Type};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
@@ -260,7 +260,7 @@ fn active(inquiry: Inquiry) -> Option<Request> {
 
 /// The question for the error register of a family that has one.
 pub(super) fn register(family: &Family) -> Option<Inquiry> {
-    let register = family.role("error-register")?;
+    let register = family.role(Role::ErrorRegister)?;
     Some(Inquiry::Read(Cell { number: register.id, set: 0 }, Type::Uint))
 }
 

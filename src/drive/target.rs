@@ -4,7 +4,7 @@ use super::access::AccessError;
 use super::route::{Cell, Content, Inquiry, Route};
 use super::session::Session;
 use crate::exchange::ExchangeError;
-use crate::profile::{Family, Param, Type};
+use crate::profile::{Family, Param, Role, Type};
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing};
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ impl Target {
             return Ok(route);
         }
         if self.order.is_none()
-            && let Some(setting) = self.family.clone().role("word-order")
+            && let Some(setting) = self.family.clone().role(Role::WordOrder)
         {
             route.order = self.order_in_force(session, route, setting).await?;
             self.order = Some(route.order);
@@ -86,7 +86,7 @@ impl Target {
         route: Route,
         setting: &Param,
     ) -> Result<WordOrder, AccessError> {
-        for param in self.family.role("address").into_iter().chain([setting]) {
+        for param in self.family.role(Role::Address).into_iter().chain([setting]) {
             let cell = Cell { number: param.id, set: 0 };
             let question = route.question(Inquiry::Read(cell, Type::Long)).ok_or(AccessError::Unspeakable)?;
             let answer = match session.demand(route, &self.family, question).await {

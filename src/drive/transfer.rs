@@ -5,7 +5,7 @@ use super::route::{Cell, Content, Inquiry, No, Width, no};
 use super::session::Session;
 use super::target::Target;
 use crate::exchange::{Answer, ExchangeError};
-use crate::profile::{DataSets, Param, Sets, Type, value};
+use crate::profile::{DataSets, Param, Role, Sets, Type, value};
 use crate::protocol::modbus::pdu::Exception;
 
 /// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
@@ -66,7 +66,7 @@ impl Target {
         set: u8,
     ) -> Result<Reading, AccessError> {
         let cell = Cell { number: param.id, set };
-        if self.family.role("error-register").is_some_and(|register| register.id == param.id) {
+        if self.family.role(Role::ErrorRegister).is_some_and(|register| register.id == param.id) {
             return self.read_once(session, param, cell).await;
         }
         let stated = self.widths.get(&param.id).copied().or(param.kind);
@@ -220,7 +220,7 @@ impl Target {
 
     /// The data set (0-4) in which the drive works with a parameter; 0 where it exists once.
     pub async fn working_set(&mut self, session: &mut Session<'_>, param: &Param) -> Result<u8, AccessError> {
-        let active = self.family.role("active-set").filter(|_| param.sets == Some(Sets::Four)).cloned();
+        let active = self.family.role(Role::ActiveSet).filter(|_| param.sets == Some(Sets::Four)).cloned();
         let Some(active) = active else { return Ok(0) };
         match self.read_set(session, &active, 0).await {
             Ok(reading) => Ok(u8::try_from(reading.raw).unwrap_or(1).clamp(1, 4)),

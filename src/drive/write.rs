@@ -6,7 +6,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::exchange::Limits;
 use crate::gate::{Permit, Writes};
-use crate::profile::{Param, Type, value};
+use crate::profile::{Param, Role, Type, value};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::Exception;
 
@@ -68,7 +68,7 @@ impl Target {
         loop {
             tries += 1;
             let sent = session.demand_within(route, &self.family, question.clone(), once).await;
-            if self.family.role("word-order").is_some_and(|order| order.id == param.id) {
+            if self.family.role(Role::WordOrder).is_some_and(|order| order.id == param.id) {
                 self.order = None; // it may hold at once
             }
             let missing = match sent {

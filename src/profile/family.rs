@@ -5,6 +5,7 @@ use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
 use super::names::{fold, same, starts};
 use super::param::Param;
+use super::role::Role;
 use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
@@ -42,7 +43,7 @@ pub struct Family {
     pub errors: Vec<ErrorRow>,
     /// Diagnostic counters of function code 8.
     pub counters: Vec<CounterRow>,
-    pub(super) roles: BTreeMap<String, u32>,
+    pub(super) roles: BTreeMap<Role, u32>,
     pub(super) groups: BTreeMap<String, Vec<u32>>,
     pub(super) enums: BTreeMap<String, BTreeMap<i64, Text>>,
     pub(super) bits: BTreeMap<String, BTreeMap<u8, BitRow>>,
@@ -130,13 +131,13 @@ impl Family {
         self.param(id).cloned().unwrap_or_else(unknown)
     }
 
-    /// The parameter that plays a role: `status-word`, `fault` …
-    pub fn role(&self, role: &str) -> Option<&Param> {
-        self.roles.get(role).and_then(|&id| self.param(id))
+    /// The parameter that plays a role: [`Role`], or its name.
+    pub fn role(&self, role: impl AsRef<str>) -> Option<&Param> {
+        self.roles.get(&Role::of(role.as_ref())?).and_then(|&id| self.param(id))
     }
 
     /// What the parameter of a role is called in messages; nothing, if there is none.
-    pub fn role_label(&self, role: &str) -> String {
+    pub fn role_label(&self, role: impl AsRef<str>) -> String {
         self.role(role).map_or_else(String::new, Param::label)
     }
 
@@ -145,7 +146,7 @@ impl Family {
     pub fn group(&self, name: &str) -> Option<Vec<u32>> {
         let readable = |id: &u32| self.param(*id).is_some_and(|param| param.access.reads());
         if name == "all" {
-            let register = self.roles.get("error-register");
+            let register = self.roles.get(&Role::ErrorRegister);
             return Some(self.params.keys().copied().filter(|id| readable(id) && register != Some(id)).collect());
         }
         Some(self.groups.get(name)?.iter().copied().filter(|id| readable(id)).collect())

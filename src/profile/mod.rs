@@ -11,6 +11,7 @@ mod machine;
 mod motion;
 mod names;
 mod param;
+mod role;
 mod row;
 mod select;
 pub mod setpoint;
@@ -27,6 +28,7 @@ pub use motion::{
 };
 pub use names::{fold, place};
 pub use param::{Access, BitsWhen, Effective, HazardKind, Param, Sets, Type};
+pub use role::Role;
 pub use row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultRow};
 pub use select::{DataSets, SelectError, Selection, Selector, Store};
 pub use value::format_value;

@@ -2,6 +2,7 @@
 //! operating modes it takes which setpoints. The `[motion]` and `[[modes]]` tables of a catalogue.
 
 use super::machine::{Need, Takes};
+use super::role::Role;
 use super::row::CatalogueRow;
 use crate::text::{Lang, Text};
 use serde::Deserialize;
@@ -33,7 +34,7 @@ pub struct MotionRules {
     pub stops: Vec<StopRow>,
     /// Roles of times, in their own units, that braking may take longer.
     #[serde(default)]
-    pub patience: Vec<String>,
+    pub patience: Vec<Role>,
     /// What the watchdog does when nobody talks to the drive any more.
     pub watchdog: Text,
     /// What `sollwert` shows.
@@ -98,9 +99,9 @@ pub enum Movement {
 pub struct Stator {
     /// Roles of what an encoder shows, in the order in which they are asked for: turning it proves at any time, a standstill
     /// only if it was seen turning.
-    pub encoders: Vec<String>,
+    pub encoders: Vec<Role>,
     /// Role of the setting that says how a ramp stop ends.
-    pub ends: String,
+    pub ends: Role,
     /// Its values with which that frequency says nothing of the shaft.
     pub blind: Vec<Blind>,
     /// What lets the power go before the shaft stands, and what to do about it.

@@ -121,4 +121,4 @@ pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
 
 /// Arrows that close a circle of files, and are still to go: from, to. The list only becomes shorter.
 pub(crate) const CIRCLES: &[(&str, &str)] =
-    &[("args::address", "args::low"), ("exchange::job", "exchange::master"), ("render::console", "render::ask")];
+    &[("exchange::job", "exchange::master"), ("render::console", "render::ask")];

@@ -12,7 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Param, Type};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Param, Role, Type};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
@@ -314,7 +314,7 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
     if !sent || step.param.hazard != Some(HazardKind::Line) {
         return None;
     }
-    let is_address = family.role("address").is_some_and(|param| param.id == step.param.id);
+    let is_address = family.role(Role::Address).is_some_and(|param| param.id == step.param.id);
     let when = match (step.param.effective, is_address, family.link.line.address) {
         (Effective::Reset, ..) => both!("after the next reset", "nach dem nächsten Reset"),
         (_, true, Holds::Unsaid) => both!(

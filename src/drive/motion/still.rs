@@ -275,7 +275,7 @@ impl Motor<'_, '_> {
         }
         let family = self.target.family.clone();
         let Some(stator) = &family.motion.stator else { return Ok(None) };
-        let Some(setting) = family.role(&stator.ends) else { return Ok(None) };
+        let Some(setting) = family.role(stator.ends) else { return Ok(None) };
         let ask = async |motor: &mut Self| working(motor.session, motor.target, setting).await;
         let value = self.bear(ask).await?;
         let ending = stator.blind.iter().find(|row| Some(row.value) == value).cloned();

@@ -10,7 +10,7 @@ use crate::drive::write::{Order, WriteFate};
 use crate::exchange::{ExchangeError, Limits};
 use crate::failure::Failure;
 use crate::gate::{Line, Permit};
-use crate::profile::Type;
+use crate::profile::{Role, Type};
 use crate::protocol::Protocol;
 use crate::tick::Span;
 
@@ -212,10 +212,10 @@ impl Journey<'_, '_> {
         follow(self.session, self.target, place).await?;
         let usual = self.session.limits();
         let limits = Limits { retries: retries.unwrap_or(usual.retries), ..usual };
-        let protocol = self.target.family.role("protocol").cloned();
+        let protocol = self.target.family.role(Role::Protocol).cloned();
         let spoken = number(&protocols(&self.target.family), &place.protocol);
         // Where a drive speaks one protocol only, its address is as good a sign as any.
-        let Some(param) = protocol.clone().or_else(|| self.target.family.role("address").cloned()) else {
+        let Some(param) = protocol.clone().or_else(|| self.target.family.role(Role::Address).cloned()) else {
             return Ok(false);
         };
         let target = &mut *self.target;

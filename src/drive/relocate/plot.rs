@@ -5,7 +5,7 @@ use super::{Change, Course, Leg, Place, Then, Wish, coded, meaning, number, pari
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
-use crate::profile::{Holds, Param};
+use crate::profile::{Holds, Param, Role};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::LAST_STATION;
@@ -30,7 +30,7 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
     }
     if let Some((baud, raw)) = coded(&family.link.line.baud_rates, wish.baud) {
         let line = LineSetting { baud, ..plot.here.line };
-        plot.restarts |= plot.store("baud-rate", raw, line).await? || from.line.baud != baud;
+        plot.restarts |= plot.store(Role::BaudRate, raw, line).await? || from.line.baud != baud;
         plot.here.line.baud = baud;
     }
     if let Some((parity, raw)) = coded(&parities(&family), wish.parity) {
@@ -39,7 +39,7 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
         plot.check(parity);
     }
     if let Some(raw) = family.link.line.restart.filter(|_| plot.restarts) {
-        let leg = Leg { param: plot.row("reset")?, old: None, raw, then: Then::Restart(plot.here) };
+        let leg = Leg { param: plot.row(Role::Reset)?, old: None, raw, then: Then::Restart(plot.here) };
         plot.legs.push(leg);
     }
     let moves = |leg: &Leg| match leg.then {
@@ -79,7 +79,7 @@ impl Plot<'_, '_> {
             }
         };
         self.here = Place::usual(protocol, self.here.line.baud, parity, address);
-        let leg = Leg { param: self.row("protocol")?, old, raw, then: Then::At(self.here) };
+        let leg = Leg { param: self.row(Role::Protocol)?, old, raw, then: Then::At(self.here) };
         self.legs.push(leg);
         Ok(())
     }
@@ -101,7 +101,7 @@ impl Plot<'_, '_> {
     }
 
     /// Writes a setting that waits for a restart, unless it stands there already; tells whether.
-    async fn store(&mut self, role: &str, raw: i64, line: LineSetting) -> Result<bool, Failure> {
+    async fn store(&mut self, role: impl AsRef<str> + Copy, raw: i64, line: LineSetting) -> Result<bool, Failure> {
         let old = self.stored(role).await?;
         // Without a restart at hand nobody waits for one: it is looked whether the drive has changed already.
         let restarts = self.target.family.link.line.restart.is_some();
@@ -121,11 +121,11 @@ impl Plot<'_, '_> {
         }
     }
 
-    fn row(&self, role: &str) -> Result<Param, Failure> {
+    fn row(&self, role: impl AsRef<str>) -> Result<Param, Failure> {
         self.target.family.role(role).cloned().ok_or_else(unknown_settings)
     }
 
-    async fn stored(&mut self, role: &str) -> Result<i64, Failure> {
+    async fn stored(&mut self, role: impl AsRef<str>) -> Result<i64, Failure> {
         let param = self.row(role)?;
         let (address, family) = (self.target.address, self.target.family.clone());
         let reading = self.target.read_set(self.session, &param, 0).await;
@@ -134,9 +134,9 @@ impl Plot<'_, '_> {
 }
 
 /// The parameter that holds the address in a protocol.
-fn address_role(protocol: Protocol) -> &'static str {
+fn address_role(protocol: Protocol) -> Role {
     match protocol {
-        Protocol::Vabus => "node-id",
-        Protocol::Modbus(_) => "address",
+        Protocol::Vabus => Role::NodeId,
+        Protocol::Modbus(_) => Role::Address,
     }
 }

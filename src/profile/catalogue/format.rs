@@ -4,6 +4,7 @@ use crate::profile::link::Link;
 use crate::profile::machine::{Command, Transition};
 use crate::profile::motion::{Mode, MotionRules};
 use crate::profile::param::{Access, BitsWhen, Effective, HazardKind, Sets, Type};
+use crate::profile::role::Role;
 use crate::profile::row::{BitRow, CounterRow, DriveState, EnumRow, ErrorRow, FaultCodes, FaultGroup, FaultRow};
 use crate::text::Text;
 use serde::de;
@@ -52,7 +53,7 @@ pub(super) struct Body {
     #[serde(default)]
     pub(super) counters: Vec<CounterRow>,
     #[serde(default)]
-    pub(super) roles: BTreeMap<String, u32>,
+    pub(super) roles: BTreeMap<Role, u32>,
     #[serde(default)]
     pub(super) groups: BTreeMap<String, Vec<u32>>,
     #[serde(default)]

@@ -74,7 +74,7 @@ fn a_drive_that_somebody_named_is_greeted_once_before_its_first_value() {
     ] {
         let protocol = settings.split("--protocol ").nth(1).unwrap_or("rtu");
         let bench = format!("[[drive]]\nmodel = \"{model}\"\naddress = 1\nprotocol = \"{protocol}\"\n");
-        for read in [format!("{param}"), format!("{param} {param}")] {
+        for read in [param.to_owned(), format!("{param} {param}")] {
             let run = antrieb(&format!("-v -a 1 {settings} read {read}")).on(&bench).exits(0);
             let more = read.matches(' ').count();
             let greetings = run.err.lines().filter(|line| line.contains(" ms > ") && line.contains("diagnostics"));

@@ -89,6 +89,8 @@ fn bad_toml_and_unknown_keys_are_refused_with_their_place() {
         "min is above max",
     );
     refused("schema = 2\nfamily = \"active\"\n", "1:", "schema 2");
+    // A role that nobody asks for is a slip of the pen.
+    refused(&format!("{HEAD}[roles]\nstatus-wrod = 411\n"), "4:1", "there is no role `status-wrod`");
     refused("schema = 1\nfamily = \"toaster\"\n", "1:1", "unknown family");
     refused("\u{0}", "1:", "");
     refused(&"[".repeat(100_000), "1:", "");
