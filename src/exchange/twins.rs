@@ -200,6 +200,28 @@ mod tests {
     }
 
     #[test]
+    fn answers_said_again_vouch_for_one_that_is_no_suspect_until_it_says_something_else() {
+        let mut twins = Twins::default();
+        let vouched = |twins: &mut Twins| {
+            twins.vouches(AT);
+            twins.is_vouched(AT)
+        };
+        assert_eq!([vouched(&mut twins), vouched(&mut twins)], [false, true]);
+        assert!(!twins.is_vouched(2));
+        twins.suspects(AT);
+        assert!(!twins.is_vouched(AT), "two may say the same");
+        twins.counts(AT, false);
+        twins.counts(AT, false);
+        assert!(twins.is_vouched(AT));
+        twins.marks(AT, at(1));
+        (0..8).for_each(|_| twins.counts(AT, false));
+        assert!(!twins.is_suspect(AT) && !twins.is_vouched(AT), "it begins anew");
+        assert_eq!([vouched(&mut twins), vouched(&mut twins)], [false, true]);
+        twins.proves(AT, at(2));
+        assert!(!twins.vouched.contains_key(&AT));
+    }
+
+    #[test]
     fn a_second_question_that_is_lost_behind_an_answer_is_often() {
         let mut twins = Twins::default();
         assert_eq!([AT, 2, AT, AT].map(|station| twins.loses(station)), [false, false, true, true]);
