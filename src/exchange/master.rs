@@ -441,10 +441,18 @@ impl Master {
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
     fn is_doubted(&self, said: &Said) -> bool {
         let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let garbled =
-            |job: &Job| job.doubted && !names && !job.question.is_write() && !self.twins.is_vouched(job.station);
+        let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job);
         let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
         !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
+    }
+
+    /// Whether garbage before an answer is known to be only garbage. Who may be two drives is not believed by that, but where
+    /// what is asked must go on.
+    pub(super) fn is_vouched(&self, job: &Job) -> bool {
+        match job.limits.insist {
+            Some(_) => self.twins.has_vouched(job.station),
+            None => self.twins.is_vouched(job.station),
+        }
     }
 
     /// Whether an answer was doubted for how it came, and this is the same once more: then it is the answer, and so late does

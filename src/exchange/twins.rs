@@ -70,7 +70,12 @@ impl Twins {
 
     /// Whether what comes before its answers is garbage and nothing else.
     pub(super) fn is_vouched(&self, station: u8) -> bool {
-        self.vouched.get(&station).is_some_and(|&vouched| vouched >= VOUCHED) && !self.is_suspect(station)
+        self.has_vouched(station) && !self.is_suspect(station)
+    }
+
+    /// The same, also of one that may be two drives.
+    pub(super) fn has_vouched(&self, station: u8) -> bool {
+        self.vouched.get(&station).is_some_and(|&vouched| vouched >= VOUCHED)
     }
 
     /// A second answer came in other words, but the first or the second may be to something older.
