@@ -441,26 +441,36 @@ impl Master {
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
     fn is_doubted(&self, said: &Said) -> bool {
         let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let garbled =
-            |job: &Job| job.doubted && !names && !job.question.is_write() && !self.twins.is_vouched(job.station);
+        let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job);
         let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
         !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
     }
 
-    /// Whether an answer that is doubted for how it came was given before in the same words: then it is the answer, and so
-    /// late does the station answer.
-    fn is_said_again(&mut self, said: &Said) -> bool {
-        let Some(job) = &mut self.job else { return false };
-        let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return false };
-        let after = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
-        match job.first.replace((said.clone(), after)) {
-            Some((first, earlier)) if first == *said => {
-                self.heard.learn(job.station, job.question.function(), after.max(earlier));
-                self.twins.vouches(job.station);
-                true
-            }
-            _ => false,
+    /// Whether garbage before an answer is known to be only garbage. Who may be two drives is not believed by that, but where
+    /// what is asked must go on.
+    pub(super) fn is_vouched(&self, job: &Job) -> bool {
+        match job.limits.insist {
+            Some(_) => self.twins.has_vouched(job.station),
+            None => self.twins.is_vouched(job.station),
         }
+    }
+
+    /// Whether an answer was doubted for how it came, and this is the same once more: then it is the answer, and so late does
+    /// the station answer.
+    fn is_said_again(&mut self, said: &Said) -> bool {
+        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
+        let Some((_, late)) = job.first.as_ref().filter(|(first, _)| first == said) else { return false };
+        self.heard.learn(job.station, job.question.function(), *late);
+        self.twins.vouches(job.station);
+        true
+    }
+
+    /// Remembers an answer that is doubted for how it came, and how late that was.
+    fn doubt(&mut self, said: Said) {
+        let Some(job) = &mut self.job else { return };
+        let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return };
+        let late = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
+        job.first = Some((said, late));
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
@@ -494,7 +504,9 @@ impl Master {
         if self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end + LATEST_REPLY);
         }
-        if self.is_doubted(&said) && !self.is_said_again(&said) {
+        let is_again = self.is_said_again(&said);
+        if self.is_doubted(&said) && !is_again {
+            self.doubt(said);
             let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
             return self.ask_behind_fence(at, due);
         }

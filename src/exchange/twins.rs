@@ -70,7 +70,12 @@ impl Twins {
 
     /// Whether what comes before its answers is garbage and nothing else.
     pub(super) fn is_vouched(&self, station: u8) -> bool {
-        self.vouched.get(&station).is_some_and(|&vouched| vouched >= VOUCHED) && !self.is_suspect(station)
+        self.has_vouched(station) && !self.is_suspect(station)
+    }
+
+    /// The same, also of one that may be two drives.
+    pub(super) fn has_vouched(&self, station: u8) -> bool {
+        self.vouched.get(&station).is_some_and(|&vouched| vouched >= VOUCHED)
     }
 
     /// A second answer came in other words, but the first or the second may be to something older.
@@ -197,6 +202,28 @@ mod tests {
         assert_eq!(seen(&mut twins, at(16)), [true, true, true, false], "somebody may have taken one away");
         twins.marks(AT, at(17));
         assert!(twins.are_two(AT, at(17)), "the mark of then still counts");
+    }
+
+    #[test]
+    fn answers_said_again_vouch_for_one_that_is_no_suspect_until_it_says_something_else() {
+        let mut twins = Twins::default();
+        let vouched = |twins: &mut Twins| {
+            twins.vouches(AT);
+            twins.is_vouched(AT)
+        };
+        assert_eq!([vouched(&mut twins), vouched(&mut twins)], [false, true]);
+        assert!(!twins.is_vouched(2));
+        twins.suspects(AT);
+        assert!(!twins.is_vouched(AT), "two may say the same");
+        twins.counts(AT, false);
+        twins.counts(AT, false);
+        assert!(twins.is_vouched(AT));
+        twins.marks(AT, at(1));
+        (0..8).for_each(|_| twins.counts(AT, false));
+        assert!(!twins.is_suspect(AT) && !twins.is_vouched(AT), "it begins anew");
+        assert_eq!([vouched(&mut twins), vouched(&mut twins)], [false, true]);
+        twins.proves(AT, at(2));
+        assert!(!twins.vouched.contains_key(&AT));
     }
 
     #[test]

@@ -15,6 +15,8 @@ use std::collections::VecDeque;
 
 /// Events at one and the same time after which the bench moves on whatever happens.
 const MOST_AT_ONCE: u32 = 10_000;
+/// Bytes that the driver keeps for a master that does not read: more than any has (Linux: 4 KiB behind each tty).
+const MOST_HEARD: usize = 65_536;
 
 /// A bus with drives, and its judge.
 #[derive(Clone, Debug)]
@@ -83,6 +85,7 @@ impl Bench {
         if self.disturber.echoes(at, station) {
             let echo = (1..).zip(bytes).map(|(count, &byte)| (at + line.chars(count), byte));
             self.heard.extend(echo);
+            self.overflow();
         }
     }
 
@@ -187,6 +190,12 @@ impl Bench {
         }
     }
 
+    /// What nobody fetches is lost when the driver's buffer is full: the oldest first, which is as good as any.
+    fn overflow(&mut self) {
+        let surplus = self.heard.len().saturating_sub(MOST_HEARD);
+        self.heard.drain(..surplus);
+    }
+
     fn deliver(&mut self, slot: &Slot) {
         if let Sender::Drive(index) = slot.sender {
             // The master may have changed its setting meanwhile; then it reads something else.
@@ -198,6 +207,7 @@ impl Bench {
         if slot.sender == Sender::Stranger {
             self.heard.push_back((slot.end, slot.byte));
         }
+        self.overflow();
         for (index, drive) in self.drives.iter_mut().enumerate() {
             if slot.sender != Sender::Drive(index) {
                 drive.hear(slot);

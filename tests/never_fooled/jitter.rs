@@ -300,7 +300,7 @@ fn garbage_before_answers_is_settled_once() {
         for (name, weather) in rough(&format!("noise {noise} %"), Weather { noise, ..Weather::default() }) {
             for protocol in [Framing::Rtu.into(), Framing::Ascii.into(), Protocol::Vabus] {
                 let ratio = ratio(protocol, &name, weather);
-                assert!(ratio < 4.5, "{protocol} {name}: {ratio:.2}");
+                assert!(ratio < 2.5, "{protocol} {name}: {ratio:.2}");
             }
         }
     }

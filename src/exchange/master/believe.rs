@@ -28,7 +28,7 @@ impl Master {
                 .came
                 .get(..start)
                 .is_some_and(|before| !self.dialect.behind_echo(before, &waiting.sent).is_empty());
-            let doubtful = (noise || !waiting.garbage.is_empty()) && !self.twins.is_vouched(job.station);
+            let doubtful = (noise || !waiting.garbage.is_empty()) && !self.is_vouched(job);
             let another = waiting.came.get(end..).and_then(|rest| self.dialect.find(rest, job.station, job.asks()));
             let weight = match self.weigh(job, waiting.sent_end, &bytes, at, doubtful) {
                 // Two in one piece: the other is looked at first.

@@ -61,6 +61,11 @@ impl Line {
 
     /// Asks a station that answers everything after 10 ms; the words that were believed.
     fn answered(&mut self, station: u8, request: Request) -> Option<Vec<u16>> {
+        self.answered_behind(&[], 7, station, request)
+    }
+
+    /// The same with a value of its own, and with this before it.
+    fn answered_behind(&mut self, before: &[u8], value: u16, station: u8, request: Request) -> Option<Vec<u16>> {
         self.master.ask(station, request, self.now);
         loop {
             match self.master.step(self.now) {
@@ -73,11 +78,12 @@ impl Line {
                     let end = self.now + self.master.line.chars(bytes.len() as u64);
                     let reply = match Request::decode(&rtu::decode(&bytes).unwrap().pdu).unwrap() {
                         Request::Diagnostics { sub, .. } => Reply::Diagnostics { sub, data: self.sent.len() as u16 },
-                        _ => Reply::Registers(vec![7]),
+                        _ => Reply::Registers(vec![value]),
                     };
+                    let reply = [before, &frame(station, &reply)].concat();
                     self.sent.push(bytes);
                     self.now = end + Span::from_millis(20);
-                    self.master.feed(self.now, &frame(station, &reply));
+                    self.master.feed(self.now, &reply);
                 }
             }
         }
@@ -242,6 +248,59 @@ fn the_echo_of_a_fence_settles_nothing() {
     assert!(line.ask(1, READ, &[&[(700, value(1390))]]).is_err());
     let echo = frame(1, &Reply::Diagnostics { sub: 0x0B, data: 0 });
     let outcome = line.ask(1, OTHER, &[&[(1, echo), (300, fence_reply())], &[(10, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn a_late_refusal_of_another_counter_settles_nothing() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    let counter = |sub| Request::Diagnostics { sub, data: 0 };
+    assert!(line.ask(1, counter(0x0B), &[]).is_err());
+    assert!(line.ask(1, READ, &[]).is_err());
+    // The refusal is of the first counter; the value is the late one of READ, and comes behind it.
+    let refused = frame(1, &Reply::Exception { function: 8, code: Exception::IllegalFunction });
+    let counted = frame(1, &Reply::Diagnostics { sub: 0x0E, data: 5 });
+    let outcome = line.ask(1, OTHER, &[&[(10, refused), (40, value(1390)), (60, counted)], &[(10, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn garbage_is_only_garbage_once_answers_behind_it_were_said_again() {
+    let mut line = Line::new(Framing::Rtu);
+    assert_eq!(line.answered(1, READ), Some(vec![7]));
+    let sent = [100, 101, 102, 103, 104].map(|value| {
+        let before = line.sent.len();
+        assert_eq!(line.answered_behind(&[0x55; 7], value, 1, READ), Some(vec![value]));
+        line.sent.len() - before
+    });
+    assert!(sent[0] > 1, "the first is asked for again: {sent:?}");
+    assert_eq!(sent[3..], [1, 1], "and what is settled stays settled: {sent:?}");
+}
+
+#[test]
+fn a_late_answer_in_words_of_a_moment_ago_is_asked_for_again_at_once() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(0))]]));
+    let begun = line.now;
+    let late = [(310, value(0))];
+    let outcome = line.ask(1, OTHER, &[&late, &[(10, fence_reply())], &[(10, value(0))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![0]));
+    assert!(line.now.since(begun) < Span::from_millis(400), "{}", line.now.since(begun));
+    // So late it answers now and then: that is known, and nothing is owed.
+    let begun = (line.now, line.sent.len());
+    assert_eq!(taken(line.ask(1, READ, &[&[(310, value(0))]])), Reply::Registers(vec![0]));
+    assert_eq!(taken(line.ask(1, OTHER, &[&[(10, value(0))]])), Reply::Registers(vec![0]));
+    assert_eq!(line.sent.len() - begun.1, 2);
+    assert_eq!(line.master.tally().strays, 0, "a doubt of ours is no telegram too many");
+}
+
+#[test]
+fn a_copy_in_place_of_a_lost_answer_is_not_said_again() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let copy = [(310, value(1390))];
+    let outcome = line.ask(1, OTHER, &[&copy, &[(10, fence_reply())], &[(10, value(7))]]);
     assert_eq!(taken(outcome), Reply::Registers(vec![7]));
 }
 

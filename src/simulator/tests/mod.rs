@@ -107,6 +107,16 @@ const ACT: &str = "[[drive]]\nmodel = \"act\"\n";
 const READ: &[u8] = &[3, 0x21, 0x74, 0, 1];
 
 #[test]
+fn what_nobody_reads_of_a_flood_is_lost_when_the_drivers_buffer_is_full() {
+    let mut bench =
+        bench("[[drive]]\nmodel = \"act\"\n[[disturb]]\nkind = \"babble\"\npattern = \"55 AA\"\nby = \"0ms\"\n");
+    // Two minutes at 19200 Bd are 200,000 characters.
+    assert_eq!(bench.advance(Tick::ZERO + Span::from_secs(120)).len(), 65_536);
+    let more = bench.advance(Tick::ZERO + Span::from_secs(121));
+    assert!((1_500..2_000).contains(&more.len()), "{}", more.len());
+}
+
+#[test]
 fn all_worked_rtu_telegrams() {
     let mut bench = bench("[[drive]]\nmodel = \"act\"\n[[drive]]\nmodel = \"acu\"\naddress = 3\n");
     let mut at = Tick::ZERO;
