@@ -80,7 +80,7 @@ async fn one_move(
     let mut target = Target::new(address, registry.family("acu").unwrap());
     let course = course(session, &mut target, wish).await?;
     course.check_free(session, &mut target).await?;
-    Ok(course.go(session, &mut target, &permit(), antrieb::text::Lang::En).await)
+    Ok(course.go(session, &mut target, &permit(), lang).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {
