@@ -216,6 +216,7 @@ fn right(question: &Question, weather: Weather) -> Said {
 }
 
 /// What a line costs in this weather, as a ratio to its smooth time and the delays themselves; every value is right.
+#[expect(clippy::print_stdout, reason = "the ratios are what benches/waits shows")]
 fn ratio(protocol: Protocol, name: &str, weather: Weather) -> f64 {
     let mut worst = 0.0_f64;
     for seed in 1..=3 {
