@@ -92,7 +92,7 @@ pub(crate) const MANNERS: [Manner; 12] = [
         set: |hazards, dice| *hazards = Hazards { twins: true, late: 2 + dice.below(20), ..Hazards::default() },
         drained: true,
         wired: true,
-        most: 15,
+        most: 10,
     },
     Manner {
         name: "another master alone",
@@ -104,7 +104,7 @@ pub(crate) const MANNERS: [Manner; 12] = [
         wired: true,
         most: 0,
     },
-    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 10 },
+    Manner { name: "twins", set: |hazards, _| hazards.twins = true, drained: true, wired: true, most: 8 },
     Manner {
         name: "another master",
         set: |hazards, dice| hazards.master = Some(dice.pick(&[12, 25, 60, 200])),
