@@ -312,7 +312,7 @@ impl Case {
 /// Every reply comes so late that each question takes most of the 500 ms that a drive may take (CM-485 manual 6.8).
 fn late_cases() -> Vec<Case> {
     let late = "[[disturb]]\nevery = 1\nkind = \"late\"\nby = \"400ms\"";
-    let bounds = |hold: &'static str, quick: &'static str, nth: usize| if nth % 2 == 0 { hold } else { quick };
+    let bounds = |hold: &'static str, quick: &'static str, nth: usize| if nth == 0 { hold } else { quick };
     let hold = "--enable --hold --duration 400ms --watchdog 3s";
     let quick = "--enable --hold --duration 400ms --watchdog 3s --on-exit quick-stop";
     let (mut cases, servo, active) = (Vec::new(), "sollwert 600rpm --mode velocity", "sollwert 10Hz --until reached");

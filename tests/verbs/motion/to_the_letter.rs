@@ -315,3 +315,69 @@ fn what_a_run_keeps_is_what_its_report_says() {
     let steps: Vec<_> = run.data("/steps").as_array().unwrap().iter().map(|step| step["transition"].clone()).collect();
     assert!(!steps.is_empty() && steps.iter().all(|number| number != ""), "{steps:?}");
 }
+
+#[test]
+fn a_verb_that_stops_waits_for_a_ramp_that_lasts_and_says_that_it_stands() {
+    // From 10 Hz in 25 s: longer than a stop that proves nothing is pursued.
+    let bench = drive(
+        &format!("{RUNNING}, \"392\" = 2, \"424\" = \"0.4\", \"425\" = \"0.4\""),
+        "ramps = { up_right = 999, down_right = 0.4, up_left = 999, down_left = 0.4 }",
+    );
+    for verb in ["disable", "quick-stop"] {
+        // The first telegrams go to a drive that has had time to run up.
+        let run = antrieb(&format!("-v -b 115200 -a 1 statemachine {verb}")).on(&bench).json();
+        let last =
+            run.err.lines().filter_map(|line| line.split_once(" ms > ")?.0.trim().parse::<f64>().ok()).next_back();
+        assert_eq!((run.exit, run.data("/standing")), (0, &json!(true)), "{verb}: {:#}", run.value);
+        assert!(last.is_some_and(|ms| ms > 15_000.0), "{verb}: {last:?}");
+    }
+}
+
+#[test]
+fn a_short_watchdog_is_fed_in_every_wait() {
+    let bench = servo("RAMPacc = 600, RAMPdecel = 600", "readings = { node_guard_fed_by = \"all\" }");
+    let came = held_of("lxm05", &bench, &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+        let registry = Registry::open(&[]).unwrap();
+        let family = registry.family("lxm05").unwrap();
+        let mode = family.mode("velocity").unwrap().clone();
+        let param = family.param_or_unknown(mode.setpoint);
+        motor.change("watchdog", 48).await?;
+        motor.prepare(&mode);
+        motor.walk("operation-enabled").await?;
+        motor.enter().await?;
+        motor.give(&param, 300, "1/min").await?;
+        motor.until_reached().await?;
+        motor.hold(Some(Span::from_secs(1)), async |_: &mut Motor<'_, '_>, _| Ok(())).await
+    });
+    assert!(came.ended.result.is_ok() && came.stop().acknowledged, "{:?}", came.ended);
+}
+
+#[test]
+fn a_drive_that_comes_back_after_it_was_given_up_gets_its_stop_and_its_settings() {
+    let dies = "ramps = { up_right = 50, down_right = 20 }\n[[drive.event]]\nwhen = \"above 19Hz\"\nsilent = \"40s\"";
+    with_motor(
+        "acu",
+        &drive(READY, dies).replace("115200", "19200"),
+        async |session, target, permit| {
+            let family = target.family.clone();
+            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let ended = motor
+                .run(true, StopChoice::QuickStop, async |motor: &mut Motor<'_, '_>| {
+                    motor.change_param(family.param(434).unwrap(), 3).await?;
+                    run_at_20_hz(motor, None).await
+                })
+                .await;
+            let given_up = ended.stop.unwrap();
+            assert!(!given_up.acknowledged && motor.unheard, "{given_up:?}");
+            assert!(motor.changes.iter().all(|change| !change.restored));
+            // It answers again: 40 s are over when somebody looks so often.
+            for _ in 0..40 {
+                let _nobody_there = motor.leave().await;
+            }
+            let stop = motor.stop_after_all(&given_up).await;
+            assert_eq!((stop.acknowledged, stop.choice, stop.because), (true, "quick-stop", "error"), "{stop:?}");
+            assert!(motor.changes.iter().all(|change| change.restored), "{:?}", motor.changes);
+        },
+        |bench| assert_eq!((bench.totals().turning, bench.totals().energised), (0, 0)),
+    );
+}
