@@ -88,7 +88,8 @@ fn the_ramp_acts_on_the_mode_that_the_drive_shows() {
                     })
                     .await;
                 assert!(ended.result.is_err(), "{wanted}");
-                assert!(ended.stop.unwrap().acknowledged, "{wanted}");
+                let stop = ended.stop.unwrap();
+                assert!(stop.acknowledged && stop.escalated.is_none(), "{wanted}: {stop:?}");
             },
             |bench| assert_eq!((bench.totals().turning, bench.totals().energised), (0, 0), "{wanted}"),
         );
@@ -124,7 +125,8 @@ fn behind_node_guarding_the_way_out_is_walked_and_everything_given_back() {
                     .await;
                 let code = ended.result.unwrap_err().code;
                 assert!(["forbidden.left_run", "forbidden.fault"].contains(&code.as_str()), "{reading}: {code}");
-                assert!(ended.stop.unwrap().acknowledged, "{reading}");
+                let stop = ended.stop.unwrap();
+                assert!(stop.acknowledged && stop.escalated.is_none(), "{reading}: {stop:?}");
                 assert!(motor.changes.iter().all(|change| change.restored), "{reading}: {:?}", motor.changes);
                 assert!(session.now() < Tick::ZERO + Span::from_secs(6), "{reading}: quickly, {:?}", session.now());
             },

@@ -354,7 +354,7 @@ fn a_short_watchdog_is_fed_in_every_wait() {
 
 #[test]
 fn a_drive_that_comes_back_after_it_was_given_up_gets_its_stop_and_its_settings() {
-    let dies = "ramps = { up_right = 50, down_right = 20 }\n[[drive.event]]\nwhen = \"above 19Hz\"\nsilent = \"40s\"";
+    let dies = "ramps = { up_right = 50, down_right = 20 }\n[[drive.event]]\nwhen = \"above 19Hz\"\nsilent = \"20s\"";
     with_motor(
         "acu",
         &drive(READY, dies).replace("115200", "19200"),
@@ -370,14 +370,33 @@ fn a_drive_that_comes_back_after_it_was_given_up_gets_its_stop_and_its_settings(
             let given_up = ended.stop.unwrap();
             assert!(!given_up.acknowledged && motor.unheard, "{given_up:?}");
             assert!(motor.changes.iter().all(|change| !change.restored));
-            // It answers again: 40 s are over when somebody looks so often.
-            for _ in 0..40 {
-                let _nobody_there = motor.leave().await;
-            }
+            // It answers again while the stop goes out once more.
             let stop = motor.stop_after_all(&given_up).await;
             assert_eq!((stop.acknowledged, stop.choice, stop.because), (true, "quick-stop", "error"), "{stop:?}");
             assert!(motor.changes.iter().all(|change| change.restored), "{:?}", motor.changes);
         },
         |bench| assert_eq!((bench.totals().turning, bench.totals().energised), (0, 0)),
     );
+}
+
+#[test]
+fn a_quick_stop_in_place_of_a_ramp_is_no_success_also_where_everything_is_answered_later() {
+    // What the control word is was asked for twice, and not told.
+    let lost = "[[disturb]]\nonce = 1\nkind = \"lost\"\n[[disturb]]\nonce = 2\nkind = \"lost\"";
+    let bench = drive(&format!("{RUNNING}, \"392\" = 2"), lost);
+    let run = antrieb("-v -b 115200 -a 1 --drive acu statemachine disable").on(&bench).json().exits(8);
+    assert_eq!(run.error()["code"], "forbidden.other_stop", "{:#}", run.value);
+    assert!(run.err.contains(&format!("> {QUICK_STOP}")), "{}", run.err);
+}
+
+#[test]
+fn a_holding_time_is_waited_for() {
+    let bench = drive(&format!("{READY}, \"638\" = 9"), "ramps = { up_right = 50, down_right = 50 }");
+    for choice in [StopChoice::Ramp, StopChoice::QuickStop] {
+        let came = held(&bench, &[], choice, Span::ZERO, async |motor| {
+            run_at_20_hz(motor, Some(Span::from_millis(200))).await
+        });
+        assert!(came.stop().acknowledged && came.stop().escalated.is_none(), "{:?}", came.ended);
+        assert!(came.took > Tick::ZERO + Span::from_secs(9), "{:?}", came.took);
+    }
 }
