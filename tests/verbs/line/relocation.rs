@@ -76,11 +76,10 @@ async fn one_move(
     address: u8,
     wish: &Wish,
 ) -> Result<(Relocation, Option<Failure>), Failure> {
-    let lang = Lang::En;
     let mut target = Target::new(address, registry.family("acu").unwrap());
     let course = course(session, &mut target, wish).await?;
     course.check_free(session, &mut target).await?;
-    Ok(course.go(session, &mut target, &permit(), antrieb::text::Lang::En).await)
+    Ok(course.go(session, &mut target, &permit(), Lang::En).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {
