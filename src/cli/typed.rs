@@ -7,6 +7,7 @@ use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
+use crate::text::{Lang, Text};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -112,12 +113,8 @@ pub(super) fn explain(
         let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
+    let failure = unfit(error, &text);
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
-        let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
-        let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
-        let message = told.join(" ").trim_start_matches("error: ").to_owned();
-        let failure = Failure::new(Class::Usage, "usage.arguments", message)
-            .hint(elsewhere(error).map_or_else(|| "antrieb --help".to_owned(), |verb| format!("antrieb {verb}")));
         let root = tree();
         let verb = words
             .iter()
@@ -131,6 +128,8 @@ pub(super) fn explain(
         } else {
             render::print(&outcome, verb, Format::Json, lang, None, out, &console)
         };
+    } else if lang == Lang::De {
+        console.failure(&failure);
     } else {
         text.lines().for_each(|line| console.line(line));
         if let Some(verb) = elsewhere(error) {
@@ -138,6 +137,49 @@ pub(super) fn explain(
         }
     }
     Class::Usage.exit()
+}
+
+/// A usage error. clap speaks English; its usual errors are told in German too, the rest as clap tells them.
+fn unfit(error: &clap::Error, text: &str) -> Failure {
+    let told = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+    let told: Vec<_> = told.filter(|line| !line.is_empty()).collect();
+    let english = told.join(" ").trim_start_matches("error: ").to_owned();
+    let german = german(error).unwrap_or_else(|| english.clone());
+    let message = Text { en: english.into(), de: german.into() };
+    let hint = elsewhere(error).map_or_else(|| "antrieb --help".to_owned(), |verb| format!("antrieb {verb}"));
+    Failure::new(Class::Usage, "usage.arguments", message).hint(Text::name(hint))
+}
+
+fn german(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind as Told, ErrorKind};
+    let told = |kind: Told| error.get(kind).map(ToString::to_string).filter(|text| !text.is_empty());
+    let (what, value) = (told(Told::InvalidArg).unwrap_or_default(), told(Told::InvalidValue));
+    let valid = told(Told::ValidValue).map_or_else(String::new, |valid| format!(" (erwartet: {valid})"));
+    let near = |kind: Told| told(kind).map_or_else(String::new, |near| format!("; gemeint ist vielleicht '{near}'"));
+    Some(match (error.kind(), value) {
+        (ErrorKind::InvalidValue, Some(value)) => format!("'{value}' passt nicht für '{what}'{valid}"),
+        (ErrorKind::InvalidValue, None) => format!("für '{what}' fehlt ein Wert{valid}"),
+        (ErrorKind::ValueValidation, value) => {
+            let why = std::error::Error::source(error).map_or_else(String::new, |why| format!(": {why}"));
+            format!("'{}' passt nicht für '{what}'{why}", value.unwrap_or_default())
+        }
+        (ErrorKind::UnknownArgument, _) => {
+            format!("'{what}' wird hier nicht erwartet{}", near(Told::SuggestedArg))
+        }
+        (ErrorKind::InvalidSubcommand, _) => {
+            let verb = told(Told::InvalidSubcommand).unwrap_or_default();
+            format!("den Befehl '{verb}' gibt es nicht{}", near(Told::SuggestedSubcommand))
+        }
+        (ErrorKind::MissingRequiredArgument, _) => format!("es fehlt: {what}"),
+        (ErrorKind::MissingSubcommand, _) => "es fehlt ein Befehl".to_owned(),
+        (ErrorKind::ArgumentConflict, _) => {
+            format!("'{what}' geht nicht zusammen mit '{}'", told(Told::PriorArg).unwrap_or_default())
+        }
+        (ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues, _) => {
+            format!("'{what}' hat nicht so viele Werte wie erwartet")
+        }
+        _ => return None,
+    })
 }
 
 /// What was typed for an option, in whichever of its two ways: `--lang de`, `--lang=de`.
