@@ -638,8 +638,10 @@ impl Master {
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         job.phase = Phase::Gap(now);
         if let Some(another) = another {
-            // Another fence each time: its answer is told from those that are late.
-            (job.parting, job.same_fence) = (Parting::Fence(another, now), 0);
+            // Another fence each time, where there is one: its answer is told from those that are late.
+            let is_the_same = *job.asks() == another;
+            job.same_fence = if is_the_same { job.same_fence } else { 0 };
+            job.parting = Parting::Fence(another, now);
         }
         if job.asked <= job.limits.retries {
             return self.step(now);
