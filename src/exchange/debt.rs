@@ -87,7 +87,8 @@ impl Debts {
 
     /// A station owes the reply to a fence too. That is none to be waited for.
     pub(super) fn owes_fence(&mut self, station: u8, fence: Question, now: Tick) {
-        let Some(debt) = self.by_station.get_mut(&station) else { return };
+        // Of a suspect, which owed nothing else, it counts as well: its answer may come behind that of the next one.
+        let Some(debt) = self.by_station.get_mut(&station) else { return self.owes(station, fence, now, now) };
         debt.owed = debt.owed.saturating_add(1);
         debt.remember(&fence, now, false);
         debt.missing.retain(|old| now < old.since + LATEST_OF_ALL);

@@ -377,6 +377,19 @@ fn a_doubled_reply_is_one_stray_telegram() {
     assert!(line.verdicts().contains(&Verdict::Stray { station: 1 }));
 }
 
+/// Asked again in the same words, both answers would come at once, and their counts would differ like those of two drives.
+#[test]
+fn a_suspects_lost_fence_is_owed_and_another_one_is_asked() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390)), (11, value(1390))]]));
+    taken(line.ask(1, OTHER, &[&[(10, value(7))], &[(10, fence_reply())], &[(10, value(7))]]));
+    // Once was counted; before the next value it is counted again.
+    let begun = line.sent.len();
+    assert!(line.ask(1, READ, &[]).is_err());
+    let fences: Vec<_> = line.sent[begun..].iter().filter(|sent| sent.get(1) == Some(&8)).take(2).collect();
+    assert!(fences.len() == 2 && fences.first() != fences.last(), "{fences:?}");
+}
+
 #[test]
 fn numbered_transactions_need_no_fences() {
     let mut line = Line::new(Framing::Tcp);
