@@ -75,7 +75,7 @@ impl From<String> for Text {
 }
 
 impl Text {
-    /// A text that stands in the program; see [`both!`] for one that is put together.
+    /// A text that stands in the program; `both!` makes one that is put together.
     pub const fn new(en: &'static str, de: &'static str) -> Self {
         Text { en: Cow::Borrowed(en), de: Cow::Borrowed(de) }
     }
