@@ -112,9 +112,10 @@ def _(setting):
     with bench() as served:
         done = antrieb(served.port, *setting, "--drive", "act", "read", "372@2")
         expect("error", done.exits(4).error["code"], "silence.no_reply")
-        expect_below("seconds for three times 500 ms", done.seconds, 2.5)
+        # The greeting, and three times the question, of 500 ms each; the machine may be slow.
+        expect_below("seconds", done.seconds, 8.0)
         antrieb(served.port, "-a", 1, "--drive", "act", "read", "372@2").exits(0)
-    expect("answered", served.counts["answered"], 1)
+    expect("answered: the greeting and the question", served.counts["answered"], 2)
 
 
 LOADED = """
