@@ -11,7 +11,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
 use crate::render::{self, Console, Format, Manner, Stream, Streams, Terminal, View};
-use crate::text::{Lang, both};
+use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
 use printed::Printed;
@@ -37,8 +37,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         What::Work(entry, verb) => (entry, verb),
         What::Print(page, matches) => return print(page, &matches, globals.json, out.as_mut(), &console),
     };
-    let (format, manner) = form(&settings, &globals, environment, out_is_terminal, width);
-    let manner = Manner { lang, holds_stderr: err_is_terminal, ..manner };
+    let (format, choice) = form(&settings, &globals);
+    let color = may_color(choice, environment, out_is_terminal);
+    let manner = Manner { lang, width: width.filter(|_| out_is_terminal), color, holds_stderr: err_is_terminal };
     let view = verb.streams().and_then(|flow| {
         let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
         view(flow, format, sends, environment, out_is_terminal)
@@ -104,21 +105,13 @@ fn whole(
     }
 }
 
-/// In which form, and how; what settings that cannot be had would say is not known then.
-fn form(
-    settings: &Result<Settings, Failure>,
-    globals: &Globals,
-    environment: &Environment,
-    out_is_terminal: bool,
-    width: Option<u16>,
-) -> (Format, Manner) {
-    let (format, choice) = match settings {
+/// In which form, and whether in colour; of settings that cannot be had, what was typed.
+fn form(settings: &Result<Settings, Failure>, globals: &Globals) -> (Format, ColorChoice) {
+    match settings {
         Ok(settings) => (settings.format, settings.color),
         Err(_) if globals.json => (Format::Json, ColorChoice::Never),
         Err(_) => (globals.format.unwrap_or_default(), ColorChoice::Never),
-    };
-    let color = may_color(choice, environment, out_is_terminal);
-    (format, Manner { lang: Lang::En, width: width.filter(|_| out_is_terminal), color, holds_stderr: false })
+    }
 }
 
 /// The form of a stream; `None` where everything is printed at the end.

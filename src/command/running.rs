@@ -9,7 +9,7 @@ use crate::drive::motion::{
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
-use crate::outcome::{Decimal, Outcome};
+use crate::outcome::{Decimal, Event, Outcome};
 use crate::profile::{Family, Lang, Mode, Registry};
 use crate::text::Text;
 
@@ -69,6 +69,12 @@ impl<'p> Plan<'p> {
 
     fn choice(&self) -> StopChoice {
         self.relief.map_or_else(|| choice(self.args.on_exit), StopChoice::beyond)
+    }
+
+    /// Tells what one has to know, now and in the question.
+    pub(super) fn tells(&mut self, session: &mut Session<'_>, told: Vec<String>) {
+        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
+        self.details.extend(told);
     }
 }
 

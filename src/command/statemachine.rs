@@ -11,7 +11,7 @@ use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, Document, ErrorDoc, Event, OrMotion, Outcome, StateReport, StateRow, Statemachine};
+use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, StateReport, StateRow, Statemachine};
 use crate::profile::{Family, Lang, Registry};
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -166,8 +166,7 @@ async fn enabling(
 ) -> Result<(), Failure> {
     if before.state != "operation-enabled" {
         let told = upon_enabling(session, target, lang).await?;
-        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
-        plan.details.extend(told);
+        plan.tells(session, told);
     }
     Ok(())
 }

@@ -4,6 +4,19 @@ use crate::program::{AtTerminal, alone};
 use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// A drive that obeys the control word.
+const OBEYS: &str = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n";
+
+/// A bench of its own, as a port; it goes with its directory.
+fn bench(drives: &str) -> (TempDir, String) {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, drives).unwrap();
+    let port = format!("sim:{}", file.display());
+    (directory, port)
+}
 
 #[test]
 fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
@@ -22,14 +35,11 @@ fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
 #[test]
 fn every_further_signal_shortens_the_stop() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("bench.toml");
-    let bench = "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
-                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n";
-    std::fs::write(&file, bench).unwrap();
-    let path = file.display();
-    let mut run =
-        AtTerminal::start(&format!("-v -p sim:{path} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
+    let (_directory, port) = bench(
+        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
+                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0, \"424\" = 1, \"425\" = 1 }\n",
+    );
+    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --until reached --hold"));
     run.shows("> 01 65 01 E4 00 00 0F A0");
     // Held once it is given again.
     thread::sleep(Duration::from_millis(1_500));
@@ -51,13 +61,9 @@ fn every_further_signal_shortens_the_stop() {
 #[test]
 fn the_fate_of_the_stop_is_told_on_stderr_where_the_reader_of_stdout_died_of_the_same_signal() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("bench.toml");
-    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
-    let mut run = AtTerminal::start_into(
-        &format!("-p sim:{} -a 1 --yes --json sollwert 5Hz --enable --hold", file.display()),
-        Stdio::piped(),
-    );
+    let (_directory, port) = bench(OBEYS);
+    let mut run =
+        AtTerminal::start_into(&format!("-p {port} -a 1 --yes --json sollwert 5Hz --enable --hold"), Stdio::piped());
     run.shows("note: running; Ctrl-C stops: ramp");
     run.signal("-INT");
     drop(run.child.stdout.take());
@@ -70,9 +76,7 @@ fn the_fate_of_the_stop_is_told_on_stderr_where_the_reader_of_stdout_died_of_the
 #[test]
 fn a_stop_goes_out_where_nobody_reads_what_comes_of_it() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("bench.toml");
-    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
+    let (_directory, port) = bench(OBEYS);
     for format in ["--json", "--format ndjson", ""] {
         for (verb, word) in [
             ("statemachine quick-stop", "> 01 06 01 9A 00 02"),
@@ -80,7 +84,7 @@ fn a_stop_goes_out_where_nobody_reads_what_comes_of_it() {
             ("statemachine disable-voltage", "> 01 06 01 9A 00 00"),
             ("sollwert 0", "> 01 65 01 E4 00 00 00 00"),
         ] {
-            let line = format!("-v -p sim:{} -a 1 {format} {verb}", file.display());
+            let line = format!("-v -p {port} -a 1 {format} {verb}");
             let mut run = AtTerminal::start_into(&line, Stdio::piped());
             drop(run.child.stdout.take());
             let exit = run.ends();
@@ -93,10 +97,8 @@ fn a_stop_goes_out_where_nobody_reads_what_comes_of_it() {
 #[test]
 fn a_run_that_did_not_begin_because_nobody_reads_is_no_success() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("bench.toml");
-    std::fs::write(&file, "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2 }\n").unwrap();
-    let line = format!("-p sim:{} -a 1 --yes --json sollwert 5Hz --enable --hold", file.display());
+    let (_directory, port) = bench(OBEYS);
+    let line = format!("-p {port} -a 1 --yes --json sollwert 5Hz --enable --hold");
     let mut run = AtTerminal::start_into(&line, Stdio::piped());
     drop(run.child.stdout.take());
     assert_eq!(run.ends(), Some(130), "{}", run.seen);

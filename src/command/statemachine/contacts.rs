@@ -7,7 +7,7 @@ use crate::command::{Context, offline_family};
 use crate::drive::motion::{Motor, Situation, runs_at};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, Outcome};
+use crate::outcome::Outcome;
 use crate::profile::{Family, Lang};
 
 /// Closes virtual contacts by name. They act only with the hardware enable given (CM-485 manual 9.1.3, 10.1).
@@ -88,8 +88,7 @@ async fn heard(
     }
     if word != 0 {
         let told = runs_at(session, target, lang).await?;
-        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
-        plan.details.extend(told);
+        plan.tells(session, told);
     }
     Ok(control.contacts)
 }

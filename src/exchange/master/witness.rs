@@ -42,10 +42,10 @@ impl Master {
         if agree >= doubles.min(WITNESSES - 1) || self.dialect.is_numbered() {
             return Some(said);
         }
-        if !job.limits.witness && !self.debts.mixes() {
-            return Some(said);
-        }
         if !job.limits.witness {
+            if !self.debts.mixes() {
+                return Some(said);
+            }
             // It cannot be asked for again, and what it says may be the answer to something else.
             let error = unproven(&self.twins, job.station, job.asked);
             self.job.as_mut()?.phase = Phase::Done(Err(error));
