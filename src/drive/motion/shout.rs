@@ -28,7 +28,7 @@
 use super::look::{raw, role_raw};
 use super::relief::command_of;
 use crate::drive::access::AccessError;
-use crate::drive::family;
+use crate::drive::recognise;
 use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
@@ -232,7 +232,7 @@ async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -
         }
     }
     session.end_at(Some(session.now() + BRIEF));
-    if let Some(describes) = family::describes_itself(session, address).await? {
+    if let Some(describes) = recognise::describes_itself(session, address).await? {
         kinds.retain(|family| family.link.product.is_some() == describes);
     }
     Ok(kinds)

@@ -6,7 +6,7 @@ use crate::drive::probe::probe;
 use crate::drive::route::Route;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
-use crate::drive::{describe, family};
+use crate::drive::{describe, recognise};
 use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
@@ -58,7 +58,7 @@ async fn describe_drive(
             None => return Ok(None),
         },
     };
-    let finding = family::judge(session, registry, address, &first, false).await?;
+    let finding = recognise::judge(session, registry, address, &first, false).await?;
     if finding.drive.is_none() && is_late && sign.said.is_some() && confirm(session, address).await?.is_none() {
         return Ok(None);
     }
