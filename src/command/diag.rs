@@ -216,7 +216,12 @@ async fn diagnose(
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
     let watchdog = reader.in_force("watchdog").await?.value;
     let (mut failures, good) = reader.into_failures();
-    let present = status.as_ref().zip(fault).map(|(word, code)| family.present_fault(word.raw, code as u32));
+    // A family without a status word has no state that could tell that the code is of the past.
+    let word = match &status {
+        Some(word) => Some(Some(word.raw)),
+        None => family.role("status-word").is_none().then_some(None),
+    };
+    let present = word.zip(fault).map(|(status, code)| family.present_fault(status, code as u32));
     let code = present.map(|code| code.unwrap_or(0));
     let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
     let mut report = Diagnosis {

@@ -199,9 +199,25 @@ fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<
     })
 }
 
-/// The family for work without a line: the one that was named, or the one with the larger catalogue.
+/// Refuses what moves a shaft where no catalogue tells how.
+fn movable(family: &Family) -> Result<(), Failure> {
+    if family.is_movable() {
+        return Ok(());
+    }
+    let message = both!(
+        "no catalogue tells how a {drive} is moved: its parameters can be read and written, and that is all",
+        "kein Katalog sagt, wie ein {drive} bewegt wird: nur seine Parameter lassen sich lesen und schreiben",
+        drive = family.drive
+    );
+    Err(Failure::new(Class::Data, "data.not_movable", message))
+}
+
+/// The family for work without a line: the one that was named, or the presumed one.
 fn offline_family(settings: &Settings, registry: &Registry) -> Result<Rc<Family>, Failure> {
-    named_family(settings, registry, settings.drive.as_deref().unwrap_or("acu"))
+    match (settings.drive.as_deref(), registry.presumed()) {
+        (None, Some(family)) => Ok(family),
+        (name, _) => named_family(settings, registry, name.unwrap_or_default()),
+    }
 }
 
 /// Work without a line, in the words of the family that was named; otherwise of the usual one, or of the first of the
@@ -293,7 +309,7 @@ fn speech(settings: &Settings) -> Speech<'static> {
         protocol: settings.protocol,
         node: settings.node,
         family: None,
-        order: settings.word_order.unwrap_or_default(),
+        order: settings.word_order,
         lang: settings.lang,
     }
 }

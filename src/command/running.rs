@@ -136,6 +136,7 @@ pub(super) async fn run<'p, C>(
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said, lang));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
+    super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
     let before = first_look(&mut session, &mut target, act, lang).await.map_err(unstopped)?;
     let blind = Situation::default();

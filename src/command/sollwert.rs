@@ -104,6 +104,7 @@ impl Verb for Args {
 
 /// Shows the setpoints of every drive that was named, or gives one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    super::movable(&*offline_family(context.settings, context.registry)?)?;
     let Some(spoken) = spoken(args, context.settings.lang)? else { return show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.
     let lang = context.settings.lang;

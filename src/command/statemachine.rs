@@ -91,6 +91,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         Some(Action::Contacts { contacts, motion }) => return contacts::set(context, contacts, motion).await,
     };
     let family = offline_family(context.settings, context.registry)?;
+    super::movable(&family)?;
     let command = family.machine.command(slug).cloned();
     let command = command.ok_or_else(|| Failure::new(Class::Data, "data.machine", format!("no command '{slug}'")))?;
     let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
@@ -174,6 +175,7 @@ async fn enabling(
 async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> Result<Outcome, Failure> {
     let lang = context.settings.lang;
     let family = offline_family(context.settings, context.registry)?;
+    super::movable(&family)?;
     let Some(row) = family.states.iter().find(|row| row.slug == state) else {
         let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).collect();
         let message = match lang {
@@ -263,6 +265,7 @@ async fn show(
 ) -> Result<Row<StateReport>, Failure> {
     let lang = settings.lang;
     let mut target = target(session, settings, registry, address, false).await?;
+    super::movable(&target.family)?;
     let mut reader = Reader::new(session, &mut target, settings.lang);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let InForce { value: control_mode, stored: control_mode_stored } = reader.in_force("control-mode").await?;
@@ -273,13 +276,14 @@ async fn show(
     let missing = if failures.is_empty() {
         let mut situation = look(session, &mut target, lang).await?;
         // The first reading is the newest entry, where each moves on to the one before.
-        situation.fault = present.map(|(status, code)| target.family.present_fault(status, code).unwrap_or(0).into());
+        situation.fault =
+            present.map(|(status, code)| target.family.present_fault(Some(status), code).unwrap_or(0).into());
         missing(&situation, &target, lang)
     } else {
         Vec::new()
     };
     let state = status.as_ref().and_then(|word| word.state.clone());
-    let fault = present.map(|(status, code)| target.family.present_fault(status, code).unwrap_or(0));
+    let fault = present.map(|(status, code)| target.family.present_fault(Some(status), code).unwrap_or(0));
     let report = StateReport {
         address,
         drive: target.family.drive.clone(),

@@ -88,7 +88,7 @@ fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record:
         Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
     };
     let family = known.map(|known| &*known.family);
-    let order = known.map_or_else(WordOrder::default, |known| known.order);
+    let order = known.map(|known| known.order);
     let reader = decode::Reader { protocol, node: 0, family, order, lang };
     let told = reader.telegram(&record.bytes, is_request);
     let meaning = match record.verdict {

@@ -25,8 +25,8 @@ pub struct Reader<'a> {
     pub node: u8,
     /// Names of parameters, if the family is known.
     pub family: Option<&'a Family>,
-    /// Which half of a value in two registers comes first; no telegram tells.
-    pub order: WordOrder,
+    /// Which half of a value in two registers comes first, if that is known; no telegram tells.
+    pub order: Option<WordOrder>,
     /// Language of names.
     pub lang: Lang,
 }
@@ -130,7 +130,8 @@ impl Reader<'_> {
     pub fn question(&self, station: u8, inquiry: Inquiry) -> Option<TelegramDoc> {
         let presumed = Link::default();
         let link = self.family.map_or(&presumed, |family| &family.link);
-        let way = Route { node: self.node, order: self.order, ..Route::new(self.protocol, link, station) };
+        let usual = Route::new(self.protocol, link, station);
+        let way = Route { node: self.node, order: self.order.unwrap_or(usual.order), ..usual };
         let question = way.question(inquiry)?;
         Some(self.telegram(&question.telegram(self.protocol, station), Some(true)))
     }
@@ -199,7 +200,7 @@ mod tests {
         for family in FAMILIES.with(Clone::clone) {
             for order in [WordOrder::HighFirst, WordOrder::LowFirst] {
                 for (protocol, lang) in PROTOCOLS.into_iter().zip([Lang::En, Lang::De, Lang::En]) {
-                    work(Reader { protocol, node: 0, family: Some(&family), order, lang });
+                    work(Reader { protocol, node: 0, family: Some(&family), order: Some(order), lang });
                 }
             }
         }

@@ -58,7 +58,7 @@ pub async fn recognise(
 ) -> Result<Finding, AccessError> {
     let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
     let question = route.question(Inquiry::Read(STATUS_WORD, Type::Uint)).ok_or(AccessError::Unspeakable)?;
-    if let Some(family) = registry.family("acu").filter(|_| route.node != 0) {
+    if let Some(family) = registry.presumed().filter(|_| route.node != 0) {
         // A NAK may come from the drive in between; its cause says so.
         session.demand(route, &family, question.clone()).await?;
     }

@@ -13,7 +13,7 @@ pub use plot::course;
 use super::route::{Cell, Inquiry};
 use super::session::Session;
 use super::target::Target;
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::gate::{Line, Permit};
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
 use crate::profile::{Family, Lang, Param, Type};
@@ -143,6 +143,13 @@ impl Wish {
             families.iter().flat_map(|family| &family.link.line.baud_rates).map(|row| row.1).collect();
         rates.sort_unstable();
         rates.dedup();
+        if rates.is_empty() {
+            let message = both!(
+                "no catalogue tells how the line of this drive is set",
+                "kein Katalog sagt, wie die Leitung dieses Antriebs eingestellt wird"
+            );
+            return Err(Failure::new(Class::Data, "data.fixed_line", message));
+        }
         if let Some(baud) = self.baud.filter(|baud| !rates.contains(baud)) {
             let rates = rates.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
             return Err(out_of_range("baud", &rates, &baud));

@@ -114,15 +114,19 @@ impl Meant {
 impl Route {
     /// The way to a drive of a family.
     pub fn new(protocol: Protocol, link: &Link, address: u8) -> Self {
-        Route { protocol, way: link.route, address, node: 0, order: WordOrder::default() }
+        let order = if link.low_half_first { WordOrder::LowFirst } else { WordOrder::default() };
+        Route { protocol, way: link.route, address, node: 0, order }
     }
 
     /// The question, if the protocol and the family have it and the number fits.
     pub fn question(self, inquiry: Inquiry) -> Option<Question> {
         match (self.protocol, self.way) {
-            (Protocol::Vabus, _) => self.vabus(inquiry).map(Question::from),
+            (Protocol::Vabus, Way::Active) => self.vabus(inquiry).map(Question::from),
+            // Nobody but the ACTIVE drives is known to speak it.
+            (Protocol::Vabus, Way::Registers32 | Way::Registers) => None,
             (Protocol::Modbus(_), Way::Active) => active(inquiry).map(Question::from),
-            (Protocol::Modbus(_), Way::Registers32) => self.registers(inquiry).map(Question::from),
+            (Protocol::Modbus(_), Way::Registers32) => self.registers32(inquiry).map(Question::from),
+            (Protocol::Modbus(_), Way::Registers) => self.registers(inquiry).map(Question::from),
         }
     }
 
@@ -189,6 +193,7 @@ impl Route {
     fn words(self, words: &[u16]) -> Option<Content> {
         Some(match (self.way, words) {
             (Way::Registers32, &[first, second, ..]) => Content::Bits(self.order.join([first, second]), Width::AsAsked),
+            (Way::Registers, &[first, second]) => Content::Bits(self.order.join([first, second]), Width::Long),
             (_, &[word, ..]) => Content::Bits(word.into(), Width::Word),
             _ => return None,
         })
@@ -205,7 +210,7 @@ impl Route {
     }
 
     /// LXM05: every parameter in two registers (LXM05 manual 5.2, 5.3).
-    fn registers(self, inquiry: Inquiry) -> Option<Request> {
+    fn registers32(self, inquiry: Inquiry) -> Option<Request> {
         let start = |cell: Cell| u16::try_from(cell.number).ok();
         Some(match inquiry {
             Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 2 },
@@ -221,6 +226,22 @@ impl Route {
             },
             Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
             Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },
+        })
+    }
+
+    /// What the norm says, and nothing more: 16 bits in one register, 32 in two (V1.1b3 6.3, 6.6, 6.8, 6.12).
+    fn registers(self, inquiry: Inquiry) -> Option<Request> {
+        let start = |cell: Cell| u16::try_from(cell.number).ok();
+        Some(match inquiry {
+            Inquiry::Read(cell, Type::Long) => Request::ReadRegisters { start: start(cell)?, count: 2 },
+            Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 1 },
+            Inquiry::Write(cell, Type::Long, bits) => {
+                Request::WriteRegisters { start: start(cell)?, values: self.order.split(bits).to_vec() }
+            }
+            Inquiry::Write(cell, _, bits) => Request::WriteRegister { address: start(cell)?, value: bits as u16 },
+            Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
+            Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },
+            Inquiry::ReadMany(..) | Inquiry::WriteAndRead(..) => return None,
         })
     }
 

@@ -291,13 +291,7 @@ mod tests {
     const READ: &[u8] = &[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C];
 
     fn ear(protocol: Protocol) -> Ear<'static> {
-        let reader = Reader {
-            protocol,
-            node: 0,
-            family: None,
-            order: crate::protocol::modbus::pdu::WordOrder::default(),
-            lang: Lang::En,
-        };
+        let reader = Reader { protocol, node: 0, family: None, order: None, lang: Lang::En };
         Ear::new(reader, LINE, Span::from_millis(500))
     }
 

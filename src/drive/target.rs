@@ -57,11 +57,8 @@ impl Target {
 
     /// The way to this drive on the line of the session. Before the first question it is greeted.
     pub async fn route(&mut self, session: &mut Session<'_>) -> Result<Route, AccessError> {
-        let mut route = Route {
-            node: session.node(),
-            order: self.order.unwrap_or_default(),
-            ..Route::new(session.protocol(), &self.family.link, self.address)
-        };
+        let usual = Route::new(session.protocol(), &self.family.link, self.address);
+        let mut route = Route { node: session.node(), order: self.order.unwrap_or(usual.order), ..usual };
         session.knows(self.address, &self.family, route.order);
         if self.address == BROADCAST {
             return Ok(route);

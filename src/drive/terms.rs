@@ -35,9 +35,9 @@ impl Terms<'_> {
         decode::Reader { family: Some(family), ..self.speech }
     }
 
-    /// The family that was named, or the one with the larger catalogue.
+    /// The family that was named, or the presumed one.
     pub fn usual(&self) -> Option<Rc<Family>> {
-        self.named.clone().or_else(|| self.registry.family("acu"))
+        self.named.clone().or_else(|| self.registry.presumed())
     }
 
     /// The drive at an address: of the family that was named, or asked. `shows_register`: the error register is going to be
@@ -54,7 +54,7 @@ impl Terms<'_> {
         if let Some(family) = &self.named {
             return Ok(Target::new(address, family.clone()).in_word_order(self.word_order));
         }
-        let presumed = self.registry.family("acu");
+        let presumed = self.registry.presumed();
         let finding = recognise(session, self.registry, address, shows_register)
             .await
             .map_err(|error| error.failure(address, presumed.as_deref()))?;

@@ -141,6 +141,11 @@ impl Family {
         self.role(role).map_or_else(String::new, Param::label)
     }
 
+    /// Whether a catalogue tells how its shaft is moved: what it commands, and what it sees of it.
+    pub fn is_movable(&self) -> bool {
+        self.role(Role::StatusWord).is_some() && !self.machine.commands.is_empty()
+    }
+
     /// Numbers of a group such as `actual`, as far as this drive has them; `all` is everything readable but the error
     /// register, which reading would clear.
     pub fn group(&self, name: &str) -> Option<Vec<u32>> {
@@ -236,9 +241,10 @@ impl Family {
     }
 
     /// The code of the fault that is present, if any: what the role `fault` holds, as far as it tells of the present.
-    pub fn present_fault(&self, status: u32, code: u32) -> Option<u32> {
-        let counts =
-            !self.fault_codes.memory || self.state(status).is_some_and(|state| state.slug.starts_with("fault"));
+    /// `status`: the status word, where there is one.
+    pub fn present_fault(&self, status: Option<u32>, code: u32) -> Option<u32> {
+        let in_fault = |status| self.state(status).is_some_and(|state| state.slug.starts_with("fault"));
+        let counts = !self.fault_codes.memory || status.is_some_and(in_fault);
         (counts && code != 0).then_some(code)
     }
 

@@ -1,7 +1,7 @@
 //! How the parameters of a family are reached over Modbus: the `[link]` table of a catalogue.
 
 use super::param::Type;
-use crate::text::Text;
+use crate::text::{Text, both};
 use serde::Deserialize;
 
 /// The way to the parameters of a family.
@@ -11,20 +11,40 @@ pub struct Link {
     /// Which function codes, and what the address word means.
     pub route: Route,
     /// Highest number that a telegram can carry.
+    #[serde(default = "last_register")]
     pub last: u32,
     /// What numbers there are, for hints.
+    #[serde(default = "numbers")]
     pub numbers: Text,
+    /// Of a value in two registers the lower half goes first, unless the drive or somebody says otherwise.
+    #[serde(default)]
+    pub low_half_first: bool,
     /// What the product code of the family's drives begins with (code 43, object 1).
     pub product: Option<String>,
     /// Where the drive says why it refused something.
+    #[serde(default)]
     pub cause: Cause,
-    /// Sub-function of code 8 that changes nothing, for link tests.
+    /// Sub-function of code 8 that changes nothing, for link tests: 0 returns what was sent (V1.1b3 6.8).
+    #[serde(default)]
     pub echo: u16,
     /// When a value takes effect that does not do so at once.
+    #[serde(default = "after_reset")]
     pub after_reset: Text,
     /// How its line is set.
     #[serde(default)]
     pub line: LineTable,
+}
+
+fn last_register() -> u32 {
+    u16::MAX.into()
+}
+
+fn numbers() -> Text {
+    both!("a number is that of a register, 0 to 65535", "eine Nummer ist die eines Registers, 0 bis 65535")
+}
+
+fn after_reset() -> Text {
+    both!("takes effect after a restart", "wird erst nach einem Neustart wirksam")
 }
 
 /// How the line of a family is set: values of the parameters that hold it.
@@ -66,6 +86,9 @@ pub enum Route {
     Active,
     /// Codes 3, 16 and 23; every parameter is two registers wide, and neighbours are two apart (LXM05 manual 5.2, 5.3).
     Registers32,
+    /// Codes 3, 6 and 16: 16 bits in one register, 32 in two; the number of a parameter is that of its first register,
+    /// from 0 (V1.1b3 4.4, 6.3, 6.6, 6.12).
+    Registers,
 }
 
 impl Route {
@@ -77,7 +100,7 @@ impl Route {
     /// How many parameters one telegram can read: code 3 returns at most 125 registers.
     pub fn most(self) -> usize {
         match self {
-            Route::Active => 1,
+            Route::Active | Route::Registers => 1,
             Route::Registers32 => 125 / 2,
         }
     }
@@ -87,19 +110,23 @@ impl Route {
         match self {
             Route::Active => None,
             Route::Registers32 => Some(Type::Long),
+            Route::Registers => Some(Type::Word),
         }
     }
 
     /// The type in which a value of type `kind` travels: two registers carry 32 bits, whatever the value needs
     /// (LXM05 manual 5.2.1).
     pub fn carried(self, kind: Type) -> Type {
-        self.width().unwrap_or(kind)
+        match self {
+            Route::Registers32 => Type::Long,
+            Route::Active | Route::Registers => kind,
+        }
     }
 
     /// The number behind `id` whose parameter may be read in the same telegram.
     pub fn neighbour(self, id: u32) -> Option<u32> {
         match self {
-            Route::Active => None,
+            Route::Active | Route::Registers => None,
             Route::Registers32 => id.checked_add(2),
         }
     }

@@ -203,8 +203,8 @@ fn the_seven_modes_are_those_of_the_examples() {
 #[test]
 fn an_entry_of_the_fault_memory_counts_only_in_a_fault() {
     let family = family();
-    assert_eq!(family.present_fault(0x27, 0xA300), None);
-    assert_eq!(family.present_fault(0x08, 0xA300), Some(0xA300));
+    assert_eq!(family.present_fault(Some(0x27), 0xA300), None);
+    assert_eq!(family.present_fault(Some(0x08), 0xA300), Some(0xA300));
     let act = Registry::open(&[]).unwrap().family("act").unwrap();
-    assert_eq!((act.present_fault(0x27, 0x0500), act.present_fault(0x27, 0)), (Some(0x0500), None));
+    assert_eq!((act.present_fault(Some(0x27), 0x0500), act.present_fault(Some(0x27), 0)), (Some(0x0500), None));
 }

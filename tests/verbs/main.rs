@@ -15,6 +15,7 @@ mod run;
 
 /// What a drive holds: parameters and data sets.
 mod parameters {
+    mod own_family;
     mod reading;
     mod worked;
     mod writing;

@@ -101,7 +101,7 @@ impl Reader<'_> {
 
     fn parts(&self, words: &[u16]) -> Vec<Part> {
         match self.grain(words.len()).0 {
-            2 => words.as_chunks().0.iter().map(|pair| Part::pair(*pair, self.order)).collect(),
+            2 => words.as_chunks().0.iter().map(|pair| Part::pair(*pair, self.order.unwrap_or_default())).collect(),
             _ => words.iter().map(|&word| Part::word(word)).collect(),
         }
     }

@@ -96,7 +96,7 @@ pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) ->
 /// Code of the fault that is present; 0 is none. A memory is not touched where the state says that there is none: on some
 /// drives reading moves on to the entry before.
 async fn present_fault(session: &mut Session<'_>, target: &mut Target, status: u32) -> Result<Option<i64>, Failure> {
-    if target.family.present_fault(status, u32::MAX).is_none() {
+    if target.family.present_fault(Some(status), u32::MAX).is_none() {
         return Ok(Some(0));
     }
     role_raw(session, target, "fault").await

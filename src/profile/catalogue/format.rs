@@ -19,6 +19,8 @@ pub(super) const SCHEMA: i64 = 1;
 pub(super) struct Head {
     pub(super) family: String,
     pub(super) title: Option<Text>,
+    /// The drive that a device is taken for as long as nobody knows what it is.
+    pub(super) presumed: Option<String>,
     #[serde(default)]
     pub(super) drives: Vec<DriveRow>,
 }
@@ -29,6 +31,7 @@ pub(super) struct Body {
     pub(super) schema: i64,
     pub(super) family: String,
     pub(super) title: Option<Text>,
+    pub(super) presumed: Option<String>,
     pub(super) fault_codes: Option<FaultCodes>,
     pub(super) link: Option<Link>,
     pub(super) motion: Option<MotionRules>,
@@ -68,6 +71,12 @@ pub(super) struct DriveRow {
     pub(super) id: String,
     pub(super) en: String,
     pub(super) de: String,
+}
+
+impl DriveRow {
+    pub(super) fn title(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
+    }
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -140,8 +149,25 @@ impl<'de> Deserialize<'de> for Number {
 }
 
 impl Body {
-    /// Whether it has what only our catalogues may have.
-    pub(super) fn belongs_to_us(&self) -> bool {
-        self.link.is_some() || self.motion.is_some() || self.fault_codes.is_some()
+    /// The first of the keys that are said once for a family, by the catalogue that brings it.
+    pub(super) fn founding_key(&self) -> Option<&'static str> {
+        let keys = [
+            ("[link]", self.link.is_some()),
+            ("[motion]", self.motion.is_some()),
+            ("fault_codes", self.fault_codes.is_some()),
+        ];
+        keys.into_iter().find(|key| key.1).map(|key| key.0)
+    }
+
+    /// The first of the keys that move a shaft: what no test of ours has proven moves none.
+    pub(super) fn moving_key(&self) -> Option<&'static str> {
+        let keys = [
+            ("[motion]", self.motion.is_some()),
+            ("modes", !self.modes.is_empty()),
+            ("commands", !self.commands.is_empty()),
+            ("transitions", !self.transitions.is_empty()),
+            ("roles.control-word", self.roles.contains_key(&Role::ControlWord)),
+        ];
+        keys.into_iter().find(|key| key.1).map(|key| key.0)
     }
 }

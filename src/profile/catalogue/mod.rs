@@ -15,11 +15,13 @@ use format::{Body, Head, SCHEMA};
 use place::{Origin, Position, shorten};
 use std::borrow::Cow;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Largest catalogue that is read at all.
 const MAX_FILE: usize = 4 << 20;
+/// The word for a drive that is asked what it is.
+const AUTO: &str = "auto";
 /// The catalogues that we ship: family, and `data/*.toml` as two lines of JSON, which are read in a tenth of the time:
 /// the keys of [`Head`], then everything. `UPDATE=1 cargo test --test generated` writes them.
 const BUILT_IN: &[(&str, &str)] =
@@ -60,15 +62,7 @@ impl Registry {
         }
         for file in user {
             let catalogue = Catalogue::read(&file.path, &file.text)?;
-            if !files.iter().any(|known: &Catalogue| known.head.family == catalogue.head.family) {
-                let known: Vec<_> = BUILT_IN.iter().map(|row| row.0).collect();
-                let message = format!("unknown family '{}' (expected: {})", catalogue.head.family, known.join(", "));
-                return Err(catalogue.origin.error(Position::File, message));
-            }
-            if catalogue.rows()?.belongs_to_us() {
-                let message = "[link], [motion] and fault_codes belong to the shipped catalogues".to_owned();
-                return Err(catalogue.origin.error(Position::File, message));
-            }
+            catalogue.may_join(&files)?;
             files.push(catalogue);
         }
         let registry = Registry { files, families: RefCell::default() };
@@ -84,16 +78,17 @@ impl Registry {
     /// Id and title of every drive, in the order of the catalogues.
     pub fn drives(&self) -> Vec<DriveTitle> {
         let rows = self.files.iter().flat_map(|file| &file.head.drives);
-        rows.map(|row| DriveTitle {
-            id: row.id.clone(),
-            title: Text { en: row.en.clone().into(), de: row.de.clone().into() },
-        })
-        .collect()
+        rows.map(|row| DriveTitle { id: row.id.clone(), title: row.title() }).collect()
     }
 
     /// Every drive, in the order of the catalogues.
     pub fn families(&self) -> Vec<Rc<Family>> {
         self.drives().iter().filter_map(|drive| self.family(&drive.id)).collect()
+    }
+
+    /// The drive that a device is taken for as long as nobody knows what it is.
+    pub fn presumed(&self) -> Option<Rc<Family>> {
+        self.family(self.files.iter().find_map(|file| file.head.presumed.as_deref())?)
     }
 
     /// What a drive is; `None` if no catalogue describes it.
@@ -107,10 +102,12 @@ impl Registry {
     }
 
     fn load(&self, drive: &str) -> Result<Option<Family>, CatalogueError> {
-        let Some(home) = self.files.iter().find(|file| file.head.drives.iter().any(|row| row.id == drive)) else {
+        let rows = self.files.iter().flat_map(|file| file.head.drives.iter().map(move |row| (file, row)));
+        let Some((home, row)) = rows.into_iter().find(|(_, row)| row.id == drive) else {
             return Ok(None);
         };
-        let mut family = Family::empty(&home.head.family, drive, home.head.title.clone().unwrap_or_default());
+        let title = home.head.title.clone().unwrap_or_else(|| row.title());
+        let mut family = Family::empty(&home.head.family, drive, title);
         family.siblings = home.head.drives.iter().map(|row| row.id.clone()).collect();
         for file in self.files.iter().filter(|file| file.head.family == home.head.family) {
             file.origin.pour(file.rows()?.into_owned(), &mut family)?;
@@ -158,9 +155,45 @@ impl Catalogue {
             let message = format!("schema {}; this program reads schema {SCHEMA}", body.schema);
             return Err(origin.error(Position::File, message));
         }
-        let (family, title, drives) = (body.family.clone(), body.title.clone(), body.drives.clone());
-        let head = Head { family, title, drives };
+        let Body { family, title, presumed, drives, .. } = body.clone();
+        let head = Head { family, title, presumed, drives };
         Ok(Catalogue { origin, head, rows: Rows::Read(Box::new(body)) })
+    }
+
+    /// Whether a user's catalogue may stand behind those that are there: with rows for a family that is known, or with a
+    /// family of its own, which can be read and written, but not moved.
+    fn may_join(&self, known: &[Catalogue]) -> Result<(), CatalogueError> {
+        let refuse = |message: String| Err(self.origin.error(Position::File, message));
+        let (rows, name) = (self.rows()?, &self.head.family);
+        if known.iter().any(|known| known.head.family == *name) {
+            return match rows.founding_key() {
+                Some(key) => refuse(format!("{key} stands in the catalogue that brings the family '{name}'")),
+                None => Ok(()),
+            };
+        }
+        if rows.link.is_none() || self.head.drives.is_empty() {
+            let families: BTreeSet<_> = known.iter().map(|known| known.head.family.as_str()).collect();
+            let families = families.into_iter().collect::<Vec<_>>().join(", ");
+            return refuse(format!(
+                "unknown family '{name}' (expected: {families}; one that is new says in [link] how it is reached, and in `drives` what belongs to it)"
+            ));
+        }
+        if let Some(key) = rows.moving_key() {
+            return refuse(format!("{key}: a family from a catalogue of one's own can be read and written, not moved"));
+        }
+        for row in &self.head.drives {
+            [&row.en, &row.de].into_iter().try_for_each(|text| self.origin.check_text(Position::File, text))?;
+            if row.id.is_empty() || !row.id.bytes().all(|byte| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_'))
+            {
+                let id = shorten(&row.id);
+                return refuse(format!("the id of a drive is made of a-z, 0-9, - and _; got '{id}'"));
+            }
+        }
+        let mut ids: BTreeSet<_> = known.iter().flat_map(|known| &known.head.drives).map(|row| &row.id).collect();
+        match self.head.drives.iter().find(|row| row.id == AUTO || !ids.insert(&row.id)) {
+            Some(row) => refuse(format!("the id of a drive, '{}', is taken", row.id)),
+            None => Ok(()),
+        }
     }
 
     fn rows(&self) -> Result<Cow<'_, Body>, CatalogueError> {

@@ -1,5 +1,5 @@
 //! A Modbus slave that is no drive of ours: it knows what the norm defines and no vendor code
-//! (MODBUS Application Protocol V1.1b3, 6.3, 6.6, 6.8).
+//! (MODBUS Application Protocol V1.1b3, 6.3, 6.6, 6.8, 6.12).
 
 use crate::protocol::modbus::pdu::{Exception, PduError, Reply, Request};
 use crate::simulator::device::contract::{AskedByModbus, Device, Response};
@@ -52,6 +52,15 @@ impl Foreign {
                 *self.registers.get_mut(&address).ok_or(Exception::IllegalDataAddress)? = value;
                 Ok(Reply::RegisterWritten { address, value })
             }
+            Request::WriteRegisters { start, values } => {
+                let count = values.len() as u16;
+                let last = start.checked_add(count.saturating_sub(1)).ok_or(Exception::IllegalDataAddress)?;
+                if !(start..=last).all(|address| self.registers.contains_key(&address)) {
+                    return Err(Exception::IllegalDataAddress);
+                }
+                self.registers.extend((start..=last).zip(values));
+                Ok(Reply::RegistersWritten { start, count })
+            }
             Request::Diagnostics { sub: 0, data } => Ok(Reply::Diagnostics { sub: 0, data }),
             _ => Err(Exception::IllegalFunction),
         }
@@ -94,5 +103,8 @@ mod tests {
         assert_eq!(foreign.answer(&[8, 0, 0x0B, 0, 0]).encode(), [0x88, 1]);
         assert_eq!(foreign.answer(&[100, 1, 0xE1]).encode(), [0xE4, 1]);
         assert_eq!(foreign.register(1), Some(9));
+        assert_eq!(foreign.answer(&[16, 0, 0, 0, 2, 4, 0, 1, 0, 2]).encode(), [16, 0, 0, 0, 2]);
+        assert_eq!(foreign.answer(&[16, 0, 1, 0, 2, 4, 0, 7, 0, 8]).encode(), [0x90, 2], "one of them is not there");
+        assert_eq!((foreign.register(0), foreign.register(1)), (Some(1), Some(2)), "and so none is written");
     }
 }
