@@ -1,9 +1,13 @@
 //! Arguments, environment and streams into [`antrieb::run`], its exit code out.
 
 use antrieb::args::Environment;
-use antrieb::render::Streams;
+use antrieb::render::{Outlet, Streams};
 use std::io::{self, BufReader, IsTerminal};
 use std::process::ExitCode;
+use std::time::Duration;
+
+/// How long a run that somebody ended waits for a reader of stderr that takes nothing.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 fn main() -> ExitCode {
     let environment = Environment {
@@ -13,9 +17,10 @@ fn main() -> ExitCode {
         directory: std::env::current_dir().unwrap_or_default(),
         user_config: antrieb::args::user_config_directory(),
     };
+    let err = Outlet::new(io::stderr());
     let streams = Streams {
         out: Box::new(io::stdout()),
-        err: Box::new(io::stderr()),
+        err: Box::new(err.clone()),
         input: Box::new(BufReader::new(io::stdin())),
         out_is_terminal: io::stdout().is_terminal(),
         err_is_terminal: io::stderr().is_terminal(),
@@ -25,5 +30,6 @@ fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().collect();
     let code =
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| antrieb::run(&arguments, &environment, streams)));
+    err.drain(Some(PATIENCE));
     ExitCode::from(code.unwrap_or(70))
 }

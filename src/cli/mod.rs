@@ -15,7 +15,7 @@ use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
 use printed::Printed;
-use signals::{obey_keys, raise_on_closed_output, raise_on_signal};
+use signals::{Signals, obey_keys, raise_on_closed_output};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -180,20 +180,24 @@ fn work(
     settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
     let mut context =
         Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
-    runtime.block_on(async {
+    // Nobody's reading may hold up a run, or its stop.
+    console.waits(!entry.turns);
+    let outcome = runtime.block_on(async {
         // A verb that turns a shaft must notice that nobody reads any more; others finish what they began.
         let pipe = entry.turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
-        let signals = tokio::spawn(raise_on_signal(interrupt.clone()));
         // From the first moment on a signal is heard, and does not just kill us.
-        tokio::task::yield_now().await;
+        let signals = Signals::listen(entry.turns);
         let outcome = tokio::select! {
             outcome = verb.run(&mut context) => outcome,
             () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
+            () = signals.obey(&interrupt, console) => Ok(Outcome::default()),
         };
-        signals.abort();
         if let Some(pipe) = pipe {
             pipe.abort();
         }
         outcome
-    })
+    });
+    signals::act_as_usual();
+    console.waits(true);
+    outcome
 }

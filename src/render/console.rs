@@ -56,6 +56,8 @@ struct Inner {
     lang: Lang,
     quiet: bool,
     progress: bool,
+    /// What is written is waited for until its reader has taken it.
+    waits: bool,
     /// The bars on the terminal, as long as there are any.
     drawn: Option<MultiProgress>,
     /// By what they are called; the bar of a verb that does one thing at a time has no name.
@@ -65,8 +67,16 @@ struct Inner {
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
-        let inner = Inner { err, lang, quiet, progress, drawn: None, bars: BTreeMap::new() };
+        let inner = Inner { err, lang, quiet, progress, waits: true, drawn: None, bars: BTreeMap::new() };
         Console { inner: Rc::new(RefCell::new(inner)) }
+    }
+
+    /// Whether what is written is waited for until its reader has taken it, as it is from the beginning. While a shaft turns
+    /// nothing waits for a reader.
+    pub fn waits(&self, waits: bool) {
+        let mut inner = self.inner.borrow_mut();
+        inner.waits = waits;
+        inner.settle();
     }
 
     /// What is worth knowing besides.
@@ -134,7 +144,8 @@ impl Console {
     /// Part of a line on stderr, for a question.
     pub fn prompt(&self, text: &str) {
         let mut inner = self.inner.borrow_mut();
-        let _closed = write!(inner.err, "{}", clean(text)).and_then(|()| inner.err.flush());
+        let _closed = write!(inner.err, "{}", clean(text));
+        inner.settle();
     }
 
     /// Takes the bars away.
@@ -156,6 +167,13 @@ impl Inner {
         match drawn {
             Some(drawn) => drawn.suspend(write),
             None => write(),
+        }
+        self.settle();
+    }
+
+    fn settle(&mut self) {
+        if self.waits {
+            let _closed = self.err.flush();
         }
     }
 

@@ -4,6 +4,7 @@ mod ask;
 mod console;
 mod document;
 mod finding;
+mod outlet;
 mod spoken;
 mod stream;
 mod words;
@@ -11,6 +12,7 @@ mod words;
 pub use ask::{Input, Terminal};
 pub use console::{Console, Streams};
 pub use document::{print, print_end};
+pub use outlet::Outlet;
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use std::str::FromStr;
@@ -87,7 +89,7 @@ pub fn output_is_closed() -> bool {
         let mut watched = [PollFd::new(&out, PollFlags::empty())];
         let now = Timespec { tv_sec: 0, tv_nsec: 0 };
         poll(&mut watched, Some(&now)).is_ok()
-            && watched.iter().any(|fd| fd.revents().intersects(PollFlags::ERR | PollFlags::NVAL))
+            && watched.iter().any(|fd| fd.revents().intersects(PollFlags::ERR | PollFlags::NVAL | PollFlags::HUP))
     }
     #[cfg(not(unix))]
     false

@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::fd::OwnedFd;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -186,5 +187,55 @@ impl Piped {
         let out: Vec<String> = program.lines.iter().collect();
         let err: Vec<u8> = program.err.iter().flatten().collect();
         (exit, out.join("\n"), String::from_utf8_lossy(&err).into_owned())
+    }
+}
+
+/// A pipe that is full already, so that who writes to it and waits, waits until somebody reads.
+pub(crate) fn full_pipe() -> (std::io::PipeReader, std::io::PipeWriter) {
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    // What a pipe holds (pipe(7)), unless somebody took so many that the system gives less: then this waits for ever.
+    writer.write_all(&[b'\n'; 65_536]).unwrap();
+    (reader, writer)
+}
+
+/// The program with stderr into this.
+pub(crate) struct Mute {
+    child: Child,
+    trace: PathBuf,
+}
+
+impl Mute {
+    /// Records the line to `trace`, the only thing that tells what it does.
+    pub(crate) fn start(line: &str, err: std::io::PipeWriter, trace: &Path) -> Self {
+        let line = format!("--trace {} {line}", trace.display());
+        let child = antrieb(&line).stdin(Stdio::null()).stdout(Stdio::null()).stderr(err).spawn().unwrap();
+        Mute { child, trace: trace.to_owned() }
+    }
+
+    /// Waits until this stands in the record of the line.
+    #[track_caller]
+    pub(crate) fn sends(&mut self, telegram: &str) {
+        let deadline = Instant::now() + LIMIT;
+        loop {
+            let trace = std::fs::read_to_string(&self.trace).unwrap_or_default();
+            if trace.contains(telegram) {
+                return;
+            }
+            if Instant::now() > deadline {
+                self.child.kill().unwrap();
+                panic!("no '{telegram}' in:\n{trace}");
+            }
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    pub(crate) fn signal(&self, name: &str) {
+        signal(&self.child, name);
+    }
+
+    /// Must end by itself; returns the exit code.
+    #[track_caller]
+    pub(crate) fn ends(&mut self) -> Option<i32> {
+        ends(&mut self.child, "")
     }
 }

@@ -1,6 +1,6 @@
 //! Signals to the program at a terminal: what no virtual time shows.
 
-use crate::program::{AtTerminal, alone};
+use crate::program::{AtTerminal, Mute, alone, full_pipe};
 use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -103,4 +103,59 @@ fn a_run_that_did_not_begin_because_nobody_reads_is_no_success() {
     drop(run.child.stdout.take());
     assert_eq!(run.ends(), Some(130), "{}", run.seen);
     run.shows("error: ");
+}
+
+/// Somebody pressed Ctrl-S, or looks at the first page in a pager: nothing of what is said is read.
+#[test]
+fn a_run_is_held_and_stopped_where_nobody_takes_what_it_says() {
+    let _alone = alone();
+    let (directory, port) = bench(OBEYS);
+    let (shut_down, coast) = ("01 06 01 9A 00 07", "01 06 01 9A 00 00");
+    for (verbose, end, signals) in [
+        ("", "--duration 1s", &[][..]),
+        ("-v", "--duration 1s", &[]),
+        ("", "", &["-TERM"]),
+        ("-v", "", &["-INT", "-TERM", "-INT"]),
+    ] {
+        let (reader, writer) = full_pipe();
+        let line = format!("-p {port} -a 1 --force --yes {verbose} sollwert 5Hz --enable --hold {end}");
+        let mut run = Mute::start(&line, writer, &directory.path().join("trace"));
+        run.sends("01 65 01 E4 00 00 01 F4");
+        for signal in signals {
+            // Each is a wish of its own only if the one before was heard.
+            thread::sleep(Duration::from_millis(700));
+            run.signal(signal);
+        }
+        run.sends(if signals.len() > 1 { coast } else { shut_down });
+        drop(reader);
+        assert_eq!(run.ends(), Some(if signals.is_empty() { 0 } else { 130 }), "{line}");
+    }
+}
+
+#[test]
+fn no_signal_that_can_be_heard_leaves_a_shaft_turning() {
+    let _alone = alone();
+    let (_directory, port) = bench(OBEYS);
+    for signal in ["-QUIT", "-HUP", "-USR1", "-USR2", "-ALRM", "-VTALRM", "-PROF", "-XCPU", "-XFSZ", "-IO"] {
+        let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 5Hz --enable --hold"));
+        run.shows("note: running; Ctrl-C stops: ramp");
+        run.signal(signal);
+        assert_eq!(run.ends(), Some(130), "{signal}: {}", run.seen);
+        run.shows("> 01 06 01 9A 00 07");
+    }
+}
+
+#[test]
+fn a_run_is_not_suspended() {
+    let _alone = alone();
+    let (_directory, port) = bench(OBEYS);
+    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1 --yes sollwert 5Hz --enable --hold --duration 3s"));
+    run.shows("note: running; Ctrl-C stops: ramp");
+    for signal in ["-TSTP", "-TTIN", "-TTOU"] {
+        run.signal(signal);
+        run.shows("this is not suspended while a shaft may turn");
+        run.seen.clear();
+    }
+    run.shows("> 01 06 01 9A 00 07");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
 }
