@@ -80,7 +80,7 @@ pub(super) struct File {
     pub(super) format: Option<String>,
     #[serde(default)]
     pub(super) catalogue: Vec<PathBuf>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "named")]
     pub(super) drives: BTreeMap<String, NamedDrive>,
 }
 
@@ -258,6 +258,17 @@ fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Err
     match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
         Some(number) => Err(D::Error::custom(no_station(&number))),
         None => Ok(Some(text)),
+    }
+}
+
+/// The drives by name. A name that could be a list of addresses would take the place of one, and start another drive.
+fn named<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, NamedDrive>, D::Error> {
+    let drives = BTreeMap::<String, NamedDrive>::deserialize(file)?;
+    match drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
+        Some(name) => Err(D::Error::custom(format!(
+            "drives.\"{name}\" reads as an address; the name of a drive has a letter in it"
+        ))),
+        None => Ok(drives),
     }
 }
 

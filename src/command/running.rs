@@ -238,7 +238,7 @@ async fn stop_first(
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
 fn unstopped(failure: Failure, act: Relief, said: bool, lang: Lang) -> Failure {
-    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted | Class::Data) {
+    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted | Class::Refused | Class::Data) {
         return failure;
     }
     let mut failure = failure;

@@ -50,7 +50,7 @@ pub struct Args {
     #[arg(long, value_name = "START")]
     pub start: Option<String>,
 
-    /// Wait for something before the program goes on: `reached` (status bit 10)
+    /// Wait for something before the program goes on: `reached` (status bit 10); the time of --duration begins there
     #[arg(long, value_name = "WHAT")]
     pub until: Option<Until>,
 
@@ -72,7 +72,7 @@ pub struct Args {
     pub profile: Option<PathBuf>,
 
     /// Enable, run for this time, stop: the same as --enable --hold --duration TIME
-    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "value", conflicts_with_all = ["hold", "duration"])]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "value", conflicts_with_all = ["hold", "duration", "until"])]
     pub jog: Option<Span>,
 
     /// Give also a setpoint beyond its limit, and let the drive judge
@@ -153,6 +153,13 @@ async fn give(
                 Some(_) => zero::relief(session, target, before, &wanted).await?,
                 None => None,
             };
+            if args.until.is_some() && motion.duration.is_some() {
+                let text = lang.pick(
+                    "its time begins when the setpoint is reached: until then it turns as well",
+                    "seine Zeit beginnt, wenn der Sollwert erreicht ist: auch bis dahin dreht er",
+                );
+                plan.details.push(text.to_owned());
+            }
             plan.details.extend(
                 wanted.start.as_ref().and_then(|start| start.note.as_ref()).map(|note| note.get(lang).to_owned()),
             );

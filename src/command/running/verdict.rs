@@ -25,11 +25,14 @@ pub(super) fn of(
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
         (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done, lang)),
-        // A stop on a line that proves nothing, and nobody saw what became of it.
-        (Some(failure), None) if plan.relief.is_some() && running != Some(false) && on_line(&failure) => {
+        // A stop that nobody saw come to anything.
+        (Some(failure), None) if plan.relief.is_some() && running != Some(false) && tells_nothing(&failure) => {
             Some(dangerous(failure, family, lang))
         }
         (Some(failure), None) => Some(failure),
+        (None, Some(stop)) if stop.because == "interrupted" => {
+            Some(stopped(interrupted(lang), stop, running, family, done, lang))
+        }
         (None, Some(stop)) if is_unproven(stop) => Some(match fault(plan, seen) {
             Some(code) => stopped(tripped(family, code, lang), stop, running, family, done, lang),
             None => unproven(stop, family, done, lang),
@@ -49,9 +52,9 @@ fn is_unproven(stop: &Stop) -> bool {
     stop.choice != "keep" && (!stop.acknowledged || (ends_still && stop.standing != Some(true)))
 }
 
-/// Whether the line is the reason.
-fn on_line(failure: &Failure) -> bool {
-    matches!(failure.class, Class::Silence | Class::Garbled | Class::Port | Class::Interrupted)
+/// Whether it leaves open what the drive does: the line is the reason, or the drive refuses to be asked or told.
+fn tells_nothing(failure: &Failure) -> bool {
+    matches!(failure.class, Class::Silence | Class::Garbled | Class::Port | Class::Interrupted | Class::Refused)
 }
 
 /// A run that went wrong, and what its stop did.
@@ -241,6 +244,12 @@ fn not_given_back(plan: &Plan<'_>, changed: &[Change], lang: Lang) -> Option<Fai
             "die Hinweise sagen, warum; `write` stellt es zurück, wenn nichts anlaufen kann",
         ))
     })
+}
+
+/// The work was done, and somebody did not wait for its end.
+fn interrupted(lang: Lang) -> Failure {
+    let text = lang.pick("interrupted while it was stopped", "beim Anhalten unterbrochen");
+    Failure::new(Class::Interrupted, "interrupted", text)
 }
 
 fn still_running(lang: Lang) -> Failure {

@@ -9,6 +9,7 @@ use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
 use crate::profile::{DataSets, Facts, Family, Interlock, Lang, Mode, NoPlan, Param, Sets};
+use crate::text::both;
 use crate::tick::Span;
 use std::collections::BTreeMap;
 
@@ -72,7 +73,7 @@ impl Situation {
 
 /// What the drive says that matters for moving it.
 pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Situation, Failure> {
-    let status = role_raw(session, target, "status-word").await?.unwrap_or(0) as u32;
+    let status = status_word(session, target).await?;
     let watchdog = working_raw(session, target, "watchdog").await?;
     target.known_watchdog = watchdog;
     let mut situation = Situation {
@@ -91,6 +92,29 @@ pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) ->
         }
     }
     Ok(situation)
+}
+
+/// The status word. A drive that refuses it has said nothing of its state, and most likely is another one than was named.
+pub(super) async fn status_word(session: &mut Session<'_>, target: &mut Target) -> Result<u32, Failure> {
+    let family = target.family.clone();
+    let none = || {
+        Failure::new(
+            Class::Data,
+            "data.role",
+            both!("this drive has no status word", "dieser Antrieb hat kein Zustandswort"),
+        )
+    };
+    let param = family.role("status-word").ok_or_else(none)?;
+    match target.read_set(session, param, 0).await {
+        Ok(reading) => Ok(reading.raw as u32),
+        Err(error @ AccessError::Refused(_)) => Err(error.failure(target.address, Some(&family)).hint(both!(
+            "{param} tells the state of every {drive}, and this drive refuses it: is --drive right?",
+            "{param} nennt den Zustand jedes {drive}, und dieser Antrieb lehnt es ab: stimmt --drive?",
+            param = param.label(),
+            drive = family.drive
+        ))),
+        Err(error) => Err(error.failure(target.address, Some(&family))),
+    }
 }
 
 /// Code of the fault that is present; 0 is none. A memory is not touched where the state says that there is none: on some

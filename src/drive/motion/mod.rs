@@ -280,8 +280,7 @@ impl<'a, 's> Motor<'a, 's> {
     }
 
     async fn status(&mut self) -> Result<u32, Failure> {
-        let status = self.bear(async |motor: &mut Self| motor.role_raw("status-word").await).await?;
-        let status = status.unwrap_or(0) as u32;
+        let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
         self.shown = Some((status, self.session.now()));
         let state = describe::state(&self.target.family, status, self.lang).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
@@ -331,6 +330,12 @@ impl<'a, 's> Motor<'a, 's> {
         Ok(raw)
     }
 
+    async fn status_word(&mut self) -> Result<u32, Failure> {
+        let status = look::status_word(self.session, self.target).await?;
+        self.hears();
+        Ok(status)
+    }
+
     async fn role_raw(&mut self, role: &str) -> Result<Option<i64>, Failure> {
         let Some(param) = self.target.family.role(role).cloned() else { return Ok(None) };
         self.raw(&param).await
@@ -339,9 +344,14 @@ impl<'a, 's> Motor<'a, 's> {
     /// The raw value of a parameter; `None` if the drive refuses it.
     async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
         let raw = look::raw(self.session, self.target, param, 0).await?;
+        self.hears();
+        Ok(raw)
+    }
+
+    /// The drive has answered.
+    fn hears(&mut self) {
         self.heard = self.session.now();
         self.goes_on();
-        Ok(raw)
     }
 
     async fn write_control(&mut self, word: u16) -> Result<(), Failure> {

@@ -37,6 +37,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Control, DataSets, Family, Lang, Mode, Param, Registry, Sets, Type};
+use crate::text::both;
 use crate::tick::Span;
 use std::rc::Rc;
 
@@ -88,33 +89,55 @@ async fn say(
         Some(family) => vec![family.clone()],
         None => presumed(session, registry, meant.address).await?,
     };
+    let (said, refused) = say_to(session, meant, &families, act).await?;
+    if refused && let [named] = families.as_slice() {
+        // Who refuses the word of its family may be of another one, and runs.
+        let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect::<Vec<_>>();
+        session.tell(Event::Note(both!(
+            "the drive refuses the stop of a {drive}: is --drive right? The stop of the other families goes out too",
+            "der Antrieb lehnt den Halt eines {drive} ab: stimmt --drive? Der Halt der anderen Familien geht auch hinaus",
+            drive = named.drive
+        )));
+        say_to(session, meant, &others, act).await?;
+    }
+    Ok(said)
+}
+
+/// Says it in the words of these families; whether nobody acknowledged it and somebody refused it.
+async fn say_to(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    families: &[Rc<Family>],
+    act: Relief,
+) -> Result<(FirstWord, bool), AccessError> {
     let (mut words, mut said) = (Vec::new(), FirstWord::default());
-    for family in &families {
+    for family in families {
         let first = first_word(session, meant, family, act).await?;
         words.extend(first.word.into_iter().flat_map(|word| telegrams(session, meant, family, word)));
         if family.motion.control.is_some() {
             said = first;
         }
     }
-    repeat(session, meant, &words).await?;
-    Ok(said)
+    Ok((said, repeat(session, meant, &words).await?))
 }
 
-/// Says it until it is acknowledged, or has been said often enough.
+/// Says it until it is acknowledged, or has been said often enough; whether it was refused instead.
 async fn repeat(session: &mut Session<'_>, meant: &Meant, words: &[Question]) -> Result<bool, AccessError> {
     let limits = session.limits();
+    let mut refused = false;
     session.set_limits(Limits { reply_timeout: SHORT, ..limits });
     for _ in 0..TIMES {
         for word in words {
             session.end_at(Some(session.now() + BRIEF));
             match session.blurt(meant.address, word.clone()).await {
-                Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => return Ok(true),
+                Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => return Ok(false),
+                Ok(Answer::Reply { .. }) => refused = true,
                 Err(error) if error.is_fatal() => return Err(error),
                 _ => {}
             }
         }
     }
-    Ok(false)
+    Ok(refused)
 }
 
 /// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
@@ -223,19 +246,28 @@ fn in_short(told: Result<Option<i64>, Failure>) -> Result<Option<i64>, AccessErr
 
 /// The families that it may be. One question tells who describes itself and who does not; without an answer it may be any.
 async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -> Result<Vec<Rc<Family>>, AccessError> {
-    // One of each kind: drives whose control words are reached the same way are stopped the same way.
-    let mut kinds: Vec<Rc<Family>> = Vec::new();
-    for family in registry.families() {
-        let key = |family: &Family| (family.link.route, family.role("control-word").map(|param| param.id));
-        if key(&family).1.is_some() && kinds.iter().all(|known| key(known) != key(&family)) {
-            kinds.push(family);
-        }
-    }
+    let mut kinds = kinds(registry);
     session.end_at(Some(session.now() + BRIEF));
     if let Some(describes) = recognise::describes_itself(session, address).await? {
         kinds.retain(|family| family.link.product.is_some() == describes);
     }
     Ok(kinds)
+}
+
+/// One family of each kind that can be moved.
+fn kinds(registry: &Registry) -> Vec<Rc<Family>> {
+    let mut kinds: Vec<Rc<Family>> = Vec::new();
+    for family in registry.families().into_iter().filter(|family| family.is_movable()) {
+        if kinds.iter().all(|known| kind(known) != kind(&family)) {
+            kinds.push(family);
+        }
+    }
+    kinds
+}
+
+/// Drives whose control words are reached the same way are stopped the same way.
+fn kind(family: &Family) -> (crate::profile::Route, Option<u32>) {
+    (family.link.route, family.role("control-word").map(|param| param.id))
 }
 
 /// The word that goes out first. Where it could close contacts it must be proven that it does not.

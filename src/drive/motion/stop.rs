@@ -65,20 +65,22 @@ impl Motor<'_, '_> {
                 // The same stop again, by what is obeyed now.
                 (Class::Forbidden, _) if self.lever == Lever::ControlWord && self.was_taken().await => tries = 0,
                 (Class::Interrupted | Class::Forbidden | Class::Refused, Some(next)) => {
-                    hurry |= failure.class == Class::Interrupted;
+                    if failure.class == Class::Interrupted {
+                        (hurry, stop.because) = (true, "interrupted");
+                    }
                     self.session.note_interrupts();
                     self.tell_stronger(way, next, failure.class == Class::Interrupted);
                     (way, tries) = (next, 0);
                     stop.escalated = Some(next.slug());
                 }
                 (Class::Interrupted, None) => {
-                    hurry = true;
+                    (hurry, stop.because) = (true, "interrupted");
                     self.hurries();
                 }
                 (Class::Port, _) => break,
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
-                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
+                (Class::Silence | Class::Garbled | Class::Refused, _) if tries >= STOP_TRIES => {
                     self.unheard = self.gives_up(begun).await;
                     if self.unheard {
                         break;

@@ -50,6 +50,7 @@ impl BenchFile<'_> {
             ("echo", Kind::Echo),
             ("doubled", Kind::Doubled(row.by.as_ref().map(|_| by))),
             ("foreign", Kind::Foreign),
+            ("exception", Kind::Exception(row.byte.unwrap_or(BUSY))),
             ("twin", Kind::Twin(row.by.as_ref().map_or(TWIN_PAUSE, |_| by))),
         ];
         let kind = self.word("kind", &row.kind, &kinds)?;
@@ -60,8 +61,9 @@ impl BenchFile<'_> {
                 "by goes only with kind = \"late\", \"doubled\", \"twin\" or \"babble\"".to_owned(),
             ));
         }
-        if row.byte.is_some() && !matches!(kind, Kind::Noise(_)) {
-            return Err(self.error(table.span(), "byte goes only with kind = \"noise\"".to_owned()));
+        if row.byte.is_some() && !matches!(kind, Kind::Noise(_) | Kind::Exception(_)) {
+            let message = "byte goes only with kind = \"noise\" or \"exception\"";
+            return Err(self.error(table.span(), message.to_owned()));
         }
         if let Some(got) = row.pattern.as_ref().or(row.lasts.as_ref()) {
             return Err(self.error(got.span(), "pattern and for go only with kind = \"babble\"".to_owned()));
@@ -71,6 +73,8 @@ impl BenchFile<'_> {
     }
 }
 
+/// The drive is busy: exception 6 (V1.1b3 7).
+const BUSY: u8 = 6;
 /// A second drive answers so long after the first, as one does that is set the same and a little slower.
 const TWIN_PAUSE: Span = Span::from_millis(5);
 /// An adapter with a wrong rate delivers a byte every 20 ms (docs/open-points.md).

@@ -27,6 +27,8 @@ pub(crate) enum Kind {
     Doubled(Option<Span>),
     /// A reply of the next station comes in its place.
     Foreign,
+    /// A Modbus exception comes in its place: what was asked is done, or not, but the answer says no. Over VABus nothing.
+    Exception(u8),
     /// A second drive at the address answers too, with other values, so long after the end of the first.
     Twin(Span),
 }
@@ -145,18 +147,29 @@ impl Disturber {
                     let twins: Vec<_> = out.iter().map(twin).collect();
                     out.extend(twins);
                 }
-                Kind::Foreign => {
-                    for (_, frame) in &mut out {
-                        if let Some(other) = foreign(reply.spoken, frame) {
-                            *frame = other;
-                        }
-                    }
-                }
+                Kind::Foreign => replace(&mut out, |frame| foreign(reply.spoken, frame)),
+                Kind::Exception(code) => replace(&mut out, |frame| exception(reply.spoken, frame, code)),
                 Kind::Echo => {}
             }
         }
         out
     }
+}
+
+/// Puts something else in the place of the telegrams that have something else.
+fn replace(out: &mut [(Tick, Vec<u8>)], other: impl Fn(&[u8]) -> Option<Vec<u8>>) {
+    for (_, frame) in out {
+        if let Some(other) = other(frame) {
+            *frame = other;
+        }
+    }
+}
+
+/// A no in its place (V1.1b3 7); `None` where the protocol has none.
+fn exception(spoken: Spoken, frame: &[u8], code: u8) -> Option<Vec<u8>> {
+    let Spoken::Modbus(framing) = spoken else { return None };
+    let adu = framing.decode(frame).ok()?;
+    Some(framing.encode(adu.station, &[adu.pdu.first()? | 0x80, code]))
 }
 
 /// The same reply from the next station; `None` if it is none any more.

@@ -6,7 +6,7 @@ use antrieb::transport::witness;
 use serde_json::json;
 
 /// What a line can do to replies.
-const LINES: [(&str, &str); 9] = [
+const LINES: [(&str, &str); 10] = [
     ("fine", ""),
     ("silent", "every = 1\nkind = \"lost\""),
     ("late 300", "every = 1\nkind = \"late\"\nby = \"300ms\""),
@@ -16,6 +16,7 @@ const LINES: [(&str, &str); 9] = [
     ("doubled", "every = 2\nkind = \"doubled\"\nby = \"40ms\""),
     ("garbled", "every = 1\nkind = \"garbled\""),
     ("noise", "every = 1\nkind = \"noise\""),
+    ("busy", "every = 1\nkind = \"exception\""),
 ];
 
 const VERBS: [&str; 3] = ["quick-stop", "disable", "disable-voltage"];
@@ -44,6 +45,32 @@ fn stopped(line: &str, bench: &str, stops: &[&str]) -> (Option<f64>, u8, String,
     let (mut bench, at) = witness::left().unwrap();
     bench.advance(at + Span::from_secs(60));
     (first(&run.err, stops), run.exit, run.err, bench.totals().turning)
+}
+
+/// A drive of another family than somebody named refuses the words of that one. So it is told in those of the others as well,
+/// and nothing is claimed of a state that nobody heard.
+#[test]
+fn under_the_name_of_another_family_a_drive_is_stopped_and_nothing_is_claimed() {
+    let inverter = active("act", 1, "");
+    let servo = "[[drive]]\nmodel = \"lxm05\"\n";
+    let stops = ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage"];
+    let mut sins = Vec::new();
+    for (bench, drive, word) in [
+        (inverter.as_str(), "-b 115200 --drive lxm05", "> 01 06 01 9A 00"),
+        // DCOMcontrol, 6914 = 1B02h.
+        (servo, "--drive act", "> 01 10 1B 02 00 02 04 00 00 00"),
+    ] {
+        for act in stops.iter().chain(&["sollwert 0"]) {
+            let line = format!("-v {drive} -a 1 {act}");
+            let (_, exit, err, turning) = stopped(&line, bench, &[]);
+            let is_told = err.contains("THE SHAFT MAY STILL TURN") && !err.contains("stop was acknowledged");
+            let is_stopped = *act == "sollwert 0" || turning == 0 && err.contains(word);
+            if exit != 6 || !is_told || !is_stopped {
+                sins.push(format!("{line}: exit {exit}, {turning} turning, {err}"));
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{}", sins.join("\n"));
 }
 
 /// P.410: 00h, 02h, 07h; by code 6, or a SELECT of VABus.
@@ -195,7 +222,7 @@ fn a_zero_behind_which_the_shaft_would_turn_the_other_way_never_goes_out_unseen(
         let baud = if how.is_empty() { 115_200 } else { 19_200 };
         let run = antrieb(&format!("-v -b {baud} -a 1 --drive acu sollwert 0")).on(&bench).run();
         // Where nothing comes back in time nobody can tell, and the order is carried out.
-        let unseen = ["silent", "garbled", "late 600", "late 900"].contains(&name);
+        let unseen = ["silent", "garbled", "late 600", "late 900", "busy"].contains(&name);
         assert!(unseen || !run.sent().iter().any(|hex| hex.starts_with(ZEROS[0])), "{name}: {}", run.err);
     }
 }
