@@ -682,7 +682,7 @@ impl Master {
         };
         let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
         self.orphan = None;
-        self.debts.pays(station, &found.said);
+        self.debts.pays(station, &found.said, at);
         self.debts.settle(station, at, at);
         if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
             job.parting = Parting::None;

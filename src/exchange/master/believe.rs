@@ -244,7 +244,7 @@ impl Master {
             false => {}
         }
         let Some(said) = said else { return };
-        if self.debts.pays(station, &said) {
+        if self.debts.pays(station, &said, at) {
             return;
         }
         let overtaken = self.debts.arrives(station, &said, at);

@@ -733,6 +733,21 @@ fn the_answer_to_another_master_is_not_ours() {
     );
 }
 
+/// It was kept back as a copy, and came before the other master asked.
+#[test]
+fn what_came_before_another_master_asked_does_not_pay_what_he_is_owed() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.heard.sees_surplus();
+    line.master.feed(line.now, &[rtu::encode(1, &READ.encode()), value(1390)].concat());
+    line.now += Span::from_millis(450);
+    let his = [rtu::encode(1, &OTHER.encode()), value(7)].concat();
+    let outcome = line.ask(1, READ, &[&[(10, value(1390)), (190, his)]]);
+    assert!(
+        !matches!(&outcome, Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. }) if *words == [7]),
+        "{outcome:?}"
+    );
+}
+
 #[test]
 fn an_answer_behind_garbage_as_long_as_a_telegram_is_asked_for_behind_a_fence() {
     let mut line = Line::new(Framing::Rtu);
