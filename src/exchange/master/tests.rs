@@ -305,6 +305,31 @@ fn a_copy_in_place_of_a_lost_answer_is_not_said_again() {
 }
 
 #[test]
+fn where_things_are_lost_the_first_copy_of_all_is_no_value() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(2, READ, &[]).is_err());
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let copy = [(10, value(1390))];
+    let outcome = line.ask(1, OTHER, &[&copy, &[(10, fence_reply())], &[(10, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn where_things_are_lost_a_station_that_says_the_same_of_everything_is_soon_believed() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(2, READ, &[]).is_err());
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    let sent: Vec<_> = (1..8)
+        .map(|start| {
+            let before = line.sent.len();
+            assert_eq!(line.answered(1, Request::ReadRegisters { start, count: 1 }), Some(vec![7]));
+            line.sent.len() - before
+        })
+        .collect();
+    assert_eq!(sent, [3, 3, 1, 1, 1, 1, 1]);
+}
+
+#[test]
 fn a_station_of_unknown_family_is_asked_only_for_counters_that_all_have() {
     let mut line = Line::new(Framing::Rtu);
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
@@ -755,6 +780,21 @@ fn an_answer_behind_garbage_as_long_as_a_telegram_is_asked_for_behind_a_fence() 
     let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40];
     let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, fence_reply())], &[(11, value(7))]];
     assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+/// His question met ours, and the station heard his: twice, because he asks the same again and again.
+#[test]
+fn what_another_master_is_told_twice_behind_garbage_is_not_ours() {
+    let mut line = Line::new(Framing::Rtu);
+    for _ in 0..2 {
+        line.master.feed(line.now, &rtu::encode(9, &OTHER.encode()));
+        line.now += Span::from_millis(60);
+    }
+    let his: [(u64, Vec<u8>); 2] = [(1, vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40]), (10, value(7))];
+    let fence = |data| [(10, frame(1, &Reply::Diagnostics { sub: 0x0B, data }))];
+    let replies: [&[(u64, Vec<u8>)]; 5] = [&his, &fence(5), &his, &fence(6), &his];
+    let outcome = line.ask(1, READ, &replies);
+    assert!(matches!(outcome, Err(ExchangeError::Unproven { .. })), "{outcome:?}");
 }
 
 #[test]
