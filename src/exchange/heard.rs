@@ -65,6 +65,8 @@ pub(super) struct Sample<'a> {
     pub(super) after: i64,
     /// It can be asked again for nothing but a doubt.
     pub(super) again: bool,
+    /// It could be another answer to the question before it.
+    pub(super) confused: bool,
 }
 
 /// Whether it is the answer.
@@ -148,6 +150,7 @@ impl Heard {
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
             (false, false) if other && sample.again && self.may_copy(sample.station) => Weight::Again,
+            (true, _) if late && sample.again && sample.confused => Weight::Again,
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
         }
@@ -177,7 +180,7 @@ mod tests {
     }
 
     fn sample<'a>(question: &'a Question, bytes: &'a [u8], ms: u64, after: i64) -> Sample<'a> {
-        Sample { station: 1, function: 3, question, bytes, at: at(ms), after, again: true }
+        Sample { station: 1, function: 3, question, bytes, at: at(ms), after, again: true, confused: false }
     }
 
     /// A station that has answered after 10 ms and after 30 ms.
@@ -245,6 +248,17 @@ mod tests {
         assert_eq!(weigh(&heard, &other), Weight::Again);
         heard.vouches(1);
         assert_eq!(weigh(&heard, &other), Weight::Answer);
+    }
+
+    #[test]
+    fn a_late_answer_that_may_be_another_to_the_question_before_is_asked_for_again() {
+        let (heard, asked) = (known(), question(1));
+        let weigh = |after, again, confused| {
+            heard.weigh(&Sample { again, confused, ..sample(&asked, &BYTES, 0, after) }, false)
+        };
+        assert_eq!(weigh(50_001, true, true), Weight::Again);
+        let others = [weigh(50_000, true, true), weigh(50_001, false, true), weigh(50_001, true, false)];
+        assert_eq!(others, [Weight::Answer; 3]);
     }
 
     #[test]

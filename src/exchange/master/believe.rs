@@ -75,7 +75,10 @@ impl Master {
         let (question, function) = (job.asks(), job.asks().function());
         let again = job.limits.witness && !question.is_write();
         let after = micros(at) - micros(sent_end) - reply;
-        Sample { station: job.station, function, question, bytes, at, after, again }
+        let confused = self.answered.as_ref().is_some_and(|(station, last, then)| {
+            *station == job.station && at.since(*then) < COPY_WITHIN && self.dialect.confuses(last, question)
+        });
+        Sample { station: job.station, function, question, bytes, at, after, again, confused }
     }
 
     /// Whether another answer to the same question came before, in other words, and was no copy.
@@ -191,12 +194,19 @@ impl Master {
         let Phase::Reply(waiting) = &mut job.phase else { return None };
         let held = waiting.held.take_if(|held| now >= held.until)?;
         let (sent_end, station, question) = (waiting.sent_end, job.station, job.question.clone());
+        // What came behind it and is no telegram may have been the other one.
+        let behind = std::mem::take(&mut waiting.came);
+        let spoilt = behind.len() >= self.dialect.shortest_reply();
+        if !behind.is_empty() {
+            self.loose.last = waiting.last;
+            self.loose.bytes.extend_from_slice(&behind);
+        }
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
         let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
-            (job.doubted, job.noisy) = (held.doubted, false);
+            (job.doubted, job.noisy) = (held.doubted || spoilt, false);
             let copies = self.heard.has_surplus();
             self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);
             self.take(held.at, sent_end, held.said);
@@ -250,6 +260,14 @@ impl Master {
             false => {}
         }
         let Some(said) = said else { return };
+        // One answer was doubted, and this is another one to the same question.
+        let differs = |job: &Job| {
+            let first = job.first.as_ref().filter(|first| first.said != said);
+            job.station == station && first.is_some() && job.question.is_answered_by(&said)
+        };
+        if self.job.as_ref().is_some_and(differs) && !self.debts.mixes() && owed.len() < 2 {
+            self.twins.marks(station, at);
+        }
         if self.debts.pays(station, &said, at) {
             return;
         }

@@ -952,6 +952,40 @@ fn two_drives_that_answer_differently_are_named_and_none_of_them_is_believed() {
     assert_eq!(line.sent.len(), sent, "for a while nothing more is asked");
 }
 
+/// The answer of the second drive to the question before comes in place of the answer to this one, in words of its own.
+#[test]
+fn a_late_answer_that_may_be_another_to_the_question_before_is_asked_for_again() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(60, value(8))], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn an_answer_sooner_than_ever_with_garbage_behind_it_is_asked_for_again() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+    let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10];
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(6, value(8)), (15, met)], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn another_answer_to_a_question_whose_first_was_doubted_is_a_sign_of_two_drives() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let noise = vec![0x12; 8];
+    let replies: [&[(u64, Vec<u8>)]; 5] = [
+        &[(5, noise), (20, value(8))],
+        &[(10, value(9)), (15, fence_reply())],
+        &[(10, value(9))],
+        &[(10, fence_reply())],
+        &[(10, value(9))],
+    ];
+    _ = line.ask(1, OTHER, &replies);
+    assert!(line.master.differs(1), "{:?}", line.verdicts());
+}
+
 #[test]
 fn a_question_of_somebody_else_is_heard_across_our_own() {
     let mut line = Line::new(Framing::Rtu);
