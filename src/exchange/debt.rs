@@ -103,14 +103,14 @@ impl Debts {
         self.heard.insert(station);
     }
 
-    /// A reply that nobody waited for: if it answers what its station was asked, that is one less that it owes.
-    /// Tells whether it does.
-    pub(super) fn pays(&mut self, station: u8, said: &Said) -> bool {
+    /// A reply that nobody waited for and that came at `at`: if it answers what its station was asked before, that is one less
+    /// that it owes. Tells whether it does.
+    pub(super) fn pays(&mut self, station: u8, said: &Said, at: Tick) -> bool {
         let Some(debt) = self.by_station.get_mut(&station) else { return false };
-        let pays = debt.missing.iter().any(|missing| missing.question.is_answered_by(said));
+        let pays = debt.missing.iter().any(|missing| missing.since <= at && missing.question.is_answered_by(said));
         if pays {
             debt.owed = debt.owed.saturating_sub(1);
-            take_first(&mut debt.lately, said);
+            take_first(&mut debt.lately, said, at);
         }
         if debt.owed == 0 {
             self.by_station.remove(&station);
@@ -145,10 +145,10 @@ impl Debts {
     }
 
     /// A reply came that nobody waited for: it is one that was overtaken, if it answers what was asked then.
-    pub(super) fn arrives(&mut self, station: u8, said: &Said, now: Tick) -> bool {
+    pub(super) fn arrives(&mut self, station: u8, said: &Said, at: Tick) -> bool {
         let Some(overtaken) = self.overtaken.get_mut(&station) else { return false };
-        overtaken.retain(|old| now < old.until());
-        let arrived = take_first(overtaken, said);
+        overtaken.retain(|old| at < old.until());
+        let arrived = take_first(overtaken, said, at);
         self.mixes |= arrived.as_ref().is_some_and(|old| !old.spoilt);
         arrived.is_some()
     }
@@ -198,9 +198,9 @@ impl Debt {
     }
 }
 
-/// Takes away the first that is answered by this.
-fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said) -> Option<Overtaken> {
-    let place = overtaken.iter().position(|old| old.missing.is_answered_by(said))?;
+/// Takes away the first that is answered by this, which came at `at`: no reply is to what was asked later.
+fn take_first(overtaken: &mut Vec<Overtaken>, said: &Said, at: Tick) -> Option<Overtaken> {
+    let place = overtaken.iter().position(|old| old.since <= at && old.missing.is_answered_by(said))?;
     Some(overtaken.remove(place))
 }
 

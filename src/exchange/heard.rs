@@ -20,6 +20,8 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
+/// So often answers in the words of others must have been said again until a station is one that says the same of many things.
+const ALIKE: u8 = 2;
 /// Telegrams that are remembered: more than fit into the time.
 const MOST: usize = 512;
 
@@ -45,6 +47,10 @@ pub(super) struct Heard {
     paces: BTreeMap<(u8, u8), Pace>,
     /// A reply came twice, or one that nobody had asked for.
     surplus: bool,
+    /// Something was lost or spoilt, or came from somebody else.
+    rough: bool,
+    /// How often a station said in the words of another answer what it then said again.
+    alike: BTreeMap<u8, u8>,
 }
 
 /// An answer, as far as time and bytes tell of it.
@@ -57,6 +63,10 @@ pub(super) struct Sample<'a> {
     pub(super) at: Tick,
     /// From the end of the question to the start of the reply, microseconds.
     pub(super) after: i64,
+    /// It can be asked again for nothing but a doubt.
+    pub(super) again: bool,
+    /// It could be another answer to the question before it.
+    pub(super) confused: bool,
 }
 
 /// Whether it is the answer.
@@ -70,7 +80,8 @@ pub(super) enum Weight {
     Stale(Span),
     /// It may be a copy of the answer to another question, on a line that sends copies.
     Copy,
-    /// The same words came a moment ago, and this comes late or behind noise: said again, it is the answer.
+    /// The same words came a moment ago, and this comes late or behind noise, or where much goes wrong: said again, it is the
+    /// answer.
     Again,
 }
 
@@ -108,6 +119,22 @@ impl Heard {
         self.surplus = true;
     }
 
+    /// Something was lost or spoilt, or came from somebody else: the first copy may come in place of an answer.
+    pub(super) fn sees_trouble(&mut self) {
+        self.rough = true;
+    }
+
+    /// An answer in the words of another one was said again.
+    pub(super) fn vouches(&mut self, station: u8) {
+        let alike = self.alike.entry(station).or_default();
+        *alike = alike.saturating_add(1);
+    }
+
+    /// Whether words of a moment ago may be a copy, although this line has brought none yet.
+    fn may_copy(&self, station: u8) -> bool {
+        self.rough && self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
+    }
+
     /// Weighs an answer. `doubtful`: garbage came before it.
     pub(super) fn weigh(&self, sample: &Sample<'_>, doubtful: bool) -> Weight {
         let pace = self.paces.get(&(sample.station, sample.function));
@@ -122,6 +149,8 @@ impl Heard {
             (false, true) if other && self.surplus => Weight::Copy,
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
+            (false, false) if other && sample.again && self.may_copy(sample.station) => Weight::Again,
+            (true, _) if late && sample.again && sample.confused => Weight::Again,
             _ if soon => Weight::Wait(slowest),
             _ => Weight::Answer,
         }
@@ -151,7 +180,7 @@ mod tests {
     }
 
     fn sample<'a>(question: &'a Question, bytes: &'a [u8], ms: u64, after: i64) -> Sample<'a> {
-        Sample { station: 1, function: 3, question, bytes, at: at(ms), after }
+        Sample { station: 1, function: 3, question, bytes, at: at(ms), after, again: true, confused: false }
     }
 
     /// A station that has answered after 10 ms and after 30 ms.
@@ -201,6 +230,35 @@ mod tests {
         assert_eq!(weigh(&heard, &asked, 1_600, 15_000, false), stale);
         assert_eq!(weigh(&heard, &asked, 1_601, 15_000, false), Weight::Answer, "nothing is copied so late");
         assert_eq!(heard.weigh(&sample(&other, &[9], 1_100, 15_000), true), Weight::Answer, "new bytes are no copy");
+    }
+
+    #[test]
+    fn where_much_goes_wrong_words_of_another_answer_are_asked_for_again_until_the_station_is_known_to_say_them() {
+        let (mut heard, asked, other) = (known(), question(1), question(2));
+        heard.note(at(1_000), &BYTES, Some(&asked));
+        let weigh = |heard: &Heard, asked| heard.weigh(&sample(asked, &BYTES, 1_100, 15_000), false);
+        assert_eq!(weigh(&heard, &other), Weight::Answer, "nothing is wrong with this line");
+        heard.sees_trouble();
+        assert_eq!(weigh(&heard, &other), Weight::Again);
+        assert_eq!(weigh(&heard, &asked), Weight::Answer, "the same of the same");
+        let once = Sample { again: false, ..sample(&other, &BYTES, 1_100, 15_000) };
+        assert_eq!(heard.weigh(&once, false), Weight::Answer);
+        heard.vouches(2);
+        heard.vouches(1);
+        assert_eq!(weigh(&heard, &other), Weight::Again);
+        heard.vouches(1);
+        assert_eq!(weigh(&heard, &other), Weight::Answer);
+    }
+
+    #[test]
+    fn a_late_answer_that_may_be_another_to_the_question_before_is_asked_for_again() {
+        let (heard, asked) = (known(), question(1));
+        let weigh = |after, again, confused| {
+            heard.weigh(&Sample { again, confused, ..sample(&asked, &BYTES, 0, after) }, false)
+        };
+        assert_eq!(weigh(50_001, true, true), Weight::Again);
+        let others = [weigh(50_000, true, true), weigh(50_001, false, true), weigh(50_001, true, false)];
+        assert_eq!(others, [Weight::Answer; 3]);
     }
 
     #[test]

@@ -47,10 +47,12 @@ pub(super) struct Job {
     pub(super) witnesses: Vec<Said>,
     /// The answer came behind garbage as long as a telegram.
     pub(super) doubted: bool,
+    /// The answer came behind a little noise at least.
+    pub(super) noisy: bool,
     /// The answer came in words that were heard a moment ago, and later than ever.
     pub(super) again: bool,
-    /// What was said first, when it was doubted only for how it came, and how long after the question.
-    pub(super) first: Option<(Said, i64)>,
+    /// What was said first, when it was doubted only for how it came.
+    pub(super) first: Option<Doubted>,
     /// Echoes, or what may be one, came in place of the fence's answer: somebody is there.
     pub(super) echoed: bool,
     /// The station sent something valid meanwhile: it is there, and late.
@@ -60,6 +62,18 @@ pub(super) struct Job {
     /// The last fence is waited for as long as any reply may take.
     pub(super) patient: bool,
     pub(super) phase: Phase,
+}
+
+/// An answer that is doubted for how it came.
+#[derive(Debug)]
+pub(super) struct Doubted {
+    pub(super) said: Said,
+    /// How long after the question, in microseconds.
+    pub(super) after: i64,
+    /// It came behind noise.
+    pub(super) noisy: bool,
+    /// It came in words of a moment ago.
+    pub(super) again: bool,
 }
 
 /// What keeps old replies from the question.

@@ -12,7 +12,7 @@ use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
-use super::job::{Came, Count, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
+use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
 use super::twins::Twins;
 use super::{
@@ -55,8 +55,8 @@ pub struct Master {
     heard: Heard,
     /// Addresses at which two drives may answer.
     twins: Twins,
-    /// When somebody else asked something.
-    others: Option<Tick>,
+    /// When somebody else asked something: the last time, and the one before.
+    others: [Option<Tick>; 2],
     /// The last question that was answered, and when.
     answered: Option<(u8, Question, Tick)>,
     /// Characters take their time on this line, and nothing comes sooner than that allows.
@@ -91,7 +91,7 @@ impl Master {
             counters: BTreeMap::new(),
             heard: Heard::default(),
             twins: Twins::default(),
-            others: None,
+            others: [None; 2],
             answered: None,
             wired: false,
             loose: Loose::default(),
@@ -207,6 +207,7 @@ impl Master {
             rounds: 0,
             witnesses: Vec::new(),
             doubted: false,
+            noisy: false,
             again: false,
             first: None,
             echoed: false,
@@ -439,29 +440,38 @@ impl Master {
     }
 
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
-    fn is_doubted(&self, said: &Said) -> bool {
+    fn is_doubted(&self, said: &Said, at: Tick) -> bool {
         let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job);
+        let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job, at);
         let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
         !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
     }
 
     /// Whether garbage before an answer is known to be only garbage. Who may be two drives is not believed by that, but where
-    /// what is asked must go on.
-    pub(super) fn is_vouched(&self, job: &Job) -> bool {
-        match job.limits.insist {
+    /// what is asked must go on. Beside another master it may be his question, which met ours.
+    pub(super) fn is_vouched(&self, job: &Job, at: Tick) -> bool {
+        let is_vouched = match job.limits.insist {
             Some(_) => self.twins.has_vouched(job.station),
             None => self.twins.is_vouched(job.station),
-        }
+        };
+        is_vouched && !self.is_shared(at)
     }
 
     /// Whether an answer was doubted for how it came, and this is the same once more: then it is the answer, and so late does
-    /// the station answer.
-    fn is_said_again(&mut self, said: &Said) -> bool {
-        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
-        let Some((_, late)) = job.first.as_ref().filter(|(first, _)| first == said) else { return false };
-        self.heard.learn(job.station, job.question.function(), *late);
-        self.twins.vouches(job.station);
+    /// the station answer. Who asks the same again and again beside us is answered the same again and again.
+    fn is_said_again(&mut self, said: &Said, at: Tick) -> bool {
+        let is_shared = self.is_shared(at);
+        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced() && !(is_shared && job.doubted)) else {
+            return false;
+        };
+        let Some(first) = job.first.as_ref().filter(|first| first.said == *said) else { return false };
+        self.heard.learn(job.station, job.question.function(), first.after);
+        if first.noisy {
+            self.twins.vouches(job.station);
+        }
+        if first.again {
+            self.heard.vouches(job.station);
+        }
         true
     }
 
@@ -469,8 +479,8 @@ impl Master {
     fn doubt(&mut self, said: Said) {
         let Some(job) = &mut self.job else { return };
         let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return };
-        let late = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
-        job.first = Some((said, late));
+        let after = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
+        job.first = Some(Doubted { said, after, noisy: job.noisy || job.doubted, again: job.again });
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
@@ -504,8 +514,8 @@ impl Master {
         if self.may_be_old(&said, at) {
             return self.ask_behind_fence(at, sent_end + LATEST_REPLY);
         }
-        let is_again = self.is_said_again(&said);
-        if self.is_doubted(&said) && !is_again {
+        let is_again = self.is_said_again(&said, at);
+        if self.is_doubted(&said, at) && !is_again {
             self.doubt(said);
             let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
             return self.ask_behind_fence(at, due);
@@ -627,6 +637,7 @@ impl Master {
                 None => self.debts.may_owe(station, job.asks(), now),
             },
         }
+        self.heard.sees_trouble();
         match error {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
@@ -682,7 +693,7 @@ impl Master {
         };
         let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
         self.orphan = None;
-        self.debts.pays(station, &found.said);
+        self.debts.pays(station, &found.said, at);
         self.debts.settle(station, at, at);
         if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
             job.parting = Parting::None;
@@ -749,6 +760,7 @@ impl Master {
     }
 
     fn note_one(&mut self, at: Tick, bytes: &[u8]) {
+        self.heard.sees_trouble();
         let verdict = match self.dialect.sender(bytes) {
             Some((station, said)) => {
                 self.debts.hears(station);

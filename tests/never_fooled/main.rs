@@ -8,6 +8,7 @@ mod dice;
 mod endless;
 mod jitter;
 mod line;
+mod once;
 mod thrown;
 
 use antrieb::exchange::{Answer, Limits, Master, Question, Record, Said, Step, Tally};

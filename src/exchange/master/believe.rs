@@ -28,7 +28,8 @@ impl Master {
                 .came
                 .get(..start)
                 .is_some_and(|before| !self.dialect.behind_echo(before, &waiting.sent).is_empty());
-            let doubtful = (noise || !waiting.garbage.is_empty()) && !self.is_vouched(job);
+            let noisy = noise || !waiting.garbage.is_empty();
+            let doubtful = noisy && !self.is_vouched(job, at);
             let another = waiting.came.get(end..).and_then(|rest| self.dialect.find(rest, job.station, job.asks()));
             let weight = match self.weigh(job, waiting.sent_end, &bytes, at, doubtful) {
                 // Two in one piece: the other is looked at first.
@@ -41,7 +42,8 @@ impl Master {
             let rivals = is_one && self.rivals(at, &bytes);
             match weight {
                 Some(Weight::Answer | Weight::Again) if !rivals => {
-                    self.job.as_mut()?.again = weight == Some(Weight::Again);
+                    let job = self.job.as_mut()?;
+                    (job.again, job.noisy) = (weight == Some(Weight::Again), noisy);
                     return self.accept(at, start, end, found.said);
                 }
                 Some(_) if rivals => self.hold(at, start, end, found.said, Some(Weight::Answer)),
@@ -71,7 +73,12 @@ impl Master {
         let micros = |tick: Tick| i64::try_from(tick.as_micros()).unwrap_or(i64::MAX);
         let reply = i64::try_from(self.dialect.duration(self.line, bytes.len()).as_micros()).unwrap_or(0);
         let (question, function) = (job.asks(), job.asks().function());
-        Sample { station: job.station, function, question, bytes, at, after: micros(at) - micros(sent_end) - reply }
+        let again = job.limits.witness && !question.is_write();
+        let after = micros(at) - micros(sent_end) - reply;
+        let confused = self.answered.as_ref().is_some_and(|(station, last, then)| {
+            *station == job.station && at.since(*then) < COPY_WITHIN && self.dialect.confuses(last, question)
+        });
+        Sample { station: job.station, function, question, bytes, at, after, again, confused }
     }
 
     /// Whether another answer to the same question came before, in other words, and was no copy.
@@ -187,12 +194,19 @@ impl Master {
         let Phase::Reply(waiting) = &mut job.phase else { return None };
         let held = waiting.held.take_if(|held| now >= held.until)?;
         let (sent_end, station, question) = (waiting.sent_end, job.station, job.question.clone());
+        // What came behind it and is no telegram may have been the other one.
+        let behind = std::mem::take(&mut waiting.came);
+        let spoilt = behind.len() >= self.dialect.shortest_reply();
+        if !behind.is_empty() {
+            self.loose.last = waiting.last;
+            self.loose.bytes.extend_from_slice(&behind);
+        }
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
         let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
-            job.doubted = held.doubted;
+            (job.doubted, job.noisy) = (held.doubted || spoilt, false);
             let copies = self.heard.has_surplus();
             self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);
             self.take(held.at, sent_end, held.said);
@@ -231,12 +245,14 @@ impl Master {
     /// A valid telegram came that is not the answer: a copy, a reply that was missing, or one too many.
     pub(super) fn explain(&mut self, at: Tick, station: u8, said: Option<Said>, bytes: &[u8]) {
         let is_copy = self.heard.is_copy(at, bytes);
-        self.heard.note(at, bytes, None);
         let fits = |missing: &Question| said.as_ref().is_some_and(|said| missing.is_answered_by(said));
-        let owed = self.debts.missing(station).iter().any(fits);
+        let owed: Vec<_> = self.debts.missing(station).into_iter().filter(fits).collect();
+        // If only one question can be meant, it is the late answer to that.
+        let answered = owed.first().filter(|_| owed.len() == 1);
+        self.heard.note(at, bytes, answered);
         match is_copy {
             // A copy, or what is owed: nobody knows. A reply that was spoilt has come, and does not come again.
-            true if owed && self.debts.is_late(station, said.as_ref()) => return,
+            true if !owed.is_empty() && self.debts.is_late(station, said.as_ref()) => return,
             true => {
                 self.suspect(station, at);
                 return self.heard.sees_surplus();
@@ -244,7 +260,15 @@ impl Master {
             false => {}
         }
         let Some(said) = said else { return };
-        if self.debts.pays(station, &said) {
+        // One answer was doubted, and this is another one to the same question.
+        let differs = |job: &Job| {
+            let first = job.first.as_ref().filter(|first| first.said != said);
+            job.station == station && first.is_some() && job.question.is_answered_by(&said)
+        };
+        if self.job.as_ref().is_some_and(differs) && !self.debts.mixes() && owed.len() < 2 {
+            self.twins.marks(station, at);
+        }
+        if self.debts.pays(station, &said, at) {
             return;
         }
         let overtaken = self.debts.arrives(station, &said, at);

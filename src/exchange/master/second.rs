@@ -35,9 +35,14 @@ impl Master {
 
     /// More came from a station than was asked for, or less: a second drive may be the cause, unless another master is.
     pub(super) fn suspect(&mut self, station: u8, at: Tick) {
-        if self.others.is_none_or(|heard| at.since(heard) > ALONE_AFTER) {
+        if self.others[0].is_none_or(|heard| at.since(heard) > ALONE_AFTER) {
             self.twins.suspects(station);
         }
+    }
+
+    /// Whether another master asks on this line. One question may be garbage that has a right check value by chance.
+    pub(super) fn is_shared(&self, at: Tick) -> bool {
+        self.others[1].is_some_and(|heard| at.since(heard) <= ALONE_AFTER)
     }
 
     /// A question was lost: one that went out right behind an answer may have met the second one.

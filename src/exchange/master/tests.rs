@@ -305,6 +305,31 @@ fn a_copy_in_place_of_a_lost_answer_is_not_said_again() {
 }
 
 #[test]
+fn where_things_are_lost_the_first_copy_of_all_is_no_value() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(2, READ, &[]).is_err());
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let copy = [(10, value(1390))];
+    let outcome = line.ask(1, OTHER, &[&copy, &[(10, fence_reply())], &[(10, value(7))]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn where_things_are_lost_a_station_that_says_the_same_of_everything_is_soon_believed() {
+    let mut line = Line::new(Framing::Rtu);
+    assert!(line.ask(2, READ, &[]).is_err());
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    let sent: Vec<_> = (1..8)
+        .map(|start| {
+            let before = line.sent.len();
+            assert_eq!(line.answered(1, Request::ReadRegisters { start, count: 1 }), Some(vec![7]));
+            line.sent.len() - before
+        })
+        .collect();
+    assert_eq!(sent, [3, 3, 1, 1, 1, 1, 1]);
+}
+
+#[test]
 fn a_station_of_unknown_family_is_asked_only_for_counters_that_all_have() {
     let mut line = Line::new(Framing::Rtu);
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
@@ -733,6 +758,21 @@ fn the_answer_to_another_master_is_not_ours() {
     );
 }
 
+/// It was kept back as a copy, and came before the other master asked.
+#[test]
+fn what_came_before_another_master_asked_does_not_pay_what_he_is_owed() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.heard.sees_surplus();
+    line.master.feed(line.now, &[rtu::encode(1, &READ.encode()), value(1390)].concat());
+    line.now += Span::from_millis(450);
+    let his = [rtu::encode(1, &OTHER.encode()), value(7)].concat();
+    let outcome = line.ask(1, READ, &[&[(10, value(1390)), (190, his)]]);
+    assert!(
+        !matches!(&outcome, Ok(Answer::Reply { said: Said::Modbus(Reply::Registers(words)), .. }) if *words == [7]),
+        "{outcome:?}"
+    );
+}
+
 #[test]
 fn an_answer_behind_garbage_as_long_as_a_telegram_is_asked_for_behind_a_fence() {
     let mut line = Line::new(Framing::Rtu);
@@ -740,6 +780,21 @@ fn an_answer_behind_garbage_as_long_as_a_telegram_is_asked_for_behind_a_fence() 
     let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40];
     let replies: [&[(u64, Vec<u8>)]; 3] = [&[(15, met), (36, value(1391))], &[(11, fence_reply())], &[(11, value(7))]];
     assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+/// His question met ours, and the station heard his: twice, because he asks the same again and again.
+#[test]
+fn what_another_master_is_told_twice_behind_garbage_is_not_ours() {
+    let mut line = Line::new(Framing::Rtu);
+    for _ in 0..2 {
+        line.master.feed(line.now, &rtu::encode(9, &OTHER.encode()));
+        line.now += Span::from_millis(60);
+    }
+    let his: [(u64, Vec<u8>); 2] = [(1, vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10, 0x40]), (10, value(7))];
+    let fence = |data| [(10, frame(1, &Reply::Diagnostics { sub: 0x0B, data }))];
+    let replies: [&[(u64, Vec<u8>)]; 5] = [&his, &fence(5), &his, &fence(6), &his];
+    let outcome = line.ask(1, READ, &replies);
+    assert!(matches!(outcome, Err(ExchangeError::Unproven { .. })), "{outcome:?}");
 }
 
 #[test]
@@ -895,6 +950,40 @@ fn two_drives_that_answer_differently_are_named_and_none_of_them_is_believed() {
     let sent = line.sent.len();
     assert_eq!(line.ask(1, OTHER, &[]), Err(ExchangeError::TwoAnswers { station: 1 }));
     assert_eq!(line.sent.len(), sent, "for a while nothing more is asked");
+}
+
+/// The answer of the second drive to the question before comes in place of the answer to this one, in words of its own.
+#[test]
+fn a_late_answer_that_may_be_another_to_the_question_before_is_asked_for_again() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(60, value(8))], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn an_answer_sooner_than_ever_with_garbage_behind_it_is_asked_for_again() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+    let met = vec![0, 0, 0, 0x12, 0x66, 0x42, 0x10];
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(6, value(8)), (15, met)], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn another_answer_to_a_question_whose_first_was_doubted_is_a_sign_of_two_drives() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    let noise = vec![0x12; 8];
+    let replies: [&[(u64, Vec<u8>)]; 5] = [
+        &[(5, noise), (20, value(8))],
+        &[(10, value(9)), (15, fence_reply())],
+        &[(10, value(9))],
+        &[(10, fence_reply())],
+        &[(10, value(9))],
+    ];
+    _ = line.ask(1, OTHER, &replies);
+    assert!(line.master.differs(1), "{:?}", line.verdicts());
 }
 
 #[test]

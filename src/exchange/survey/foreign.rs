@@ -68,11 +68,21 @@ fn is_question(protocol: Protocol, bytes: &[u8]) -> bool {
         Protocol::Modbus(framing) => framing,
     };
     let Ok(adu) = framing.decode(bytes) else { return false };
+    if is_zero_behind_telegram(framing, bytes) {
+        return false;
+    }
     match Request::decode(&adu.pdu) {
         Ok(Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. }) | Err(_) => false,
         Ok(request) if request.is_write() => true,
         Ok(_) => !Reply::decode(&adu.pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. })),
     }
+}
+
+/// Whether this is a whole telegram and a zero of noise: the remainder of a CRC and itself is 0, so in RTU its check value is
+/// right once more, and the reply to a read in one byte more has the form of a read.
+fn is_zero_behind_telegram(framing: Framing, bytes: &[u8]) -> bool {
+    let Some((0, telegram)) = bytes.split_last() else { return false };
+    framing == Framing::Rtu && framing.decode(telegram).is_ok()
 }
 
 #[cfg(test)]
@@ -93,7 +103,8 @@ mod tests {
         let mixed = [&[0x55, 0][..], &read, &reply, &order, &refusal, &read].concat();
         assert_eq!(questions(RTU, &mixed, &[]), 3);
         assert_eq!(questions(RTU, &mixed, &read), 1);
-        for alone in [reply, refusal, telegram(9, &[8, 0, 0, 1, 2]), vec![0x55; 200], Vec::new()] {
+        let zero_behind = [&reply[..], &[0]].concat();
+        for alone in [reply, zero_behind, refusal, telegram(9, &[8, 0, 0, 1, 2]), vec![0x55; 200], Vec::new()] {
             assert_eq!(questions(RTU, &alone, &[]), 0, "{alone:?}");
         }
     }
