@@ -8,7 +8,7 @@ use super::{
     role_questions, summary, target, terms,
 };
 use crate::drive::job::{self, Job, Step};
-use crate::drive::{Session, Target, Terms};
+use crate::drive::{Session, Target, Terms, Upper};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Dataset, DatasetRow, Document, OrWrite, Outcome, Value, Warning, WriteResult};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
@@ -72,6 +72,7 @@ enum Action {
 
 impl Verb for Args {
     const NAME: &'static str = "dataset";
+    const UPPER: Upper = Upper::drive(30).each(16, "parameter");
     type Prints = Document<OrWrite<Dataset>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -4,7 +4,7 @@ use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::Settings;
 use crate::drive::{
-    AccessError, Inquiry, Session, Target, clear_counters, counters, describe, last_refusal, link_test,
+    AccessError, Inquiry, Session, Target, Upper, clear_counters, counters, describe, last_refusal, link_test,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::{Counters, Hazard, Permit, Question};
@@ -47,6 +47,7 @@ pub enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "diag";
+    const UPPER: Upper = Upper::drive(90).each(1, "question of --link-test or --count");
     type Prints = Document<OrLine<Diag>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -66,6 +67,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let permit = if args.clear { Some(ask_to_clear(context).await?) } else { None };
     let (drives, failures, succeeded) = each_drive(
         context,
+        <Args as Verb>::UPPER.questions(args.link_test.unwrap_or(0).into()),
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
             diagnose(session, settings, registry, address, args, permit.as_ref()).await
         },

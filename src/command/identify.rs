@@ -3,7 +3,7 @@
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
 use crate::args::Settings;
-use crate::drive::{AccessError, Session, Target, introduce, recognise};
+use crate::drive::{AccessError, Session, Target, Upper, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
 use crate::profile::{DataSets, Registry, Role};
@@ -35,6 +35,7 @@ const IN_FORCE: [Role; 2] = [Role::Watchdog, Role::ControlMode];
 
 impl Verb for Args {
     const NAME: &'static str = "identify";
+    const UPPER: Upper = Upper::drive(60);
     type Prints = Document<OrPlan<Identify>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -50,6 +51,7 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
     }
     let (drives, failures, succeeded) = each_drive(
         context,
+        <Args as Verb>::UPPER.drive,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
             identify(session, settings, registry, address).await
         },

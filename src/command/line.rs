@@ -3,11 +3,13 @@
 use super::asking::denied;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
+use crate::drive::Upper;
 use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
 use crate::outcome::{Data, Document, OrRead, Outcome, Relocation};
 use crate::text::both;
+use crate::tick::Span;
 use clap::{Arg, Args as ClapArgs, Subcommand};
 
 /// Changes speed, parity or address of a drive, and follows it.
@@ -55,6 +57,7 @@ fn present(option: &'static str, flag: &'static str) -> Arg {
 
 impl Verb for Args {
     const NAME: &'static str = "line";
+    const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

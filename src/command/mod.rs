@@ -350,9 +350,11 @@ type Row<R> = (R, Vec<Failure>, usize);
 /// done without.
 type Rows<R> = (Vec<R>, Vec<Failure>, usize);
 
-/// Runs a verb's work on every drive and collects what fails. Ends early only if the session is over.
+/// Runs a verb's work on every drive, with time for so many questions to each, and collects what fails. Ends early only if
+/// the session is over.
 async fn each_drive<R>(
     context: &mut Context<'_>,
+    questions: u64,
     mut work: impl AsyncFnMut(&mut Session<'_>, &Settings, &Registry, u8) -> Result<Row<R>, Failure>,
     failed: impl Fn(u8, &Failure) -> R,
 ) -> Result<Rows<R>, Failure> {
@@ -361,6 +363,7 @@ async fn each_drive<R>(
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (mut rows, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
     for address in addresses {
+        session.allow(session.now(), questions);
         match work(&mut session, settings, registry, address).await {
             Ok((row, row_failures, good)) => {
                 rows.push(row);

@@ -7,7 +7,7 @@
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, plan, read_question, terms};
 use crate::args::parse_span;
-use crate::drive::{Item, Rounds, watch};
+use crate::drive::{Item, Rounds, Upper, watch};
 use crate::failure::Failure;
 use crate::outcome::{Outcome, Record};
 use crate::profile::{DataSets, Family, Param, Selection, Selector};
@@ -61,6 +61,9 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "monitor";
+    const UPPER: Upper = Upper::drive(30)
+        .each(12, "parameter in each round")
+        .unless("It goes on until Ctrl-C, which is its normal end, --duration or --count.");
     type Prints = Record;
 
     fn streams(&self) -> Option<Flow> {

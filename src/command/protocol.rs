@@ -3,9 +3,11 @@
 use super::Context;
 use super::line::{move_drive, show};
 use super::verb::{Verb, Working};
+use crate::drive::Upper;
 use crate::drive::relocate::Wish;
 use crate::failure::Failure;
 use crate::outcome::{Document, OrRead, Outcome, Relocation};
+use crate::tick::Span;
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows or changes the protocol of a drive: Modbus RTU, Modbus ASCII, VABus.
@@ -35,6 +37,7 @@ enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "protocol";
+    const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

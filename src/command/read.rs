@@ -5,7 +5,7 @@ use super::{
     Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, known_somewhere, offline,
     plan, read_question, target,
 };
-use crate::drive::describe;
+use crate::drive::{Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Lang, Selection, Selector, Type};
@@ -36,6 +36,7 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "read";
+    const UPPER: Upper = Upper::drive(30).each(12, "parameter");
     type Prints = Document<OrPlan<Read>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -65,7 +66,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let shows_register = shows_register(&selectors, &family, args)?;
     let mut session = session?;
     let mut haul = Haul::default();
+    let most = select(&selectors, &family, args)?.len();
     for address in addresses {
+        let begun = session.now();
+        session.allow(begun, <Args as Verb>::UPPER.questions(most as u64));
         let mut target = match target(&mut session, settings, registry, address, shows_register).await {
             Ok(target) => target,
             Err(failure) => {
@@ -80,6 +84,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             }
         };
         let selections = select(&selectors, &target.family, args)?;
+        session.allow(begun, <Args as Verb>::UPPER.questions(selections.len() as u64));
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }

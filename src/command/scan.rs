@@ -3,7 +3,7 @@
 use super::Context;
 use super::verb::{Verb, Working};
 use crate::args::{Addresses, Settings, parse_addresses};
-use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, open_port, scan};
+use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
@@ -51,6 +51,8 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "scan";
+    const UPPER: Upper =
+        Upper::drive(30).each(4, "address and setting").unless("Ctrl-C ends it before, and shows what was found.");
     type Prints = Document<OrPlan<Scan>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

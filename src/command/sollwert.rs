@@ -9,8 +9,8 @@ use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
 use crate::args::{MotionArgs, Settings, parse_span};
-use crate::drive::Session;
-use crate::drive::motion::Motor;
+use crate::drive::motion::{self, Motor};
+use crate::drive::{Session, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, SetpointReport, Sollwert, Value};
@@ -93,6 +93,10 @@ pub enum Until {
 
 impl Verb for Args {
     const NAME: &'static str = "sollwert";
+    const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
+        "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp, and --hold for \
+         --duration or Ctrl-C. A plain 0 is said at once, and ends within 20 s unless the shaft becomes slower.",
+    );
     const ALIAS: Option<&'static str> = Some("setpoint");
     const TURNS: bool = true;
     type Prints = Document<OrMotion<Sollwert>>;
@@ -333,6 +337,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
     }
     let (drives, failures, succeeded) = each_drive(
         context,
+        <Args as Verb>::UPPER.drive,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
             show(session, settings, registry, address).await
         },

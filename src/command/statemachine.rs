@@ -7,8 +7,8 @@ use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings};
-use crate::drive::motion::{Motor, Situation, look, missing, no_control, no_fault, upon_enabling};
-use crate::drive::{Session, Target, describe};
+use crate::drive::motion::{self, Motor, Situation, look, missing, no_control, no_fault, upon_enabling};
+use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, StateReport, StateRow, Statemachine};
@@ -66,6 +66,11 @@ const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"
 
 impl Verb for Args {
     const NAME: &'static str = "statemachine";
+    const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
+        "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp; `reset` waits for the \
+         15 s of the drive's lock, and --hold for --duration or Ctrl-C. `disable`, `disable-voltage` and `quick-stop` are said \
+         at once, and end within 20 s unless the shaft becomes slower.",
+    );
     const ALIAS: Option<&'static str> = Some("state");
     const TURNS: bool = true;
     type Prints = Document<OrMotion<Statemachine>>;
@@ -235,6 +240,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
     }
     let (drives, failures, succeeded) = each_drive(
         context,
+        <Args as Verb>::UPPER.drive,
         async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
             show(session, settings, registry, address).await
         },

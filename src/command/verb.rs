@@ -2,6 +2,7 @@
 //! [`VERBS`](super::VERBS): dispatch, help, completions, man pages, schemas and the matrix of tests walk that list.
 
 use super::Context;
+use crate::drive::Upper;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
 use schemars::{JsonSchema, schema_for};
@@ -20,6 +21,8 @@ pub trait Verb: clap::Args + Debug + 'static {
     const ALIAS: Option<&'static str> = None;
     /// Whether it can turn a shaft. Then it ends when nobody reads its output any more, and says on stderr how.
     const TURNS: bool = false;
+    /// The longest that it takes, whatever comes over the line.
+    const UPPER: Upper = Upper::OFFLINE;
     /// What it prints as JSON: `Document<D>` with what it finds, or the lines of its stream.
     type Prints: JsonSchema;
 
@@ -70,6 +73,8 @@ pub struct Entry {
     pub alias: Option<&'static str>,
     /// Whether it can turn a shaft.
     pub turns: bool,
+    /// The longest that it takes, whatever comes over the line.
+    pub upper: Upper,
     /// Its arguments and its help.
     pub command: fn() -> clap::Command,
     /// JSON Schema of what it prints.
@@ -84,6 +89,7 @@ pub(super) const fn entry<V: Verb>() -> Entry {
         name: V::NAME,
         alias: V::ALIAS,
         turns: V::TURNS,
+        upper: V::UPPER,
         command: command::<V>,
         schema: schema::<V>,
         typed: typed::<V>,
@@ -92,6 +98,7 @@ pub(super) const fn entry<V: Verb>() -> Entry {
 
 fn command<V: Verb>() -> clap::Command {
     let command = V::augment_args(clap::Command::new(V::NAME));
+    let command = V::UPPER.told().into_iter().fold(command, clap::Command::after_long_help);
     V::ALIAS.into_iter().fold(command, clap::Command::visible_alias)
 }
 

@@ -4,7 +4,7 @@ use super::read::select_failure;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target, terms};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::{Session, Target, Terms, describe};
+use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Writing};
 use crate::outcome::{Data, Document, Outcome, Warning, Write, Written};
@@ -44,6 +44,7 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "write";
+    const UPPER: Upper = Upper::drive(30).each(16, "value");
     type Prints = Document<Write>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -29,6 +29,7 @@ mod target;
 mod terms;
 mod transfer;
 mod trouble;
+mod upper;
 mod watch;
 mod write;
 
@@ -47,6 +48,7 @@ pub use tally::{is_over, summary};
 pub use target::Target;
 pub use terms::{Terms, who};
 pub use transfer::Reading;
+pub use upper::{Price, Upper};
 pub use watch::{Item, Rounds, Select, watch};
 pub use write::{Order, WriteFate};
 

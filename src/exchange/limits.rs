@@ -61,12 +61,17 @@ impl Limits {
     /// silent, once a reply that is still owed is waited for, once one that was overtaken, and once more the answer to a
     /// fence.
     pub fn longest(&self, protocol: Protocol, line: LineSetting) -> Span {
+        let again = 1 + 2 * u64::from(ROUNDS) + WITNESSES as u64;
+        let seconds = SECOND_WITHIN.times(2 * (1 + u64::from(ROUNDS)));
+        let tries = self.tries(protocol, line).times(again);
+        tries + seconds + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
+    }
+
+    /// The longest that all tries of a question take of which nobody doubts whose answer comes.
+    pub fn tries(&self, protocol: Protocol, line: LineSetting) -> Span {
         let dialect = Dialect::new(protocol);
         let telegram = dialect.duration(line, rtu::MAX_FRAME);
-        let one_try = telegram + self.reply_timeout + dialect.longest_straggle();
-        let tries = (u64::from(self.retries) + 1) * (1 + 2 * u64::from(ROUNDS) + WITNESSES as u64);
-        let seconds = SECOND_WITHIN.times(2 * (1 + u64::from(ROUNDS)));
-        one_try.times(tries) + seconds + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
+        (telegram + self.reply_timeout + dialect.longest_straggle()).times(u64::from(self.retries) + 1)
     }
 
     /// How long all telegrams of a question together wait for a silent line.

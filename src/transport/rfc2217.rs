@@ -332,6 +332,42 @@ mod tests {
     }
 
     #[test]
+    fn a_server_that_is_set_and_then_fetches_nothing_ends_in_time() {
+        // Settled, it takes no more than lies in the buffers on the way.
+        let sulking = async |mut stream: TcpStream| {
+            let (mut server, mut buffer) = (Server::new(PortSettings::default()), [0; 64]);
+            loop {
+                if stream.write_all(&server.take_output()).await.is_err() {
+                    return;
+                }
+                let Ok(count @ 1..) = stream.read(&mut buffer).await else { return };
+                let data = server.receive(&buffer[..count]);
+                while server.poll_event().is_some() {}
+                if !data.is_empty() {
+                    break;
+                }
+            }
+            std::future::pending::<()>().await;
+        };
+        with_server(sulking, async |link| {
+            let mut link = link.unwrap();
+            let error = loop {
+                let begun = link.now();
+                let sent = link.send(&[0; 65_536]).await;
+                assert!(link.now().since(begun) < Span::from_secs(30));
+                if let Err(error) = sent {
+                    break error;
+                }
+            };
+            assert!(matches!(error, LinkError::Stuck(_)), "{error}");
+            assert!(
+                matches!(link.send(&[1]).await, Err(LinkError::Lost(_))),
+                "what follows would be taken for the rest"
+            );
+        });
+    }
+
+    #[test]
     fn a_telnet_server_without_the_option_is_refused() {
         let plain = async |mut stream: TcpStream| {
             stream.write_all(&[255, 254, 44]).await.unwrap(); // DONT COM-PORT-OPTION

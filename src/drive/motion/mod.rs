@@ -51,6 +51,11 @@ use still::Sight;
 const ENDING: Span = Span::from_secs(10);
 /// The same where nothing is to be given back.
 const ENDING_ALONE: Span = Span::from_millis(1_500);
+/// What a run waits for besides its questions, as long as no shaft still changes its speed: for each state on the way up to
+/// operation, for the stop, and for what comes behind it.
+pub const WAITS: Span = Span::from_micros(
+    5 * patience::USUAL.as_micros() + 2 * stop::PURSUED.as_micros() + ENDING.as_micros() + ENDING_ALONE.as_micros(),
+);
 
 /// What a run has its hand on; the stop must use the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

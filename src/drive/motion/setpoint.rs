@@ -263,10 +263,15 @@ impl Motor<'_, '_> {
             if duration.is_some_and(|duration| gone >= duration) {
                 return Ok(());
             }
-            self.bear(async |motor: &mut Self| each(motor, gone).await).await?;
+            // Both together are over before the drive's watchdog would be.
+            let last = self.guard.map(|guard| looked + Span::from_micros(guard.as_micros() / 16 * 15));
+            self.session.end_at(end.into_iter().chain(last).min());
+            let given = self.bear(async |motor: &mut Self| each(motor, gone).await).await;
+            self.session.end_at(end);
+            given?;
             // Neither does a look put off what is given again before the drive's watchdog misses it.
             let due = self.guard.map(|guard| self.session.now() + Span::from_micros(guard.as_micros() / 2));
-            self.session.end_at(end.into_iter().chain(due).min());
+            self.session.end_at(end.into_iter().chain(due).chain(last).min());
             let seen = self.look_on().await;
             let now = self.session.now();
             let patience = self.guard.map_or(Span::ZERO, |guard| Span::from_micros(guard.as_micros() / 4 * 3));
@@ -276,7 +281,7 @@ impl Motor<'_, '_> {
                 Err(failure) if cut && matches!(failure.class, Class::Silence | Class::Garbled) => continue,
                 seen => seen?,
             };
-            looked = now;
+            looked = self.shown.map_or(now, |(_, at)| at);
             let gone = now.since(begun);
             self.rest(self.round(duration, gone)).await?;
         }

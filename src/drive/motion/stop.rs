@@ -19,7 +19,7 @@ const STOP_TRIES: u8 = 5;
 /// The stop is given up when the drive has not answered for so long.
 const SILENT: Span = Span::from_secs(10);
 /// And after so long where it answers now and then, but never as far as a proof.
-const PURSUED: Span = Span::from_secs(20);
+pub(super) const PURSUED: Span = Span::from_secs(20);
 /// Who interrupts the strongest stop waits so long for it to be heard and proven.
 const HURRIED: Span = Span::from_secs(3);
 /// The same where somebody waits for what only takes motion away.
