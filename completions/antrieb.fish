@@ -1370,7 +1370,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l mode -d 'What is set: frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l set -d 'Set a parameter of the mode first, such as RAMPacc=2000; with --hold it is given back' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l start -d 'How the movement starts, in modes that need it: absolute (default), relative' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10)' -r -f -a "reached\t'The drive reports the setpoint as reached'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10); the time of --duration begins there' -r -f -a "reached\t'The drive reports the setpoint as reached'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l source -d 'Set what forms the setpoint for the run, in RAM; ACTIVE P.434: line = line setpoint only, sum = internal and line setpoint added' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l ramp -d 'Lead the setpoint on a straight line: FROM:TO:TIME, such as 0Hz:50Hz:20s' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F
@@ -1420,7 +1420,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s h -l help -
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l mode -d 'What is set: frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l set -d 'Set a parameter of the mode first, such as RAMPacc=2000; with --hold it is given back' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l start -d 'How the movement starts, in modes that need it: absolute (default), relative' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10)' -r -f -a "reached\t'The drive reports the setpoint as reached'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l until -d 'Wait for something before the program goes on: `reached` (status bit 10); the time of --duration begins there' -r -f -a "reached\t'The drive reports the setpoint as reached'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l source -d 'Set what forms the setpoint for the run, in RAM; ACTIVE P.434: line = line setpoint only, sum = internal and line setpoint added' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l ramp -d 'Lead the setpoint on a straight line: FROM:TO:TIME, such as 0Hz:50Hz:20s' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l profile -d 'Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`' -r -F

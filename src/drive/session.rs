@@ -18,6 +18,7 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::simulator::Bench;
+use crate::text::both;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, Port, Wake};
 use std::rc::Rc;
@@ -188,6 +189,12 @@ impl<'a> Session<'a> {
         let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
+        if let Some(error) = self.link.take_trace_error() {
+            self.tell(Event::Note(both!(
+                "the recording (--trace) ends here: {error}",
+                "die Aufzeichnung (--trace) endet hier: {error}"
+            )));
+        }
         let records = self.master.take_records();
         self.account.show(self.master.protocol(), &records, Some(station));
         if let Some(overheard) = &mut self.overheard {

@@ -183,6 +183,11 @@ impl Link {
         Link { carrier: Carrier::Sim(Box::new(sim::SimLink::new(bench, line))), trace: None }
     }
 
+    /// Why the trace ended early, if it did; once.
+    pub fn take_trace_error(&mut self) -> Option<std::io::Error> {
+        self.trace.as_mut()?.take_error()
+    }
+
     /// Writes every chunk of bytes to a trace from now on.
     pub fn record_to(&mut self, trace: Trace) {
         self.trace = Some(trace);

@@ -18,12 +18,15 @@ use std::io::{self, Write};
 /// Writes a recording.
 pub struct Trace {
     sink: Box<dyn Write>,
-    broken: Option<io::Error>,
+    /// It ended early.
+    is_cut: bool,
+    /// Why, until somebody was told.
+    why: Option<io::Error>,
 }
 
 impl fmt::Debug for Trace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Trace").field("broken", &self.broken).finish_non_exhaustive()
+        f.debug_struct("Trace").field("is_cut", &self.is_cut).finish_non_exhaustive()
     }
 }
 
@@ -31,7 +34,7 @@ impl Trace {
     /// A recording that goes to `sink`; `about` says what line it is of.
     pub fn new(mut sink: Box<dyn Write>, about: &str) -> io::Result<Self> {
         writeln!(sink, "{HEADER}{about}")?;
-        Ok(Trace { sink, broken: None })
+        Ok(Trace { sink, is_cut: false, why: None })
     }
 
     /// Remarks that the line was set anew.
@@ -53,9 +56,15 @@ impl Trace {
 
     /// A disk that is full must not stop a drive from being stopped: the first error ends the recording only.
     fn write(&mut self, line: &str) {
-        if self.broken.is_none() {
-            self.broken = writeln!(self.sink, "{line}").and_then(|()| self.sink.flush()).err();
+        if !self.is_cut {
+            self.why = writeln!(self.sink, "{line}").and_then(|()| self.sink.flush()).err();
+            self.is_cut = self.why.is_some();
         }
+    }
+
+    /// Why the recording ended early; once.
+    pub(super) fn take_error(&mut self) -> Option<io::Error> {
+        self.why.take()
     }
 }
 
@@ -116,5 +125,29 @@ mod tests {
         assert_eq!(lines[1], TraceLine { number: 4, at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
         assert!(read_trace("x > 01").unwrap_err().starts_with("line 1:"));
         assert!(read_trace("5 > 1").unwrap_err().contains("5 > 1"));
+    }
+
+    /// A disk with room for so many bytes.
+    struct Disk(usize);
+
+    impl Write for Disk {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.0 = self.0.checked_sub(bytes.len()).ok_or(io::ErrorKind::StorageFull)?;
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_full_disk_ends_the_recording_and_is_told_once() {
+        let mut trace = Trace::new(Box::new(Disk(60)), "19200 8E1, rtu").unwrap();
+        trace.sent(Tick::ZERO, &[1, 3]);
+        assert!(trace.take_error().is_none());
+        (0..9).for_each(|_| trace.sent(Tick::ZERO, &[1, 3]));
+        assert_eq!(trace.take_error().unwrap().kind(), io::ErrorKind::StorageFull);
+        trace.sent(Tick::ZERO, &[1, 3]);
+        assert!(trace.take_error().is_none());
     }
 }

@@ -159,3 +159,19 @@ fn a_run_is_not_suspended() {
     run.shows("> 01 06 01 9A 00 07");
     assert_eq!(run.ends(), Some(0), "{}", run.seen);
 }
+
+/// The work was done; who does not wait for the stop behind it has interrupted all the same.
+#[test]
+fn a_signal_while_the_stop_at_the_end_is_under_way_is_told() {
+    let _alone = alone();
+    let (_directory, port) = bench(
+        "[[drive]]\nmodel = \"act\"\nramps = { up_right = 99, down_right = 1, up_left = 99, down_left = 1 }\n\
+                 set = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n",
+    );
+    let line = format!("-v -p {port} -a 1 --yes sollwert 40Hz --enable --hold --duration 1s");
+    let mut run = AtTerminal::start(&line);
+    run.shows("> 01 06 01 9A 00 07");
+    run.signal("-INT");
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows("interrupted while it was stopped");
+}

@@ -150,3 +150,19 @@ fn a_bad_setting_names_the_file_that_it_stands_in() {
     let run = antrieb("-p sim -a 1 read 411").file("antrieb.toml", "parity = \"mark\"\n").exits(2);
     assert!(run.err.contains("(antrieb.toml)"), "{}", run.err);
 }
+
+/// Drive 1 was meant, and drive 2 would start.
+#[test]
+fn the_name_of_a_drive_never_reads_as_an_address() {
+    for name in ["1", "0", "1-3", "1,2", "3.17"] {
+        let file = format!("port = \"sim\"\n[drives.\"{name}\"]\naddress = 2\n");
+        let refused = antrieb(&format!("-a {name} read 372")).file("antrieb.toml", &file).exits(7);
+        assert!(
+            refused.err.contains("antrieb.toml:2:") && refused.err.contains("reads as an address"),
+            "{}",
+            refused.err
+        );
+    }
+    let pump2 = "port = \"sim\"\n[drives.\"2nd\"]\naddress = 2\n";
+    assert_eq!(taken(antrieb("-a 2nd read 372").file("antrieb.toml", pump2)), strings(["acu", "2", "Rated Speed"]));
+}
