@@ -72,19 +72,19 @@ pub struct Failure {
 
 impl Failure {
     /// A failure without hint and context.
-    pub fn new(class: Class, code: impl Into<String>, message: impl Into<Text>) -> Self {
-        Failure { class, code: code.into(), message: message.into(), hint: None, context: Vec::new() }
+    pub fn new(class: Class, code: impl Into<String>, message: Text) -> Self {
+        Failure { class, code: code.into(), message, hint: None, context: Vec::new() }
     }
 
     /// A failure in the words of its causes, the outermost first: `antrieb.toml: the file exists already`.
     pub fn caused(class: Class, code: &str, cause: &anyhow::Error) -> Self {
-        Failure::new(class, code, format!("{cause:#}"))
+        Failure::new(class, code, Text::quoted(format_args!("{cause:#}")))
     }
 
     /// The same with something to do next.
     #[must_use]
-    pub fn hint(mut self, hint: impl Into<Text>) -> Self {
-        self.hint = Some(Box::new(hint.into()));
+    pub fn hint(mut self, hint: Text) -> Self {
+        self.hint = Some(Box::new(hint));
         self
     }
 

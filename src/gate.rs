@@ -10,9 +10,8 @@
 //!
 //! ```compile_fail
 //! use antrieb::drive::{Session, Target, motion::Motor};
-//! use antrieb::profile::Lang;
 //! fn without_asking(session: &mut Session<'_>, target: &mut Target) {
-//!     let motor = Motor::new(session, target, Lang::En, None);
+//!     let motor = Motor::new(session, target, None);
 //! }
 //! ```
 //!
@@ -21,9 +20,8 @@
 //! ```
 //! use antrieb::drive::{Session, Target, motion::Motor};
 //! use antrieb::gate::{Motion, Permit};
-//! use antrieb::profile::Lang;
 //! fn after_asking(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Motion>) {
-//!     let motor = Motor::new(session, target, permit, Lang::En, None);
+//!     let motor = Motor::new(session, target, permit, None);
 //! }
 //! ```
 //!
@@ -32,9 +30,8 @@
 //! ```compile_fail,E0308
 //! use antrieb::drive::{Session, Target, motion::Motor};
 //! use antrieb::gate::{Counters, Permit};
-//! use antrieb::profile::Lang;
 //! fn asked_about_counters(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Counters>) {
-//!     let motor = Motor::new(session, target, permit, Lang::En, None);
+//!     let motor = Motor::new(session, target, permit, None);
 //! }
 //! ```
 //!

@@ -9,6 +9,22 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+/// A [`Text`] of two formats. What is captured by its name in the braces is the same in both; what is another `Text` is named
+/// behind them: `both!("{part} refused: {why}", "{part} abgelehnt: {why}", why)`, or `why = error.text()`.
+macro_rules! both {
+    ($en:literal, $de:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        match ($(&$crate::text::both!(@ $name $(= $value)?),)*) {
+            ($($name,)*) => $crate::text::Text::formatted(
+                ::std::format_args!($en $(, $name = $crate::text::Say::say($name, $crate::text::Lang::En))*),
+                ::std::format_args!($de $(, $name = $crate::text::Say::say($name, $crate::text::Lang::De))*),
+            ),
+        }
+    };
+    (@ $name:ident) => { $name };
+    (@ $name:ident = $value:expr) => { $value };
+}
+pub(crate) use both;
+
 /// Language of names and texts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lang {
@@ -39,12 +55,12 @@ impl Lang {
 }
 
 impl FromStr for Lang {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         match text {
             "en" => Ok(Lang::En),
             "de" => Ok(Lang::De),
-            _ => Err(format!("expected en or de, got '{text}'")),
+            _ => Err(Wrong(both!("expected en or de, got '{text}'", "erwartet: en oder de; angegeben: '{text}'"))),
         }
     }
 }
@@ -60,20 +76,6 @@ pub struct Text {
     pub de: Cow<'static, str>,
 }
 
-/// Temporary, for the rooms that still pick a language early: with it gone, a text in one language does not compile.
-impl From<&str> for Text {
-    fn from(text: &str) -> Self {
-        Text::name(text)
-    }
-}
-
-/// Temporary as well.
-impl From<String> for Text {
-    fn from(text: String) -> Self {
-        Text::name(text)
-    }
-}
-
 impl Text {
     /// A text that stands in the program; `both!` makes one that is put together.
     pub const fn new(en: &'static str, de: &'static str) -> Self {
@@ -84,6 +86,11 @@ impl Text {
     pub fn name(name: impl fmt::Display) -> Self {
         let name = name.to_string();
         Text { en: Cow::Owned(name.clone()), de: Cow::Owned(name) }
+    }
+
+    /// What a library or the system says, which has one language: between quotation marks in the other.
+    pub fn quoted(words: impl fmt::Display) -> Self {
+        both!("{words}", "\"{words}\"")
     }
 
     /// What `say` says in each language.
@@ -120,6 +127,11 @@ impl Text {
         String::deserialize(printed).map(Text::name)
     }
 
+    /// The same of a text that may be missing.
+    pub fn as_printed_or_null<'de, D: Deserializer<'de>>(printed: D) -> Result<Option<Self>, D::Error> {
+        Option::<String>::deserialize(printed).map(|text| text.map(Text::name))
+    }
+
     /// For [`both!`].
     pub(crate) fn formatted(en: fmt::Arguments<'_>, de: fmt::Arguments<'_>) -> Self {
         let one = |text: fmt::Arguments<'_>| text.as_str().map_or_else(|| text.to_string().into(), Cow::Borrowed);
@@ -136,6 +148,25 @@ impl JsonSchema for Text {
     }
     fn inline_schema() -> bool {
         String::inline_schema()
+    }
+}
+
+/// Why something that was typed or stands in a file does not do, as an error. As such it speaks English; who prints it takes
+/// the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wrong(pub Text);
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.en)
+    }
+}
+
+impl std::error::Error for Wrong {}
+
+impl From<Wrong> for Text {
+    fn from(wrong: Wrong) -> Self {
+        wrong.0
     }
 }
 
@@ -175,22 +206,6 @@ impl Say for &Text {
         self.get(lang)
     }
 }
-
-/// A [`Text`] of two formats. What is captured by its name in the braces is the same in both; what is another `Text` is named
-/// behind them: `both!("{part} refused: {why}", "{part} abgelehnt: {why}", why)`, or `why = error.text()`.
-macro_rules! both {
-    ($en:literal, $de:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
-        $crate::text::Text::formatted(
-            ::std::format_args!($en $(, $name = $crate::text::Say::say(
-                &$crate::text::both!(@ $name $(= $value)?), $crate::text::Lang::En))*),
-            ::std::format_args!($de $(, $name = $crate::text::Say::say(
-                &$crate::text::both!(@ $name $(= $value)?), $crate::text::Lang::De))*),
-        )
-    };
-    (@ $name:ident) => { $name };
-    (@ $name:ident = $value:expr) => { $value };
-}
-pub(crate) use both;
 
 #[cfg(test)]
 mod tests {

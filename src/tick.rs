@@ -3,6 +3,7 @@
 //! This room does arithmetic only. It never reads a clock: the link that carries the bytes also carries the time
 //! (`transport`), which is virtual on the built-in bench and real on a tty.
 
+use crate::text::{Wrong, both};
 use std::fmt;
 use std::ops::{Add, AddAssign, Sub};
 use std::str::FromStr;
@@ -118,9 +119,14 @@ impl From<Span> for Duration {
 
 /// Reads the way people write times: `500ms`, `1.5 s`, `2m`, `750us`, up to a week.
 impl FromStr for Span {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        let bad = || format!("expected a time such as 500ms, 2s or 1m, got '{text}'");
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
+        let bad = || {
+            Wrong(both!(
+                "expected a time such as 500ms, 2s or 1m, got '{text}'",
+                "erwartet: eine Zeit wie 500ms, 2s oder 1m; angegeben: '{text}'"
+            ))
+        };
         let typed = text.trim();
         let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
         let (number, unit) = typed.split_at(end);
@@ -139,7 +145,11 @@ impl FromStr for Span {
         let millionths: u64 = format!("{whole}{part:0<6}").parse().map_err(|_| bad())?;
         let exact = millionths.checked_mul(micros).filter(|time| time % 1_000_000 == 0 && part.len() <= 6);
         let span = Span(exact.ok_or_else(bad)? / 1_000_000);
-        if span > WEEK { Err(format!("'{typed}' is longer than a week")) } else { Ok(span) }
+        if span > WEEK {
+            Err(Wrong(both!("'{typed}' is longer than a week", "'{typed}' ist länger als eine Woche")))
+        } else {
+            Ok(span)
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::profile::Lang;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use crate::transport::{Port, Rs485Mode};
 use clap::{ArgAction, Args, ValueEnum};
@@ -156,18 +157,29 @@ impl<T> Auto<T> {
 /// Speeds that are believed.
 pub(super) const BAUD_RATES: std::ops::RangeInclusive<u32> = 300..=1_250_000;
 
-fn parse_baud(text: &str) -> Result<Auto<u32>, String> {
+fn parse_baud(text: &str) -> Result<Auto<u32>, Wrong> {
     let known = text.parse().ok().filter(|baud| BAUD_RATES.contains(baud));
     let auto = text.eq_ignore_ascii_case(AUTO).then_some(Auto::Auto);
-    let expected = || format!("expected {} to {}, or auto; got '{text}'", BAUD_RATES.start(), BAUD_RATES.end());
+    let (first, last) = (BAUD_RATES.start(), BAUD_RATES.end());
+    let expected = || {
+        Wrong(both!(
+            "expected {first} to {last}, or auto; got '{text}'",
+            "erwartet: {first} bis {last}, oder auto; angegeben: '{text}'"
+        ))
+    };
     known.map(Auto::Is).or(auto).ok_or_else(expected)
 }
 
-fn parse_parity(text: &str) -> Result<Auto<Parity>, String> {
+fn parse_parity(text: &str) -> Result<Auto<Parity>, Wrong> {
     if text.eq_ignore_ascii_case(AUTO) {
         return Ok(Auto::Auto);
     }
-    text.parse().map(Auto::Is).map_err(|why: String| why.replace("none,", "none or auto,"))
+    text.parse().map(Auto::Is).map_err(|_: Wrong| {
+        Wrong(both!(
+            "expected even, odd, none or auto, got '{text}'",
+            "erwartet: even, odd, none oder auto; angegeben: '{text}'"
+        ))
+    })
 }
 
 /// What says that a setting is to be found out.
@@ -204,6 +216,6 @@ pub enum ColorChoice {
 }
 
 /// Reads `500ms`, `2s`, `1.5 s`, `2m`.
-pub fn parse_span(text: &str) -> Result<Span, String> {
+pub fn parse_span(text: &str) -> Result<Span, Wrong> {
     text.parse()
 }

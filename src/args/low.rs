@@ -239,7 +239,9 @@ fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
     toml::from_str(&text).map_err(|error| {
         let (line, column) = place(&text, error.span().map_or(0, |span| span.start));
         let message = error.message().replace(|c: char| c.is_control(), " ");
-        Failure::new(Class::Data, "data.config", format!("{shown}:{line}:{column}: {message}"))
+        let message = Text::quoted(message);
+        let text = both!("{shown}:{line}:{column}: {message}", "{shown}:{line}:{column}: {message}", message);
+        Failure::new(Class::Data, "data.config", text)
     })
 }
 

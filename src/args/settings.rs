@@ -12,7 +12,7 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
-use crate::text::{Text, both};
+use crate::text::{Text, Wrong, both};
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
 use std::collections::BTreeMap;
@@ -250,9 +250,8 @@ fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool), Failu
     let said = low.said(|drive| drive.protocol.clone(), |file| file.protocol.clone());
     let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok::<_, Text>)?;
     let text = text.as_deref();
-    let named = text
-        .filter(|&text| text != AUTO)
-        .map(|text| text.parse().map_err(|why: String| protocol_failure(text, &why.into())));
+    let named =
+        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: Wrong| protocol_failure(text, &why.0)));
     let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
     Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO)))
 }

@@ -164,7 +164,7 @@ fn work(
     stream: Option<&RefCell<Stream<'_>>>,
 ) -> Result<Outcome, Failure> {
     let registry = Registry::open(&settings.catalogues)
-        .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.to_string()))?;
+        .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.text()))?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     let runtime = runtime.context("cannot start the runtime");
     let runtime = runtime.map_err(|error| Failure::caused(Class::Bug, "bug.runtime", &error))?;

@@ -3,7 +3,7 @@
 use crate::command::VERBS;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
-use crate::text::both;
+use crate::text::{Text, both};
 use clap::{ArgMatches, Args};
 use std::io::{self, Write};
 
@@ -40,7 +40,7 @@ fn command<P: Page>() -> clap::Command {
 fn print<P: Page>(matches: &ArgMatches, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     match P::from_arg_matches(matches) {
         Ok(page) => page.print(tree, out),
-        Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", error.to_string()))),
+        Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", Text::quoted(error)))),
     }
 }
 

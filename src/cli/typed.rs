@@ -7,7 +7,7 @@ use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, Wrong};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -160,7 +160,7 @@ fn german(error: &clap::Error) -> Option<String> {
         (ErrorKind::InvalidValue, Some(value)) => format!("'{value}' passt nicht für '{what}'{valid}"),
         (ErrorKind::InvalidValue, None) => format!("für '{what}' fehlt ein Wert{valid}"),
         (ErrorKind::ValueValidation, value) => {
-            let why = std::error::Error::source(error).map_or_else(String::new, |why| format!(": {why}"));
+            let why = std::error::Error::source(error).map_or_else(String::new, unfit_value);
             format!("'{}' passt nicht für '{what}'{why}", value.unwrap_or_default())
         }
         (ErrorKind::UnknownArgument, _) => {
@@ -180,6 +180,16 @@ fn german(error: &clap::Error) -> Option<String> {
         }
         _ => return None,
     })
+}
+
+/// Why a value does not do: in our words, or in those of a number that does not do.
+fn unfit_value(why: &(dyn std::error::Error + 'static)) -> String {
+    let told = why.to_string();
+    match (why.downcast_ref::<Wrong>(), told.split_once(" is not in ")) {
+        (Some(ours), _) => format!(": {}", ours.0.de),
+        (None, Some((_, range))) => format!(": erwartet wird eine ganze Zahl in {range}"),
+        (None, None) => ": erwartet wird eine ganze Zahl".to_owned(),
+    }
 }
 
 /// What was typed for an option, in whichever of its two ways: `--lang de`, `--lang=de`.

@@ -245,7 +245,7 @@ impl Work<'_> {
         let named = !texts.is_empty();
         let mut missing = Vec::new();
         let params = self.params(texts)?;
-        let mut reader = Reader::new(session, &mut self.target, self.terms.lang());
+        let mut reader = Reader::new(session, &mut self.target);
         for param in params {
             let mut values = Vec::new();
             for &set in sets {
@@ -264,7 +264,7 @@ impl Work<'_> {
             rows.push(DatasetRow {
                 param: param.id,
                 slug: param.slug.clone(),
-                name: param.name(self.terms.lang()).to_owned(),
+                name: param.name.clone(),
                 unit: param.unit.clone(),
                 equal,
                 values,
@@ -285,7 +285,7 @@ impl Work<'_> {
     }
 
     async fn header(&mut self, session: &mut Session<'_>) -> Result<(Option<i64>, Option<Value>), Failure> {
-        let mut reader = Reader::new(session, &mut self.target, self.terms.lang());
+        let mut reader = Reader::new(session, &mut self.target);
         let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
         let selection = reader.vital_role("set-selection").await?;
         match reader.failures.pop() {

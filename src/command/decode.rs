@@ -8,7 +8,6 @@ use crate::files;
 use crate::outcome::{Data, Decode, Document, Outcome};
 use crate::profile::Family;
 use crate::text::{Text, both};
-use anyhow::Context as _;
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
 
@@ -74,7 +73,6 @@ impl Verb for Args {
 /// Explains.
 pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let mut family = offline_family(context.settings, context.registry)?;
-    let lang = context.settings.lang;
     if let (What::Fault { code }, None) = (&args.what, &context.settings.drive)
         && let Some(told) = context.registry.families().into_iter().find(|family| displayed(code, family).is_some())
     {
@@ -93,9 +91,8 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let decode = match &args.what {
         What::Telegram { bytes } => {
             let input = bytes.join(" ");
-            let doc = reader
-                .typed(&input)
-                .map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.to_string()))?;
+            let doc =
+                reader.typed(&input).map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.text()))?;
             let failure =
                 (!doc.check_ok).then(|| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
             let data = Data::Decode(Decode { telegrams: vec![doc], ..blank("telegram", &input) });
@@ -103,17 +100,15 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         }
         What::Trace { file } => {
             let shown = file.display().to_string();
-            let told = || {
-                let text = files::read(file, files::RECORDING)?;
-                reader.recording(&text).map_err(anyhow::Error::msg)
-            };
-            let telegrams = told().with_context(|| shown.clone());
-            let telegrams = telegrams.map_err(|error| Failure::caused(Class::Data, "data.trace", &error))?;
+            let text = files::read(file, files::RECORDING).map_err(|error| error.text());
+            let telegrams = text.and_then(|text| reader.recording(&text)).map_err(|why| {
+                Failure::new(Class::Data, "data.trace", both!("{shown}: {why}", "{shown}: {why}", why))
+            })?;
             Decode { telegrams, ..blank("trace", &shown) }
         }
-        What::Status { word } => word_of(&family, "status-word", "status", word, None, lang)?,
-        What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode), lang)?,
-        What::Warnings { word } => word_of(&family, "warnings", "warnings", word, None, lang)?,
+        What::Status { word } => word_of(&family, "status-word", "status", word, None)?,
+        What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode))?,
+        What::Warnings { word } => word_of(&family, "warnings", "warnings", word, None)?,
         What::Fault { code } => {
             let letter = &family.fault_codes.letter;
             let number = displayed(code, &family).or_else(|| number(code));
@@ -124,31 +119,24 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
                 );
                 bad_code(code, &such)
             })?;
-            Decode { fault: describe::fault(&family, number, lang), ..blank("fault", code) }
+            Decode { fault: describe::fault(&family, number), ..blank("fault", code) }
         }
         What::Error { code } => {
             let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
-            Decode { register: Some(describe::register(&family, number, lang)), ..blank("error", code) }
+            Decode { register: Some(describe::register(&family, number)), ..blank("error", code) }
         }
     };
     Ok(Outcome::of(Data::Decode(decode)))
 }
 
-fn word_of(
-    family: &Family,
-    role: &str,
-    kind: &'static str,
-    text: &str,
-    mode: Option<u8>,
-    lang: crate::profile::Lang,
-) -> Result<Decode, Failure> {
+fn word_of(family: &Family, role: &str, kind: &'static str, text: &str, mode: Option<u8>) -> Result<Decode, Failure> {
     let raw = number(text).ok_or_else(|| {
         bad_code(text, &both!("a 16-bit word such as 0x0237 or 567", "ein 16-Bit-Wort wie 0x0237 oder 567"))
     })?;
     let param = family.role(role).ok_or_else(|| {
         Failure::new(Class::Data, "data.role", both!("this family has no {role}", "diese Familie hat kein {role}"))
     })?;
-    let word = describe::word(family, param, raw, lang, &|_| mode.map(i64::from));
+    let word = describe::word(family, param, raw, &|_| mode.map(i64::from));
     Ok(Decode { kind, input: text.to_owned(), telegrams: Vec::new(), word: Some(word), fault: None, register: None })
 }
 

@@ -199,13 +199,12 @@ async fn diagnose(
     args: &Args,
     permit: Option<&Permit<Counters>>,
 ) -> Result<Row<Diagnosis>, Failure> {
-    let lang = settings.lang;
     let mut target = target(session, settings, registry, address, true).await?;
     let family = target.family.clone();
     let failed = |error: AccessError| error.failure(address, Some(&family));
     // First of all: any refused question would overwrite it.
     let refusal = kept_refusal(session, &mut target).await.map_err(failed)?;
-    let mut reader = Reader::new(session, &mut target, settings.lang);
+    let mut reader = Reader::new(session, &mut target);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     // Once for both: on some drives reading moves on to the entry before.
@@ -231,14 +230,14 @@ async fn diagnose(
         healthy: code == Some(0) && !warns,
         status,
         fault_code: code.map(i64::from),
-        fault: code.and_then(|code| describe::fault(&family, code, lang)),
+        fault: code.and_then(|code| describe::fault(&family, code)),
         warnings,
         memory,
         watchdog,
-        error_register: register.or(refusal.map(i64::from)).map(|code| describe::register(&family, code as u32, lang)),
+        error_register: register.or(refusal.map(i64::from)).map(|code| describe::register(&family, code as u32)),
         ..blank(address)
     };
-    match counters(session, &mut target, lang).await {
+    match counters(session, &mut target).await {
         Ok(counters) => report.counters = counters,
         Err(error) if error.is_fatal() => return Err(failed(error)),
         Err(error) => failures.push(failed(error)),

@@ -76,7 +76,6 @@ async fn identify(
     registry: &Registry,
     address: u8,
 ) -> Result<Row<Identity>, Failure> {
-    let lang = settings.lang;
     let failed = |error: AccessError| error.failure(address, None);
     let (target, evidence, product) = match &settings.drive {
         Some(name) => {
@@ -112,11 +111,11 @@ async fn identify(
     };
     let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
     let title = title.map_or_else(Text::default, |drive| drive.title.clone());
-    let mut reader = Reader::new(session, &mut target, settings.lang);
+    let mut reader = Reader::new(session, &mut target);
     let mut values = Vec::new();
     for role in ROLES {
         match IN_FORCE.contains(&role) {
-            true => values.extend(reader.in_force(role).await?.rows(lang)),
+            true => values.extend(reader.in_force(role).await?.rows()),
             false => values.extend(reader.role(role).await?),
         }
     }

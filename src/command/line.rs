@@ -8,7 +8,7 @@ use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Hazard, Question};
 use crate::outcome::{Data, Document, OrRead, Outcome, Relocation};
-use crate::text::both;
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::{Arg, Args as ClapArgs, Subcommand};
 
@@ -71,8 +71,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         What::Show => show(context).await,
         What::Set { baud, parity, address } => {
             let parity = parity.as_ref().map(|text| text.parse()).transpose();
-            let parity =
-                parity.map_err(|why: String| Failure::new(Class::Usage, "usage.parity", format!("--parity: {why}")))?;
+            let parity = parity.map_err(|why: Wrong| {
+                Failure::new(Class::Usage, "usage.parity", both!("--parity: {why}", "--parity: {why}", why = why.0))
+            })?;
             let wish = Wish { baud: *baud, parity, address: *address, ..Wish::default() };
             if wish == Wish::default() {
                 let message = both!(
@@ -124,17 +125,16 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         return Ok(outcome);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
-    let lang = settings.lang;
     gate::somebody(*ask).map_err(denied)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;
     let course = relocate::course(&mut session, &mut target, &wish).await?;
     if course.is_done() {
-        return Ok(Outcome::of(Data::Relocation(course.told(&target, lang))));
+        return Ok(Outcome::of(Data::Relocation(course.told(&target))));
     }
     course.check_free(&mut session, &mut target).await?;
     let permit = super::asking::on_line(&mut session, *ask, &question(&course)).await?;
-    let (relocation, failure) = course.go(&mut session, &mut target, &permit, lang).await;
+    let (relocation, failure) = course.go(&mut session, &mut target, &permit).await;
     Ok(Outcome { data: Some(Data::Relocation(relocation)), warnings: Vec::new(), failure })
 }
 

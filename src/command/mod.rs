@@ -104,7 +104,6 @@ async fn open<'a>(
         retries: settings.retries,
         trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),
         verbose: settings.verbose,
-        lang: settings.lang,
     };
     if settings.verbose {
         observe(Event::Note(settings.told()));
@@ -305,13 +304,7 @@ fn telegram_reader<'f>(settings: &Settings, family: &'f Family) -> Speech<'f> {
 
 /// What is spoken, without names of parameters.
 fn speech(settings: &Settings) -> Speech<'static> {
-    Speech {
-        protocol: settings.protocol,
-        node: settings.node,
-        family: None,
-        order: settings.word_order,
-        lang: settings.lang,
-    }
+    Speech { protocol: settings.protocol, node: settings.node, family: None, order: settings.word_order }
 }
 
 /// Refuses numbers that no telegram of the family can carry.

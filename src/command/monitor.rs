@@ -11,6 +11,7 @@ use crate::drive::{Item, Rounds, Upper, watch};
 use crate::failure::Failure;
 use crate::outcome::{Outcome, Record};
 use crate::profile::{DataSets, Family, Param, Selection, Selector};
+use crate::text::Wrong;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
@@ -144,6 +145,6 @@ fn moves_on(family: &Family, param: &Param) -> bool {
 }
 
 /// Like any other time, but 0 needs no unit.
-fn interval(text: &str) -> Result<Span, String> {
+fn interval(text: &str) -> Result<Span, Wrong> {
     if text.trim() == "0" { Ok(Span::ZERO) } else { parse_span(text) }
 }

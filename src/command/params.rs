@@ -38,8 +38,7 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
         None if query.trim().is_empty() => family.params.values().collect(),
         None => family.search(&query),
     };
-    let params: Vec<_> =
-        rows.into_iter().map(|param| describe::param_doc(&family, param, context.settings.lang)).collect();
+    let params: Vec<_> = rows.into_iter().map(|param| describe::param_doc(&family, param)).collect();
     let none = params.is_empty().then(|| {
         Failure::new(
             Class::No,

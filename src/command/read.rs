@@ -8,7 +8,7 @@ use super::{
 use crate::drive::{Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
-use crate::profile::{Family, Lang, Selection, Selector, Type};
+use crate::profile::{Family, Selection, Selector, Type};
 use crate::text::both;
 use clap::Args as ClapArgs;
 
@@ -75,7 +75,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Err(failure) => {
                 let over = is_over(&failure);
                 let selections = select(&selectors, &family, args)?;
-                haul.values.extend(unreachable(address, &selections, &family, settings.lang, &failure));
+                haul.values.extend(unreachable(address, &selections, &family, &failure));
                 haul.failures.push(failure);
                 if over {
                     break;
@@ -88,8 +88,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         if let Some(kind) = args.kind {
             selections.iter().for_each(|selection| target.set_width(selection.param.id, kind));
         }
-        let reader = Reader::new(&mut session, &mut target, settings.lang);
-        if !haul.take(reader, &selections, settings.lang).await {
+        let reader = Reader::new(&mut session, &mut target);
+        if !haul.take(reader, &selections).await {
             break;
         }
     }
@@ -108,7 +108,7 @@ struct Haul {
 
 impl Haul {
     /// Reads one drive; `false` if the session is over.
-    async fn take(&mut self, mut reader: Reader<'_, '_>, selections: &[Selection], lang: Lang) -> bool {
+    async fn take(&mut self, mut reader: Reader<'_, '_>, selections: &[Selection]) -> bool {
         let params: Vec<_> = selections.iter().map(|selection| selection.param.clone()).collect();
         let mut fetched = reader.fetch(&params).await;
         for Selection { param, sets, of_group } in selections {
@@ -122,7 +122,7 @@ impl Haul {
                 Err(failure) => {
                     let (address, set) = (reader.target.address, sets.wire().first().copied().unwrap_or(0));
                     let family = &reader.target.family;
-                    self.values.push(describe::unread(address, family, param, set, lang, &failure));
+                    self.values.push(describe::unread(address, family, param, set, &failure));
                     self.failures.push(failure);
                     return false;
                 }
@@ -190,12 +190,12 @@ fn shows_register(selectors: &[Selector], family: &Family, args: &Args) -> Resul
 }
 
 /// The rows of a drive that does not answer at all.
-fn unreachable(address: u8, selections: &[Selection], family: &Family, lang: Lang, failure: &Failure) -> Vec<Value> {
+fn unreachable(address: u8, selections: &[Selection], family: &Family, failure: &Failure) -> Vec<Value> {
     let rows =
         selections.iter().flat_map(|selection| selection.sets.wire().into_iter().map(move |set| (selection, set)));
     rows.map(|(selection, set)| Value {
         drive: "unknown".to_owned(),
-        ..describe::unread(address, family, &selection.param, set, lang, failure)
+        ..describe::unread(address, family, &selection.param, set, failure)
     })
     .collect()
 }

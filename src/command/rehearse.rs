@@ -7,7 +7,7 @@ use crate::drive::motion::watchdog_raw;
 use crate::drive::{Cell, Inquiry, decode};
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome, Plan};
-use crate::profile::{DataSets, Facts, Family, Lang, Param, Sets, Type, value};
+use crate::profile::{DataSets, DriveState, Facts, Family, Param, Sets, Type, value};
 use crate::text::{Text, both};
 
 /// A run that is only told.
@@ -15,7 +15,6 @@ pub(super) struct Rehearsal<'r> {
     reader: decode::Reader<'r>,
     family: &'r Family,
     address: u8,
-    lang: Lang,
     plan: Plan,
     /// What was changed for the run and is given back, by name.
     changed: Vec<String>,
@@ -79,7 +78,7 @@ impl<'r> Rehearsal<'r> {
     fn empty(settings: &Settings, family: &'r Family, address: u8) -> Self {
         let reader = telegram_reader(settings, family);
         let plan = Plan { dry_run: true, telegrams: Vec::new(), notes: Vec::new() };
-        let mut told = Rehearsal { reader, family, address, lang: settings.lang, plan, changed: Vec::new() };
+        let mut told = Rehearsal { reader, family, address, plan, changed: Vec::new() };
         if settings.drive.is_none() {
             told.note(both!(
                 "taken for '{drive}': without --drive the drive is recognised first (code 43, P.411, code 100)",
@@ -171,7 +170,7 @@ impl<'r> Rehearsal<'r> {
     pub(super) fn bounds(&mut self, motion: &MotionArgs, needs_control: bool) -> Result<(), Failure> {
         let family = self.family;
         if let (Some(span), Some(param)) = (motion.watchdog, family.role("watchdog")) {
-            self.change(param, watchdog_raw(family, span, self.lang)?);
+            self.change(param, watchdog_raw(family, span)?);
         }
         let control = family.motion.control.filter(|_| motion.take_control && needs_control);
         if let (Some(control), Some(param)) = (control, family.role("control-mode")) {
@@ -208,10 +207,11 @@ impl<'r> Rehearsal<'r> {
         begin.into_iter().for_each(|slug| self.command(slug));
         let way = family.machine.plan(FROM, goal, &Facts::default()).unwrap_or_default();
         way.iter().filter_map(|transition| transition.command.as_ref()).for_each(|slug| self.command(slug));
-        let from = family.states.iter().find(|row| row.slug == FROM).map_or(FROM, |row| row.name(self.lang));
+        let from = family.states.iter().find(|row| row.slug == FROM).map_or_else(|| Text::name(FROM), DriveState::text);
         self.note(both!(
             "the control words are those from '{from}' on; from another state it is another way",
-            "die Steuerwörter gelten ab '{from}'; von einem anderen Zustand aus ist der Weg ein anderer"
+            "die Steuerwörter gelten ab '{from}'; von einem anderen Zustand aus ist der Weg ein anderer",
+            from
         ));
     }
 

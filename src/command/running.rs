@@ -10,8 +10,8 @@ use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
 use crate::outcome::{Decimal, Event, Outcome};
-use crate::profile::{Family, Lang, Mode, Registry};
-use crate::text::Text;
+use crate::profile::{Family, Mode, Registry};
+use crate::text::{Text, both};
 
 mod done;
 mod report;
@@ -28,9 +28,9 @@ pub(super) struct Plan<'p> {
     /// Word for JSON: `enable`, `sollwert` …
     pub(super) action: &'p str,
     /// What will happen, for the question.
-    pub(super) announce: String,
+    pub(super) announce: Text,
     /// What to know besides before one agrees.
-    pub(super) details: Vec<String>,
+    pub(super) details: Vec<Text>,
     /// How the run is bounded.
     pub(super) args: &'p MotionArgs,
     /// The control word is needed, so it must be obeyed.
@@ -47,7 +47,7 @@ pub(super) struct Plan<'p> {
 
 impl<'p> Plan<'p> {
     /// Something that needs the control word, may turn the shaft, and leaves the drive as it comes to stand.
-    pub(super) fn of(action: &'p str, announce: String, args: &'p MotionArgs) -> Self {
+    pub(super) fn of(action: &'p str, announce: Text, args: &'p MotionArgs) -> Self {
         let (details, relief, zero) = (Vec::new(), None, None);
         Plan { action, announce, details, args, needs_control: true, relief, runs: false, zero, said: false }
     }
@@ -72,42 +72,43 @@ impl<'p> Plan<'p> {
     }
 
     /// Tells what one has to know, now and in the question.
-    pub(super) fn tells(&mut self, session: &mut Session<'_>, told: Vec<String>) {
-        told.iter().for_each(|text| session.tell(Event::Note(text.clone().into())));
+    pub(super) fn tells(&mut self, session: &mut Session<'_>, told: Vec<Text>) {
+        told.iter().for_each(|text| session.tell(Event::Note(text.clone())));
         self.details.extend(told);
     }
 }
 
 /// The only drive that is meant; several at once are not moved by one command.
 pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
-    let lang = context.settings.lang;
     match addresses_to_write(context.settings)?.as_slice() {
         [0] => Err(not_everybody(context)),
         [only] => Ok(*only),
-        _ => Err(usage(lang.pick(
+        _ => Err(usage(both!(
             "expected the address of one drive, got several; motion is one drive at a time",
-            "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer",
+            "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
         ))),
     }
 }
 
 /// A run is one drive's; to all at once goes only what a single telegram does, unproven.
 fn not_everybody(context: &Context<'_>) -> Failure {
-    let lang = context.settings.lang;
-    let failure = usage("expected the address of one drive, got 0 (everybody)");
+    let failure = usage(both!(
+        "expected the address of one drive, got 0 (everybody)",
+        "erwartet: die Adresse eines Antriebs; angegeben: 0 (alle)"
+    ));
     let family = super::offline_family(context.settings, context.registry).ok();
     let word = family
         .as_ref()
         .and_then(|family| Some((family.role("control-word")?, family.machine.command("disable-voltage")?)));
     let Some((param, command)) = word else { return failure };
     let (name, word) = (param.short.clone().unwrap_or_else(|| param.id.to_string()), command.word);
-    failure.hint(match lang {
-        Lang::En => format!("`-a 0 write {name}={word}` takes the power from all of them at once; no answer proves it"),
-        Lang::De => format!("`-a 0 write {name}={word}` nimmt allen auf einmal die Spannung; keine Antwort belegt es"),
-    })
+    failure.hint(both!(
+        "`-a 0 write {name}={word}` takes the power from all of them at once; no answer proves it",
+        "`-a 0 write {name}={word}` nimmt allen auf einmal die Spannung; keine Antwort belegt es"
+    ))
 }
 
-fn usage(text: &str) -> Failure {
+fn usage(text: Text) -> Failure {
     Failure::new(Class::Usage, "usage.address", text)
 }
 
@@ -122,7 +123,6 @@ pub(super) async fn run<'p, C>(
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
-    let lang = settings.lang;
     let act = plan.relief;
     if act.is_some() {
         // A stop goes out and is proven whether or not somebody reads what comes of it.
@@ -134,25 +134,23 @@ pub(super) async fn run<'p, C>(
         None => FirstWord::default(),
     };
     let (begun, said) = (session.now(), plan.said);
-    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said, lang));
+    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
     super::movable(&target.family)?;
-    let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span, lang)).transpose()?;
-    let before = first_look(&mut session, &mut target, act, lang).await.map_err(unstopped)?;
+    let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
+    let before = first_look(&mut session, &mut target, act).await.map_err(unstopped)?;
     let blind = Situation::default();
     let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
     let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
-        None => {
-            agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)), lang).await?
-        }
+        None => agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind))).await?,
     };
     if plan.args.hold {
         session.pace();
     }
     let family = target.family.clone();
-    let mut motor = Motor::new(&mut session, &mut target, &permit, lang, plan.args.wait);
+    let mut motor = Motor::new(&mut session, &mut target, &permit, plan.args.wait);
     if let Some(before) = &before {
         motor.controls(before);
     }
@@ -166,7 +164,7 @@ pub(super) async fn run<'p, C>(
         .await;
     let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
-    Ok(report(&plan, &target, seen, done, ended, lang))
+    Ok(report(&plan, &target, seen, done, ended))
 }
 
 /// What can only take motion away goes out before anything is asked; from then on the end of the proof counts.
@@ -191,12 +189,11 @@ async fn first_look(
     session: &mut Session<'_>,
     target: &mut Target,
     act: Option<Relief>,
-    lang: Lang,
 ) -> Result<Option<Situation>, Failure> {
     if act.is_some_and(|act| act != Relief::Zero) {
         return Ok(None);
     }
-    match look(session, target, lang).await {
+    match look(session, target).await {
         Err(failure) if act.is_none() || matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
         seen => Ok(seen.ok()),
     }
@@ -209,13 +206,12 @@ async fn agreed(
     target: &Target,
     plan: &Plan<'_>,
     (node, before): (u8, &Situation),
-    lang: Lang,
 ) -> Result<Permit<gate::Motion>, Failure> {
     let one = session.demand_one_drive(target.address);
     one.map_err(|error| error.failure(target.address, Some(&target.family)))?;
     session.insist(false);
     session.end_at(None);
-    asking::on_line(session, ask, &question(plan, target, node, before, lang)).await
+    asking::on_line(session, ask, &question(plan, target, node, before)).await
 }
 
 /// Sends what stops the drive, before anything is asked that it does not need.
@@ -233,47 +229,48 @@ async fn stop_first(
         Some(modes) => shout_zero(session, registry, &meant, modes).await.map(|sent| (sent, FirstWord::default())),
         None => shout(session, registry, &meant, act).await.map(|first| (true, first)),
     };
-    sent.map_err(|error| unstopped(error.failure(address, None), act, zero.is_none(), settings.lang))
+    sent.map_err(|error| unstopped(error.failure(address, None), act, zero.is_none()))
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
-fn unstopped(failure: Failure, act: Relief, said: bool, lang: Lang) -> Failure {
+fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
     if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted | Class::Refused | Class::Data) {
         return failure;
     }
     let mut failure = failure;
     let (said, hint) = match act {
         Relief::Zero if said => (
-            lang.pick(
+            both!(
                 "the setpoint 0 was sent, whether it is obeyed is not known",
-                "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt",
+                "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt"
             ),
-            lang.pick(
+            both!(
                 "`statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
-                "`statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz",
+                "`statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz"
             ),
         ),
         Relief::Zero => (
-            lang.pick("no setpoint was sent", "es wurde kein Sollwert gesendet"),
-            lang.pick(
+            both!("no setpoint was sent", "es wurde kein Sollwert gesendet"),
+            both!(
                 "what a zero does must be asked from the drive first; `statemachine quick-stop` goes out at once",
-                "was eine Null bewirkt, muss der Antrieb erst sagen; `statemachine quick-stop` geht sofort hinaus",
+                "was eine Null bewirkt, muss der Antrieb erst sagen; `statemachine quick-stop` geht sofort hinaus"
             ),
         ),
         _ => (
-            lang.pick(
+            both!(
                 "the stop was sent, whether it is obeyed is not known",
-                "der Halt wurde gesendet; ob er befolgt wird, ist unbekannt",
+                "der Halt wurde gesendet; ob er befolgt wird, ist unbekannt"
             ),
-            lang.pick(
+            both!(
                 "what stops it now: its enable input, the emergency stop, or the mains",
-                "was ihn jetzt anhält: sein Freigabeeingang, der Not-Halt oder das Netz",
+                "was ihn jetzt anhält: sein Freigabeeingang, der Not-Halt oder das Netz"
             ),
         ),
     };
-    failure.message = format!("{}: {said}; {}", may_turn(lang), failure.message.get(lang)).into();
-    let hints = [Some(hint.to_owned()), failure.hint.take().map(|hint| hint.get(lang).to_owned())];
-    failure.hint(hints.into_iter().flatten().collect::<Vec<_>>().join("; "))
+    let turns = may_turn();
+    failure.message = both!("{turns}: {said}; {why}", "{turns}: {said}; {why}", turns, said, why = failure.message);
+    let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
+    failure.hint(Text::join(&hints, "; "))
 }
 
 /// Changes for the run what the user wants changed.
@@ -293,60 +290,61 @@ async fn prepare(
 }
 
 /// Names address, family, present state and what will happen.
-fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation, lang: Lang) -> Question {
-    let state = describe::state(&target.family, before.status, lang);
-    let who = super::who(target.address, node, &target.family.drive, lang);
-    let mut details = vec![format!("{who}: {} {}", lang.pick("now in", "jetzt in"), state.name)];
-    let stop = plan.args.on_exit;
+fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation) -> Question {
+    let state = describe::state(&target.family, before.status).name;
+    let who = super::who(target.address, node, &target.family.drive);
+    let mut details = vec![both!("{who}: now in {state}", "{who}: jetzt in {state}", who, state)];
     let powers = plan.powers(before);
-    details.push(match (plan.args.hold, stop, lang) {
-        (true, StopArg::Keep, Lang::En) => "it keeps running when this program ends (--on-exit keep)".to_owned(),
-        (true, StopArg::Keep, Lang::De) => "er läuft weiter, wenn dieses Programm endet (--on-exit keep)".to_owned(),
-        (true, _, lang) if plan.is_started_by_others(&target.family, before) => started_by_others(&target.family, lang),
-        (true, _, Lang::En) => format!("it is stopped when this program ends ({})", stop_name(stop)),
-        (true, _, Lang::De) => format!("er wird angehalten, wenn dieses Programm endet ({})", stop_name(stop)),
-        (false, _, lang) if powers => lang
-            .pick(
-                "the drive KEEPS RUNNING when this program ends; --hold bounds it",
-                "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es",
-            )
-            .to_owned(),
-        (false, _, Lang::En) => "what is set stays when this program ends; --hold bounds it".to_owned(),
-        (false, _, Lang::De) => "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es".to_owned(),
-    });
+    details.push(at_the_end(plan, &target.family, before, powers));
     let is_off = before.watchdog_s.is_some_and(|seconds| seconds.raw == 0) && plan.args.watchdog.is_none();
     if powers && is_off {
-        details.push(nothing_stops_it(&target.family, before.watchdog_s, lang));
+        details.push(nothing_stops_it(&target.family, before.watchdog_s));
     }
     details.extend(plan.details.iter().cloned());
-    details.push(lang.pick("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen").to_owned());
-    Question {
-        hazards: vec![Hazard::Motion],
-        title: plan.announce.clone().into(),
-        details: details.into_iter().map(Text::from).collect(),
+    details.push(both!("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen"));
+    Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
+}
+
+/// What becomes of the drive when this program ends.
+fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool) -> Text {
+    match (plan.args.hold, plan.args.on_exit) {
+        (true, StopArg::Keep) => both!(
+            "it keeps running when this program ends (--on-exit keep)",
+            "er läuft weiter, wenn dieses Programm endet (--on-exit keep)"
+        ),
+        (true, _) if plan.is_started_by_others(family, before) => started_by_others(family),
+        (true, stop) => both!(
+            "it is stopped when this program ends ({stop})",
+            "er wird angehalten, wenn dieses Programm endet ({stop})",
+            stop = stop_name(stop)
+        ),
+        (false, _) if powers => both!(
+            "the drive KEEPS RUNNING when this program ends; --hold bounds it",
+            "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es"
+        ),
+        (false, _) => both!(
+            "what is set stays when this program ends; --hold bounds it",
+            "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es"
+        ),
     }
 }
 
 /// What the end of a run is whose only hand is on the setpoint.
-fn started_by_others(family: &Family, lang: Lang) -> String {
-    let label = family.role_label("control-mode");
-    match lang {
-        Lang::En => format!(
-            "its contacts or its keypad start and stop it ({label}): when this program ends only the setpoint goes to 0"
-        ),
-        Lang::De => format!(
-            "seine Kontakte oder seine Bedieneinheit starten und halten ihn ({label}): endet dieses Programm, geht nur der \
-             Sollwert auf 0"
-        ),
-    }
+fn started_by_others(family: &Family) -> Text {
+    both!(
+        "its contacts or its keypad start and stop it ({label}): when this program ends only the setpoint goes to 0",
+        "seine Kontakte oder seine Bedieneinheit starten und halten ihn ({label}): endet dieses Programm, geht nur der \
+         Sollwert auf 0",
+        label = family.role_label("control-mode")
+    )
 }
 
-fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>, lang: Lang) -> String {
-    let danger = lang.pick(
-        "if the line breaks, nothing stops it; --watchdog 2s sets it",
-        "bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
-    );
-    format!("{}: {danger}", watchdog_words(family, watchdog_s, lang))
+fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>) -> Text {
+    both!(
+        "{watchdog}: if the line breaks, nothing stops it; --watchdog 2s sets it",
+        "{watchdog}: bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
+        watchdog = watchdog_words(family, watchdog_s)
+    )
 }
 
 fn stop_name(stop: StopArg) -> &'static str {

@@ -78,7 +78,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         },
         until_first: args.until_first.then(First::default),
         force: settings.force,
-        ..ScanPlan::new(addresses, settings.lang)
+        ..ScanPlan::new(addresses)
     };
     let lines = search_all(context, &ports, &plan, before.as_ref()).await;
     Ok(report(settings, &ports, lines, before))
@@ -193,7 +193,8 @@ fn of_port(port: &str, event: Event) -> Event {
     match event {
         Event::Progress { done, total, what } => Event::Search { port: port.to_owned(), done, total, what },
         Event::Telegram { at_us, direction, hex, meaning } => {
-            Event::Telegram { at_us, direction, hex, meaning: format!("{port}: {meaning}") }
+            let meaning = both!("{port}: {meaning}", "{port}: {meaning}", meaning);
+            Event::Telegram { at_us, direction, hex, meaning }
         }
         event => event,
     }

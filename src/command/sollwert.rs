@@ -14,7 +14,8 @@ use crate::drive::{Session, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Lang, Registry};
+use crate::profile::{DataSets, Family, Registry, Start};
+use crate::text::{Text, both};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
@@ -109,11 +110,9 @@ impl Verb for Args {
 /// Shows the setpoints of every drive that was named, or gives one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     super::movable(&*offline_family(context.settings, context.registry)?)?;
-    let Some(spoken) = spoken(args, context.settings.lang)? else { return show_all(context).await };
+    let Some(spoken) = spoken(args)? else { return show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.
-    let lang = context.settings.lang;
-    let (family, wanted) =
-        offline(context.settings, context.registry, |family| understand(args, &spoken, family, lang))?;
+    let (family, wanted) = offline(context.settings, context.registry, |family| understand(args, &spoken, family))?;
     if context.settings.dry_run {
         return dry_run(args, &family, &wanted, context);
     }
@@ -127,28 +126,27 @@ async fn give(
     relief: Option<Relief>,
     context: &mut Context<'_>,
 ) -> Result<Outcome, Failure> {
-    let lang = context.settings.lang;
     let mut motion = args.motion.clone();
     if args.jog.is_some() {
         (motion.hold, motion.duration) = (true, args.jog);
     }
     let enable = args.enable || args.jog.is_some();
     let bare = spoken.is_bare_zero() && args.mode.is_none();
-    let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family, lang).ok(), family);
+    let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family).ok(), family);
     let plan = Plan {
         needs_control: enable,
         relief,
         runs: enable,
         zero: relief.map(|_| &zeros as &running::Modes<'_>),
-        ..Plan::of("sollwert", String::new(), &motion)
+        ..Plan::of("sollwert", Text::default(), &motion)
     };
     running::run(
         context,
         plan,
         async |session, target, before, plan| {
-            let mut wanted = understand(args, spoken, &target.family, lang)?;
+            let mut wanted = understand(args, spoken, &target.family)?;
             if bare {
-                let present = zero::present_mode(session, target, lang).await?;
+                let present = zero::present_mode(session, target).await?;
                 wanted = present.map_or_else(|| wanted.clone(), |mode| wanted.clone().in_mode(&mode, &target.family));
             }
             plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
@@ -158,19 +156,16 @@ async fn give(
                 None => None,
             };
             if args.until.is_some() && motion.duration.is_some() {
-                let text = lang.pick(
+                plan.details.push(both!(
                     "its time begins when the setpoint is reached: until then it turns as well",
-                    "seine Zeit beginnt, wenn der Sollwert erreicht ist: auch bis dahin dreht er",
-                );
-                plan.details.push(text.to_owned());
+                    "seine Zeit beginnt, wenn der Sollwert erreicht ist: auch bis dahin dreht er"
+                ));
             }
-            plan.details.extend(
-                wanted.start.as_ref().and_then(|start| start.note.as_ref()).map(|note| note.get(lang).to_owned()),
-            );
+            plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
             let needs_control = enable && !motion.take_control;
-            let mut check = Check { args, session, target, before, lang };
+            let mut check = Check { args, session, target, before };
             let wanted = check.run(wanted, enable, needs_control).await?;
-            plan.announce = announce(&wanted, &target.family, enable, lang);
+            plan.announce = announce(&wanted, &target.family, enable);
             Ok((wanted, plan.relief))
         },
         async |motor, (wanted, relief)| match relief {
@@ -267,31 +262,40 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<
     if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
 }
 
-fn announce(wanted: &Wanted, family: &Family, enable: bool, lang: Lang) -> String {
-    let value = |raw: i64| wanted.shown(raw, family, lang);
+fn announce(wanted: &Wanted, family: &Family, enable: bool) -> Text {
+    let value = |raw: i64| wanted.shown(raw, family);
     let (from, to) = (wanted.schedule.at(0), wanted.schedule.at(u64::MAX));
-    let what = if wanted.schedule.end_us() == 0 { value(to) } else { format!("{} … {}", value(from), value(to)) };
+    let what = match wanted.schedule.end_us() {
+        0 => value(to),
+        _ => Text::join([&value(from), &value(to)], " … "),
+    };
     let makes = wanted.effective.and_then(|effective| effective.of(to)).filter(|&sum| sum != to).map(value);
     let what = match makes {
-        Some(sum) => format!("{what} ({} {sum})", lang.pick("the drive runs at", "der Antrieb läuft mit")),
+        Some(sum) => both!("{what} (the drive runs at {sum})", "{what} (der Antrieb läuft mit {sum})", what, sum),
         None => what,
     };
-    let what = format!("{} {what}", lang.pick("setpoint", "Sollwert"));
-    let what = match &wanted.mode.value {
-        Some(_) => format!("{}, {what}", wanted.mode.name(lang)),
-        None => what,
-    };
-    let start = wanted.start.as_ref().map_or_else(String::new, |start| format!(", {}", start.name(lang)));
-    let enables = if enable { lang.pick("enable operation, ", "Betrieb freigeben, ") } else { "" };
-    format!("{enables}{what}{start}")
+    let enables = enable.then(|| both!("enable operation", "Betrieb freigeben"));
+    let mode = wanted.mode.value.map(|_| wanted.mode.text());
+    let setpoint = both!("setpoint {what}", "Sollwert {what}", what);
+    let start = wanted.start.as_ref().map(Start::text);
+    let parts: Vec<Text> = [enables, mode, Some(setpoint), start].into_iter().flatten().collect();
+    Text::join(&parts, ", ")
+}
+
+/// What to do where a speed cannot be made a frequency.
+fn in_hertz() -> Text {
+    both!("give the setpoint in Hz", "den Sollwert in Hz angeben")
 }
 
 /// What a run would send, in the order of [`carry_out`].
 fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
     if wanted.by_speed {
-        let message = "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive";
-        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint("give the setpoint in Hz"));
+        let message = both!(
+            "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive",
+            "eine Drehzahl braucht die Polpaarzahl des Antriebs (P.373), und ein Probelauf fragt keinen Antrieb"
+        );
+        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint(in_hertz()));
     }
     let enable = args.enable || args.jog.is_some();
     let mut motion = args.motion.clone();
@@ -362,7 +366,7 @@ async fn show(
 ) -> Result<Row<SetpointReport>, Failure> {
     let mut target = target(session, settings, registry, address, false).await?;
     let family = target.family.clone();
-    let mut reader = Reader::new(session, &mut target, settings.lang);
+    let mut reader = Reader::new(session, &mut target);
     reader.lenient = true;
     let report = SetpointReport {
         address,

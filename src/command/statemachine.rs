@@ -12,7 +12,8 @@ use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, StateReport, StateRow, Statemachine};
-use crate::profile::{Family, Lang, Registry};
+use crate::profile::{DriveState, Family, Registry};
+use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
 
 /// Shows the state of the drive, and walks it through its state machine.
@@ -82,7 +83,6 @@ impl Verb for Args {
 
 /// Shows the state of every drive that was named, or walks one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let lang = context.settings.lang;
     let (slug, motion) = match &args.action {
         None | Some(Action::Show) => return show_all(context).await,
         Some(Action::Shutdown(motion)) => ("shutdown", motion),
@@ -98,7 +98,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let family = offline_family(context.settings, context.registry)?;
     super::movable(&family)?;
     let command = family.machine.command(slug).cloned();
-    let command = command.ok_or_else(|| Failure::new(Class::Data, "data.machine", format!("no command '{slug}'")))?;
+    let command = command.ok_or_else(|| {
+        let text = both!("this drive has no command '{slug}'", "dieser Antrieb hat keinen Befehl '{slug}'");
+        Failure::new(Class::Data, "data.machine", text)
+    })?;
     let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, relief.map(|_| slug), |told| match slug {
@@ -107,7 +110,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             slug => told.command(slug),
         });
     }
-    let plan = Plan { relief, runs: slug == "enable", ..Plan::of(slug, command.name(lang).to_owned(), motion) };
+    let plan = Plan { relief, runs: slug == "enable", ..Plan::of(slug, command.text(), motion) };
     let hold = motion.hold.then_some(motion.duration);
     running::run(
         context,
@@ -116,11 +119,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             if plan.relief.is_some() {
                 return Ok(());
             }
-            obeyed(target, before, plan, lang)?;
+            obeyed(target, before, plan)?;
             if slug == "reset" && !before.state.starts_with("fault") {
-                return Err(no_fault(lang));
+                return Err(no_fault());
             }
-            if slug == "enable" { enabling(session, target, before, plan, lang).await } else { Ok(()) }
+            if slug == "enable" { enabling(session, target, before, plan).await } else { Ok(()) }
         },
         async |motor, ()| {
             match (slug, relief_of(slug)) {
@@ -150,13 +153,13 @@ fn relief_of(slug: &str) -> Option<Relief> {
 }
 
 /// Refuses at once, before anybody is asked, what the drive would not obey. Of a reset there are other ways.
-fn obeyed(target: &Target, before: &Situation, plan: &Plan<'_>, lang: Lang) -> Result<(), Failure> {
-    let refused = no_control(before, target, lang).filter(|_| !plan.args.take_control);
+fn obeyed(target: &Target, before: &Situation, plan: &Plan<'_>) -> Result<(), Failure> {
+    let refused = no_control(before, target).filter(|_| !plan.args.take_control);
     match (refused, &target.family.motion.other_resets) {
         (None, _) => Ok(()),
         (Some(failure), Some(ways)) if plan.action == "reset" => {
             let hint = failure.hint.clone().unwrap_or_default();
-            Err(failure.hint(format!("{}; {}", ways.get(lang), hint.get(lang))))
+            Err(failure.hint(Text::join([ways, &*hint], "; ")))
         }
         (Some(failure), _) => Err(failure),
     }
@@ -168,39 +171,38 @@ async fn enabling(
     target: &mut Target,
     before: &Situation,
     plan: &mut Plan<'_>,
-    lang: Lang,
 ) -> Result<(), Failure> {
     if before.state != "operation-enabled" {
-        let told = upon_enabling(session, target, lang).await?;
+        let told = upon_enabling(session, target).await?;
         plan.tells(session, told);
     }
     Ok(())
 }
 
 async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> Result<Outcome, Failure> {
-    let lang = context.settings.lang;
     let family = offline_family(context.settings, context.registry)?;
     super::movable(&family)?;
     let Some(row) = family.states.iter().find(|row| row.slug == state) else {
         let known: Vec<_> = family.states.iter().map(|row| row.slug.as_str()).collect();
-        let message = match lang {
-            Lang::En => format!("there is no state '{state}' (expected: {})", known.join(", ")),
-            Lang::De => format!("es gibt keinen Zustand '{state}' (möglich: {})", known.join(", ")),
-        };
+        let message = both!(
+            "there is no state '{state}' (expected: {known})",
+            "es gibt keinen Zustand '{state}' (möglich: {known})",
+            known = known.join(", ")
+        );
         return Err(Failure::new(Class::Usage, "usage.state", message));
     };
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, None, |told| told.walk(state));
     }
-    let announce = format!("{} '{}'", lang.pick("walk to", "gehen nach"), row.name(lang));
+    let announce = both!("walk to '{state}'", "gehen nach '{state}'", state = row.text());
     let (hold, runs) = (motion.hold.then_some(motion.duration), state == "operation-enabled");
     let plan = Plan { runs, ..Plan::of("goto", announce, motion) };
     running::run(
         context,
         plan,
         async |session, target, before, plan| {
-            obeyed(target, before, plan, lang)?;
-            if runs { enabling(session, target, before, plan, lang).await } else { Ok(()) }
+            obeyed(target, before, plan)?;
+            if runs { enabling(session, target, before, plan).await } else { Ok(()) }
         },
         async |motor, ()| {
             motor.walk(state).await?;
@@ -269,10 +271,9 @@ async fn show(
     registry: &Registry,
     address: u8,
 ) -> Result<Row<StateReport>, Failure> {
-    let lang = settings.lang;
     let mut target = target(session, settings, registry, address, false).await?;
     super::movable(&target.family)?;
-    let mut reader = Reader::new(session, &mut target, settings.lang);
+    let mut reader = Reader::new(session, &mut target);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     let InForce { value: control_mode, stored: control_mode_stored } = reader.in_force("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
@@ -280,11 +281,11 @@ async fn show(
     let present = status.as_ref().zip(fault).map(|(word, code)| (word.raw, code as u32));
     let (failures, good) = reader.into_failures();
     let missing = if failures.is_empty() {
-        let mut situation = look(session, &mut target, lang).await?;
+        let mut situation = look(session, &mut target).await?;
         // The first reading is the newest entry, where each moves on to the one before.
         situation.fault =
             present.map(|(status, code)| target.family.present_fault(Some(status), code).unwrap_or(0).into());
-        missing(&situation, &target, lang)
+        missing(&situation, &target)
     } else {
         Vec::new()
     };
@@ -293,13 +294,13 @@ async fn show(
     let report = StateReport {
         address,
         drive: target.family.drive.clone(),
-        states: states(&target.family, state.as_ref().map_or("", |state| &state.slug), lang),
+        states: states(&target.family, state.as_ref().map_or("", |state| &state.slug)),
         state,
         status,
         control,
         control_mode,
         control_mode_stored,
-        fault: fault.and_then(|code| describe::fault(&target.family, code, lang)),
+        fault: fault.and_then(|code| describe::fault(&target.family, code)),
         fault_code: fault.map(i64::from),
         missing,
         error: None,
@@ -308,15 +309,16 @@ async fn show(
 }
 
 /// The map of the state machine: every state, where it leads, and which is the present one.
-fn states(family: &Family, present: &str, lang: Lang) -> Vec<StateRow> {
+fn states(family: &Family, present: &str) -> Vec<StateRow> {
     let order =
         ["switch-on-disabled", "ready-to-switch-on", "switched-on", "operation-enabled", "quick-stop-active", "fault"];
-    let name = |slug: &str| family.states.iter().find(|row| row.slug == slug).map(|row| row.name(lang).to_owned());
+    let name = |slug: &str| family.states.iter().find(|row| row.slug == slug).map(DriveState::text);
     let row = |slug: &&str| {
         let leads = family.machine.transitions.iter().filter(|transition| transition.from == *slug);
         let leads = leads.map(|transition| {
-            let by = transition.command.as_deref().unwrap_or(lang.pick("by itself", "von selbst"));
-            format!("{} {by} -> {}", transition.number, name(&transition.to).unwrap_or_else(|| transition.to.clone()))
+            let by = transition.command.as_ref().map_or_else(|| both!("by itself", "von selbst"), Text::name);
+            let to = name(&transition.to).unwrap_or_else(|| Text::name(&transition.to));
+            both!("{number} {by} -> {to}", "{number} {by} -> {to}", number = transition.number, by, to)
         });
         Some(StateRow {
             slug: (*slug).to_owned(),

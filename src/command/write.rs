@@ -215,7 +215,7 @@ pub(super) fn plan_only(
     for &address in addresses {
         for step in steps {
             let kind = step.kind.ok_or_else(|| job::no_width(&step.param))?;
-            let row = describe::to_write(address, family, &step.param, step.set, step.raw, terms.lang());
+            let row = describe::to_write(address, family, &step.param, step.set, step.raw);
             let mut row = Written { node: terms.speech.node, ..row };
             job::tell(&mut row, job::telegram(terms, family, address, step, kind));
             values.push(row);

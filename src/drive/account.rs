@@ -3,7 +3,7 @@
 use super::decode;
 use crate::exchange::{Record, Verdict};
 use crate::outcome::Event;
-use crate::profile::{Family, Lang};
+use crate::profile::Family;
 use crate::protocol::Protocol;
 use crate::protocol::modbus::Hex;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -19,7 +19,6 @@ pub(super) struct Account<'a> {
     /// Drives of which it was told that they answer twice.
     twice: BTreeSet<u8>,
     verbose: bool,
-    lang: Lang,
 }
 
 /// A drive whose telegrams can be told in the words of its family.
@@ -31,13 +30,8 @@ struct Known {
 
 impl<'a> Account<'a> {
     /// Tells this observer; every telegram only if `verbose`.
-    pub(super) fn new(observe: &'a mut dyn FnMut(Event), verbose: bool, lang: Lang) -> Self {
-        Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), verbose, lang }
-    }
-
-    /// The language in which things are told.
-    pub(super) fn lang(&self) -> Lang {
-        self.lang
+    pub(super) fn new(observe: &'a mut dyn FnMut(Event), verbose: bool) -> Self {
+        Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), verbose }
     }
 
     /// Tells an event.
@@ -63,7 +57,7 @@ impl<'a> Account<'a> {
                 _ => asked,
             };
             let known = station.and_then(|station| self.known.get(&station));
-            (self.observe)(telegram_event(protocol, self.lang, known, record));
+            (self.observe)(telegram_event(protocol, known, record));
         }
     }
 
@@ -80,7 +74,7 @@ impl<'a> Account<'a> {
     }
 }
 
-fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record: &Record) -> Event {
+fn telegram_event(protocol: Protocol, known: Option<&Known>, record: &Record) -> Event {
     let (direction, is_request) = match record.verdict {
         Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
         Verdict::Reply => ('<', Some(false)),
@@ -89,16 +83,18 @@ fn telegram_event(protocol: Protocol, lang: Lang, known: Option<&Known>, record:
     };
     let family = known.map(|known| &*known.family);
     let order = known.map(|known| known.order);
-    let reader = decode::Reader { protocol, node: 0, family, order, lang };
+    let reader = decode::Reader { protocol, node: 0, family, order };
     let told = reader.telegram(&record.bytes, is_request);
+    let said = told.meaning;
     let meaning = match record.verdict {
-        Verdict::Fence => format!("{}: {}", lang.pick("fence", "Sperrfrage"), told.meaning),
-        Verdict::Echo => format!("{}: {}", lang.pick("echo of the adapter", "Echo des Adapters"), told.meaning),
-        Verdict::Stray { station } => {
-            let stray = lang.pick("not the answer, from address", "nicht die Antwort, von Adresse");
-            format!("{stray} {station}: {}", told.meaning)
-        }
-        _ => told.meaning,
+        Verdict::Fence => both!("fence: {said}", "Sperrfrage: {said}", said),
+        Verdict::Echo => both!("echo of the adapter: {said}", "Echo des Adapters: {said}", said),
+        Verdict::Stray { station } => both!(
+            "not the answer, from address {station}: {said}",
+            "nicht die Antwort, von Adresse {station}: {said}",
+            said
+        ),
+        _ => said,
     };
     Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
 }

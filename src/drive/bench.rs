@@ -8,8 +8,7 @@ use crate::profile::Registry;
 use crate::simulator::Bench;
 use crate::text::both;
 use crate::tick::Span;
-use crate::transport::serve::{Note, Server};
-use anyhow::Context;
+use crate::transport::serve::{Note, ServeError, Server};
 use std::path::Path;
 
 pub use crate::transport::serve::Place;
@@ -21,12 +20,11 @@ pub const FILE_HELP: &str = concat!("A bench file, by example:\n\n", include_str
 pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> {
     let Some(file) = file else { return Ok(Bench::standard(registry)) };
     let path = file.display().to_string();
-    let read = || -> anyhow::Result<Bench> {
-        let text = files::read(file, files::TEXT).with_context(|| format!("bench file {path}"))?;
-        Ok(Bench::from_toml(&path, &text, registry)?)
-    };
-    read().map_err(|error| {
-        Failure::caused(Class::Data, "data.bench", &error).hint(both!(
+    let text = files::read(file, files::TEXT)
+        .map_err(|error| both!("bench file {path}: {why}", "Benchdatei {path}: {why}", why = error.text()));
+    let bench = text.and_then(|text| Bench::from_toml(&path, &text, registry).map_err(|error| error.text()));
+    bench.map_err(|why| {
+        Failure::new(Class::Data, "data.bench", why).hint(both!(
             "the format is described in `antrieb simulate --help`",
             "das Format beschreibt `antrieb simulate --help`"
         ))
@@ -41,7 +39,7 @@ pub async fn serve(
     interrupt: &Interrupt,
     observe: &mut dyn FnMut(Event),
 ) -> Result<Simulate, Failure> {
-    let failure = |error: &dyn std::fmt::Display| Failure::new(Class::Port, "port.serve", error.to_string());
+    let failure = |error: &ServeError| Failure::new(Class::Port, "port.serve", error.text());
     let mut server = Server::open(place).map_err(|error| failure(&error))?;
     let port = server.name();
     for drive in bench.drives() {

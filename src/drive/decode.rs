@@ -4,17 +4,19 @@ mod modbus;
 mod registers;
 mod services;
 mod vabus;
+pub(super) mod wrong;
 
 use super::route::{Inquiry, Route};
 use crate::outcome::{Field, TelegramDoc};
-use crate::profile::{Family, Lang, Link};
+use crate::profile::{Family, Link};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
+use crate::text::{Text, both};
 use crate::transport::{TraceLine, read_trace};
 
 /// Meaning and fields of what stands between the address and the check value.
-type Said = (String, Vec<Field>);
+type Said = (Text, Vec<Field>);
 
 /// What is known besides the bytes.
 #[derive(Clone, Copy, Debug)]
@@ -27,21 +29,35 @@ pub struct Reader<'a> {
     pub family: Option<&'a Family>,
     /// Which half of a value in two registers comes first, if that is known; no telegram tells.
     pub order: Option<WordOrder>,
-    /// Language of names.
-    pub lang: Lang,
 }
 
 /// Why a text is no telegram.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InputError {
     /// Nothing there.
-    #[error(
-        "nothing to decode: expected hex bytes such as '01 03 21 74 00 01 CE 2C', an ASCII telegram such as ':010321740001 66', or a trace file"
-    )]
+    #[error("{}", self.text().en)]
     Empty,
     /// No hex digits.
-    #[error("'{0}' is no hex byte; expected pairs of digits such as '01 03 21 74'")]
+    #[error("{}", self.text().en)]
     Hex(String),
+}
+
+impl InputError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            InputError::Empty => both!(
+                "nothing to decode: expected hex bytes such as '01 03 21 74 00 01 CE 2C', an ASCII telegram such as \
+                 ':010321740001 66', or a trace file",
+                "nichts zu zerlegen: erwartet Hex-Bytes wie '01 03 21 74 00 01 CE 2C', ein ASCII-Telegramm wie \
+                 ':010321740001 66' oder eine Aufzeichnung"
+            ),
+            InputError::Hex(word) => both!(
+                "'{word}' is no hex byte; expected pairs of digits such as '01 03 21 74'",
+                "'{word}' ist kein Hex-Byte; erwartet Ziffernpaare wie '01 03 21 74'"
+            ),
+        }
+    }
 }
 
 /// Reads bytes as people type them: `01 03 21 74`, `01032174`, `0x01,0x03`; or an ASCII telegram from its colon on,
@@ -88,7 +104,7 @@ impl Reader<'_> {
     }
 
     /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.
-    pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, String> {
+    pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, Text> {
         let mut protocol = recorded_protocol(text).unwrap_or(self.protocol);
         let mut docs: Vec<(TraceLine, Vec<u8>)> = Vec::new();
         for line in read_trace(text)? {
@@ -135,16 +151,17 @@ impl Reader<'_> {
         let question = way.question(inquiry)?;
         Some(self.telegram(&question.telegram(self.protocol, station), Some(true)))
     }
+}
 
-    fn pick(&self, en: &'static str, de: &'static str) -> &'static str {
-        if self.lang == Lang::De { de } else { en }
-    }
+/// What bytes mean that are none.
+fn no_telegram(why: &Text) -> Text {
+    both!("no valid telegram: {why}", "kein gültiges Telegramm: {why}", why)
+}
 
-    fn station(&self, station: u8) -> String {
-        match station {
-            BROADCAST => self.pick("to everybody", "an alle").to_owned(),
-            station => format!("{} {station}", self.pick("address", "Adresse")),
-        }
+fn addressed(station: u8) -> Text {
+    match station {
+        BROADCAST => both!("to everybody", "an alle"),
+        station => both!("address {station}", "Adresse {station}"),
     }
 }
 
@@ -171,15 +188,15 @@ fn recorded_protocol(text: &str) -> Option<Protocol> {
     text.lines().next()?.strip_prefix('#')?.rsplit(',').next()?.parse().ok()
 }
 
-fn field(bytes: &[u8], name: &str, value: impl ToString) -> Field {
-    Field { hex: Hex(bytes).to_string(), name: name.to_owned(), value: value.to_string() }
+fn field(bytes: &[u8], name: Text, value: Text) -> Field {
+    Field { hex: Hex(bytes).to_string(), name, value }
 }
 
-fn field8(value: u8, name: &str) -> Field {
-    field(&[value], name, value)
+fn field8(value: u8, name: Text) -> Field {
+    field(&[value], name, Text::name(value))
 }
 
-fn field16(word: u16, name: &str, value: impl ToString) -> Field {
+fn field16(word: u16, name: Text, value: Text) -> Field {
     field(&word.to_be_bytes(), name, value)
 }
 
@@ -199,8 +216,8 @@ mod tests {
         }
         for family in FAMILIES.with(Clone::clone) {
             for order in [WordOrder::HighFirst, WordOrder::LowFirst] {
-                for (protocol, lang) in PROTOCOLS.into_iter().zip([Lang::En, Lang::De, Lang::En]) {
-                    work(Reader { protocol, node: 0, family: Some(&family), order: Some(order), lang });
+                for protocol in PROTOCOLS {
+                    work(Reader { protocol, node: 0, family: Some(&family), order: Some(order) });
                 }
             }
         }
@@ -212,7 +229,7 @@ mod tests {
             let reader = Reader { protocol: Framing::Rtu.into(), ..reader };
             // 65281 registers from 8564 on; two from 65535 on.
             let long = reader.typed("01 03 21 74 FF 01 8F DC").unwrap();
-            assert!(long.check_ok && long.meaning.contains("65281"), "{}", long.meaning);
+            assert!(long.check_ok && long.meaning.en.contains("65281"), "{:?}", long.meaning);
             for pdu in [[3, 0xFF, 0xFF, 0, 2].as_slice(), &[16, 0xFF, 0xFF, 0, 2, 4, 0, 1, 0, 2]] {
                 assert!(reader.typed(&Hex(&rtu::encode(1, pdu)).to_string()).unwrap().check_ok);
             }

@@ -6,7 +6,8 @@ use crate::outcome::{
     Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, ParamDoc, Register, State, Value, Word, WriteResult, Written,
 };
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Effective, Family, HazardKind, Lang, Param, Role, Sets, Store};
+use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Role, Sets, Store};
+use crate::text::{Text, both};
 
 /// Tells the present raw value of another parameter, where the names of bits depend on one.
 pub type Lookup<'a> = &'a dyn Fn(u32) -> Option<i64>;
@@ -52,15 +53,15 @@ pub fn expected(family: &Family, param: &Param, raw: i64) -> Option<String> {
 }
 
 /// A value that was read.
-pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang: Lang, lookup: Lookup<'_>) -> Value {
+pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lookup: Lookup<'_>) -> Value {
     let decimals = param.decimals_or_zero();
     if reading.text.is_some() {
         let kind = Some(reading.kind.name());
-        return Value { text: reading.text, kind, ..blank(address, family, param, reading.set, lang) };
+        return Value { text: reading.text.map(Text::name), kind, ..blank(address, family, param, reading.set) };
     }
-    let text = family.text_of(param, reading.raw).map(|text| text.get(lang).to_owned());
-    let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lang, lookup));
-    let text = text.or_else(|| coded(family, param, reading.raw, lang));
+    let text = family.text_of(param, reading.raw).cloned();
+    let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lookup));
+    let text = text.or_else(|| coded(family, param, reading.raw));
     let expected = expected(family, param, reading.raw);
     Value {
         raw: Some(reading.raw),
@@ -69,27 +70,26 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lang
         word,
         expected,
         kind: Some(reading.kind.name()),
-        ..blank(address, family, param, reading.set, lang)
+        ..blank(address, family, param, reading.set)
     }
 }
 
 /// What codes stand for that have tables of their own: faults and the error register.
-fn coded(family: &Family, param: &Param, raw: i64, lang: Lang) -> Option<String> {
+fn coded(family: &Family, param: &Param, raw: i64) -> Option<Text> {
     let is = |role: Role| family.role(role).is_some_and(|known| known.id == param.id);
     let code = u32::try_from(raw).ok()?;
     if is(Role::Fault) {
-        let none = if lang == Lang::De { "keine Störung" } else { "no fault" };
-        return Some(fault(family, code, lang).map_or_else(|| none.to_owned(), |f| format!("{} {}", f.key, f.name)));
+        return Some(fault(family, code).map_or_else(|| both!("no fault", "keine Störung"), |fault| fault.told()));
     }
-    is(Role::ErrorRegister).then(|| register(family, code, lang).name)
+    is(Role::ErrorRegister).then(|| register(family, code).name)
 }
 
 /// A value that could not be read.
-pub fn unread(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang, failure: &Failure) -> Value {
-    Value { error: Some(ErrorDoc::from(failure)), ..blank(address, family, param, wire_set, lang) }
+pub fn unread(address: u8, family: &Family, param: &Param, wire_set: u8, failure: &Failure) -> Value {
+    Value { error: Some(ErrorDoc::from(failure)), ..blank(address, family, param, wire_set) }
 }
 
-fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) -> Value {
+fn blank(address: u8, family: &Family, param: &Param, wire_set: u8) -> Value {
     let (data_set, store) = place(wire_set);
     Value {
         address,
@@ -97,7 +97,7 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
         drive: family.drive.clone(),
         param: param.id,
         slug: param.slug.clone(),
-        name: param.name(lang).to_owned(),
+        name: param.name.clone(),
         data_set,
         store: kept(store, param),
         raw: None,
@@ -116,16 +116,15 @@ fn blank(address: u8, family: &Family, param: &Param, wire_set: u8, lang: Lang) 
 }
 
 /// A value that is, or was, to be written.
-pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: i64, lang: Lang) -> Written {
+pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: i64) -> Written {
     let (data_set, store) = place(wire_set);
-    let after_reset = family.link.after_reset.get(lang);
     Written {
         address,
         node: 0,
         drive: family.drive.clone(),
         param: param.id,
         slug: param.slug.clone(),
-        name: param.name(lang).to_owned(),
+        name: param.name.clone(),
         data_set,
         store: kept(store, param),
         old_raw: None,
@@ -133,17 +132,17 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         raw,
         value: Decimal { raw, decimals: param.decimals_or_zero() },
         unit: param.unit.clone(),
-        text: family.text_of(param, raw).map(|text| text.get(lang).to_owned()),
+        text: family.text_of(param, raw).cloned(),
         result: WriteResult::Planned,
         telegram: None,
         meaning: None,
-        note: (param.effective == Effective::Reset).then(|| after_reset.to_owned()),
+        note: (param.effective == Effective::Reset).then(|| family.link.after_reset.clone()),
         error: None,
     }
 }
 
 /// A word bit by bit.
-pub fn word(family: &Family, param: &Param, raw: u32, lang: Lang, lookup: Lookup<'_>) -> Word {
+pub fn word(family: &Family, param: &Param, raw: u32, lookup: Lookup<'_>) -> Word {
     let bits: Vec<Bit> = family
         .word(param, raw, lookup)
         .into_iter()
@@ -151,8 +150,8 @@ pub fn word(family: &Family, param: &Param, raw: u32, lang: Lang, lookup: Lookup
             bit: bit.bit,
             set: bit.set,
             slug: bit.row.map(|row| row.slug.clone()),
-            name: bit.row.map(|row| row.name(lang).to_owned()),
-            help: bit.row.and_then(|row| row.help.as_ref()).map(|help| help.get(lang).to_owned()),
+            name: bit.row.map(|row| row.text()),
+            help: bit.row.and_then(|row| row.help.clone()),
         })
         .collect();
     let is_status = family.role(Role::StatusWord).is_some_and(|status| status.id == param.id);
@@ -161,79 +160,70 @@ pub fn word(family: &Family, param: &Param, raw: u32, lang: Lang, lookup: Lookup
         hex: format!("0x{raw:04X}"),
         unknown: bits.iter().filter(|bit| bit.set && bit.slug.is_none()).map(|bit| bit.bit).collect(),
         bits,
-        state: is_status.then(|| state(family, raw, lang)),
+        state: is_status.then(|| state(family, raw)),
     }
 }
 
 /// The state that a status word stands for.
-pub fn state(family: &Family, status: u32, lang: Lang) -> State {
+pub fn state(family: &Family, status: u32) -> State {
     match family.state(status) {
-        Some(row) => State { slug: row.slug.clone(), name: row.name(lang).to_owned() },
-        None => {
-            let name = if lang == Lang::De { "unbekannter Zustand" } else { "unknown state" };
-            State { slug: "unknown".to_owned(), name: name.to_owned() }
-        }
+        Some(row) => State { slug: row.slug.clone(), name: row.text() },
+        None => State { slug: "unknown".to_owned(), name: both!("unknown state", "unbekannter Zustand") },
     }
 }
 
 /// The fault behind a code; `None` for 0.
-pub fn fault(family: &Family, code: u32, lang: Lang) -> Option<Fault> {
+pub fn fault(family: &Family, code: u32) -> Option<Fault> {
     if code == 0 {
         return None;
     }
     let row = family.fault(code);
-    let group = family.fault_group(code).map(|group| group.name(lang).to_owned());
-    let unknown = || {
-        let text = if lang == Lang::De { "nicht dokumentierte Störung" } else { "undocumented fault" };
-        text.to_owned()
-    };
+    let group = family.fault_group(code).map(|group| group.text());
+    let unknown = || both!("undocumented fault", "nicht dokumentierte Störung");
     let node = row.and_then(|row| row.last).map(|_| code & 0xFF);
     // Texts of a whole range say the word `nn` where the number belongs.
     let fill = |word: &str, node: u32| if word == "nn" { node.to_string() } else { word.to_owned() };
-    let filled = |text: &str| match node {
-        Some(node) => text.split(' ').map(|word| fill(word, node)).collect::<Vec<_>>().join(" "),
-        None => text.to_owned(),
+    let filled = |text: &Text| match node {
+        Some(node) => Text::by(|lang| {
+            let words = text.get(lang).split(' ').map(|word| fill(word, node));
+            words.collect::<Vec<_>>().join(" ")
+        }),
+        None => text.clone(),
     };
     Some(Fault {
         code,
         key: format!("{}{code:04X}", family.fault_codes.letter),
         group,
-        name: row.map_or_else(unknown, |row| filled(row.name(lang))),
-        cause: row.map(|row| filled(row.cause.get(lang))),
-        remedy: row.map(|row| filled(row.remedy.get(lang))),
+        name: row.map_or_else(unknown, |row| filled(&row.text())),
+        cause: row.map(|row| filled(&row.cause)),
+        remedy: row.map(|row| filled(&row.remedy)),
         node,
     })
 }
 
 /// A code of the error register.
-pub fn register(family: &Family, code: u32, lang: Lang) -> Register {
+pub fn register(family: &Family, code: u32) -> Register {
     match family.error(code) {
-        Some(row) => Register {
-            code,
-            slug: row.slug.clone(),
-            name: row.name(lang).to_owned(),
-            hint: Some(row.hint.get(lang).to_owned()),
-        },
+        Some(row) => Register { code, slug: row.slug.clone(), name: row.text(), hint: Some(row.hint.clone()) },
         None => {
             // 0 means the same everywhere: nothing was refused.
             let (slug, name) = match code {
-                0 => ("none", lang.pick("nothing was refused", "nichts wurde abgelehnt")),
-                _ => ("unknown", lang.pick("unknown code", "unbekannter Code")),
+                0 => ("none", both!("nothing was refused", "nichts wurde abgelehnt")),
+                _ => ("unknown", both!("unknown code", "unbekannter Code")),
             };
-            Register { code, slug: slug.to_owned(), name: name.to_owned(), hint: None }
+            Register { code, slug: slug.to_owned(), name, hint: None }
         }
     }
 }
 
 /// A row of the catalogue.
-pub fn param_doc(family: &Family, param: &Param, lang: Lang) -> ParamDoc {
+pub fn param_doc(family: &Family, param: &Param) -> ParamDoc {
     let decimal = |raw: Option<i64>| raw.map(|raw| Decimal { raw, decimals: param.decimals_or_zero() });
-    let index = usize::from(lang == Lang::De);
     let named = family.word(param, u32::MAX, |_| None);
     ParamDoc {
         param: param.id,
         slug: param.slug.clone(),
-        name: param.name(lang).to_owned(),
+        name: param.name.clone(),
         unit: param.unit.clone(),
         kind: param.kind.map(|kind| kind.name()),
         decimals: param.decimals,
@@ -253,7 +243,7 @@ pub fn param_doc(family: &Family, param: &Param, lang: Lang) -> ParamDoc {
         values: family
             .choices(param)
             .into_iter()
-            .map(|(raw, names)| ChoiceDoc { raw, text: names.get(index).copied().unwrap_or_default().to_owned() })
+            .filter_map(|(raw, _)| Some(ChoiceDoc { raw, text: family.text_of(param, raw)?.clone() }))
             .collect(),
         bits: named
             .into_iter()
@@ -262,12 +252,12 @@ pub fn param_doc(family: &Family, param: &Param, lang: Lang) -> ParamDoc {
                     bit: bit.bit,
                     set: false,
                     slug: Some(row.slug.clone()),
-                    name: Some(row.name(lang).to_owned()),
-                    help: row.help.as_ref().map(|help| help.get(lang).to_owned()),
+                    name: Some(row.text()),
+                    help: row.help.clone(),
                 })
             })
             .collect(),
-        note: param.note.as_ref().map(|note| note.get(lang).to_owned()),
+        note: param.note.clone(),
         unconfirmed: param.unconfirmed.clone(),
         source: param.source.clone(),
         origin: param.origin.clone(),

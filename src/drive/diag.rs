@@ -7,11 +7,12 @@ use super::target::Target;
 use crate::exchange::{Answer, ExchangeError, Limits, Question};
 use crate::gate::{Counters, Permit};
 use crate::outcome::{Bucket, Counter, Event, LinkTest};
-use crate::profile::{Cause, Lang, Role, Type};
+use crate::profile::{Cause, Role, Type};
 use crate::protocol::Protocol;
+use crate::text::both;
 
 /// Reads every counter that the family defines; VABus has none.
-pub async fn counters(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<Counter>, AccessError> {
+pub async fn counters(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Counter>, AccessError> {
     let mut counters = Vec::new();
     let route = target.route(session).await?;
     if route.protocol == Protocol::Vabus {
@@ -26,9 +27,9 @@ pub async fn counters(session: &mut Session<'_>, target: &mut Target, lang: Lang
         counters.push(Counter {
             sub: row.sub,
             slug: row.slug.clone(),
-            name: row.name(lang).to_owned(),
+            name: row.text(),
             count,
-            help: row.help.get(lang).to_owned(),
+            help: row.help.clone(),
         });
     }
     Ok(counters)
@@ -78,7 +79,9 @@ pub async fn link_test(
     let (mut times, mut silent, mut garbled, mut asked) = (Vec::new(), 0u64, 0u64, 0u64);
     let mut cut = None;
     for done in 0..count {
-        session.tell(Event::Progress { done, total: count, what: format!("link test, address {}", target.address) });
+        let address = target.address;
+        let what = both!("link test, address {address}", "Leitungstest, Adresse {address}");
+        session.tell(Event::Progress { done, total: count, what });
         match session.ask_within(target.address, question.clone(), once).await {
             Ok(Answer::Reply { after, .. }) => times.push(after.as_micros()),
             Ok(Answer::Broadcast) => {}

@@ -4,7 +4,6 @@ use super::trouble;
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::Event;
-use crate::profile::Lang;
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
@@ -32,8 +31,6 @@ pub struct Opening<'a> {
     pub trace: Option<Recording<'a>>,
     /// Whether every telegram is told as an event.
     pub verbose: bool,
-    /// Language of what is told.
-    pub lang: Lang,
 }
 
 /// Where a line is recorded to.
@@ -58,7 +55,6 @@ impl<'a> Opening<'a> {
             retries: None,
             trace: None,
             verbose: false,
-            lang: Lang::En,
         }
     }
 }

@@ -4,8 +4,8 @@ use super::motion::working;
 use super::{AccessError, Reading, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Value, Warning};
-use crate::profile::{DataSets, Lang, Param, Store};
-use crate::text::both;
+use crate::profile::{DataSets, Param, Store};
+use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
@@ -15,7 +15,6 @@ pub struct Reader<'t, 'o> {
     pub session: &'t mut Session<'o>,
     /// The drive.
     pub target: &'t mut Target,
-    lang: Lang,
     modes: BTreeMap<u32, i64>,
     /// Values that came with their neighbours.
     fetched: BTreeMap<u32, Reading>,
@@ -35,11 +34,10 @@ pub struct Reader<'t, 'o> {
 
 impl<'t, 'o> Reader<'t, 'o> {
     /// Reads from this drive.
-    pub fn new(session: &'t mut Session<'o>, target: &'t mut Target, lang: Lang) -> Self {
+    pub fn new(session: &'t mut Session<'o>, target: &'t mut Target) -> Self {
         Reader {
             session,
             target,
-            lang,
             modes: BTreeMap::new(),
             fetched: BTreeMap::new(),
             lenient: false,
@@ -124,7 +122,7 @@ impl<'t, 'o> Reader<'t, 'o> {
     }
 
     fn row(&mut self, param: &Param, set: u8, result: Result<Reading, AccessError>) -> Result<Value, Failure> {
-        let (address, lang) = (self.target.address, self.lang);
+        let address = self.target.address;
         match result {
             Ok(reading) => {
                 self.good += 1;
@@ -151,7 +149,7 @@ impl<'t, 'o> Reader<'t, 'o> {
                     });
                 }
                 let lookup = |id: u32| self.modes.get(&id).copied();
-                let value = describe::value(address, &self.target.family, param, reading, lang, &lookup);
+                let value = describe::value(address, &self.target.family, param, reading, &lookup);
                 self.warnings.extend(implausible(&value, param));
                 Ok(value)
             }
@@ -160,7 +158,7 @@ impl<'t, 'o> Reader<'t, 'o> {
                 if error.is_fatal() {
                     return Err(failure);
                 }
-                let row = describe::unread(address, &self.target.family, param, set, lang, &failure);
+                let row = describe::unread(address, &self.target.family, param, set, &failure);
                 if failure.class == Class::Refused && self.lenient {
                     self.forgiven.push(failure);
                 } else {
@@ -211,11 +209,11 @@ pub struct InForce {
 
 impl InForce {
     /// One row, or two that differ; the second says that it is only stored.
-    pub fn rows(self, lang: Lang) -> impl Iterator<Item = Value> {
-        let only = lang.pick("stored, not in force", "gespeichert, nicht wirksam");
+    pub fn rows(self) -> impl Iterator<Item = Value> {
         let stored = self.stored.map(|value| {
-            let text = value.text.into_iter().chain([only.to_owned()]).collect::<Vec<_>>().join("; ");
-            Value { text: Some(text), ..value }
+            let only = both!("stored, not in force", "gespeichert, nicht wirksam");
+            let texts: Vec<Text> = value.text.into_iter().chain([only]).collect();
+            Value { text: Some(Text::join(&texts, "; ")), ..value }
         });
         self.value.into_iter().chain(stored)
     }

@@ -5,6 +5,7 @@ mod description;
 
 use self::description::describe_yourself;
 use super::access::AccessError;
+use super::decode::wrong;
 use super::probe::{STATUS_WORD, presumed};
 use super::route::{Cell, Content, Inquiry, No, Route, no};
 use super::session::Session;
@@ -221,7 +222,7 @@ fn missing(error: &ExchangeError) -> Text {
 
 fn told(no: No) -> Text {
     match no {
-        No::Exception(code) => both!("exception {code}", "Ausnahme {code}"),
+        No::Exception(code) => wrong::exception(code),
         No::Nak => Text::name("NAK"),
     }
 }

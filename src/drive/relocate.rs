@@ -16,14 +16,13 @@ use super::target::Target;
 use crate::failure::{Class, Failure};
 use crate::gate::{Line, Permit};
 use crate::outcome::{self, ErrorDoc, Moves, Relocation, RelocationResult, RelocationStep, StepResult};
-use crate::profile::{Family, Lang, Param, Type};
+use crate::profile::{Family, Param, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
 use crate::text::{Text, both};
 use journey::{Journey, Setback, follow, is_taken};
 use said::{left, lost, occupied, out_of_range};
-use std::fmt;
 use std::rc::Rc;
 
 /// How a drive is reached.
@@ -107,7 +106,13 @@ impl Place {
     fn doc(self) -> outcome::Place {
         let LineSetting { baud, data_bits, parity, stop_bits } = self.line;
         let (protocol, parity) = (self.protocol.name(), parity.name());
-        outcome::Place { protocol, baud, parity, data_bits, stop_bits, address: self.address, text: self.to_string() }
+        outcome::Place { protocol, baud, parity, data_bits, stop_bits, address: self.address, text: self.text() }
+    }
+
+    /// In words: `rtu 19200 8E1, address 1`.
+    fn text(self) -> Text {
+        let Place { protocol, line, address } = self;
+        both!("{protocol} {line}, address {address}", "{protocol} {line}, Adresse {address}")
     }
 
     /// The options of our own command line that reach it.
@@ -119,13 +124,6 @@ impl Place {
             text += &format!(" --data-bits {}", line.data_bits);
         }
         text
-    }
-}
-
-/// Prints `rtu 19200 8E1, address 1`.
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}, address {}", self.protocol, self.line, self.address)
     }
 }
 
@@ -217,17 +215,17 @@ impl Course {
                 when
             )
         };
-        self.legs.iter().map(step).chain([Text::name(format!("{} -> {}", self.from, self.to))]).collect()
+        self.legs.iter().map(step).chain([Text::join([&self.from.text(), &self.to.text()], " -> ")]).collect()
     }
 
     /// What can be told before anything is done, and if nothing has to be.
-    pub fn told(&self, target: &Target, lang: Lang) -> Relocation {
+    pub fn told(&self, target: &Target) -> Relocation {
         let steps = self.legs.iter().map(|leg| RelocationStep {
             param: leg.param.id,
-            name: leg.param.name(lang).to_owned(),
+            name: leg.param.name.clone(),
             old_raw: leg.old,
             raw: leg.raw,
-            text: target.family.text_of(&leg.param, leg.raw).map(|text| text.get(lang).to_owned()),
+            text: target.family.text_of(&leg.param, leg.raw).cloned(),
             moves: match leg.then {
                 Then::Stored => Moves::AfterRestart,
                 Then::At(_) => Moves::AtOnce,
@@ -277,11 +275,10 @@ impl Course {
         session: &mut Session<'_>,
         target: &mut Target,
         permit: &Permit<Line>,
-        lang: Lang,
     ) -> (Relocation, Option<Failure>) {
         // Half a move is worse than one that takes some seconds longer.
         session.ignore_interrupts();
-        let mut told = self.told(target, lang);
+        let mut told = self.told(target);
         let mut journey = Journey { session, target, permit, here: self.from, undo: Vec::new() };
         for (leg, step) in self.legs.iter().zip(&mut told.steps) {
             let setback = match journey.leg(leg).await {

@@ -12,7 +12,7 @@ use crate::exchange::{
 };
 use crate::failure::Failure;
 use crate::outcome::Event;
-use crate::profile::{Family, Lang, Registry};
+use crate::profile::{Family, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Framing;
@@ -66,7 +66,7 @@ impl<'a> Session<'a> {
         interrupt: Interrupt,
         observe: &'a mut dyn FnMut(Event),
     ) -> Result<Self, Failure> {
-        let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose, lang } = opening;
+        let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose } = opening;
         let usual = Limits::default();
         let (patience, repeats) = match protocol == Framing::Tcp.into() {
             true => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
@@ -85,7 +85,7 @@ impl<'a> Session<'a> {
             link.record_to(open_trace(recording, &format!("{line}, {protocol}"))?);
         }
         for deviation in link.deviations() {
-            observe(Event::Note(format!("{port}: {deviation}").into()));
+            observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));
         }
         let wired = is_wired(port);
         let (port, mut master) = (port.to_string(), Master::new(protocol, line, limits));
@@ -101,7 +101,7 @@ impl<'a> Session<'a> {
             since: None,
             unanswered: None,
             overheard: None,
-            account: Account::new(observe, verbose, lang),
+            account: Account::new(observe, verbose),
         })
     }
 
@@ -211,11 +211,6 @@ impl<'a> Session<'a> {
             _ => {}
         }
         Ok(outcome??)
-    }
-
-    /// The language in which things are told.
-    pub fn lang(&self) -> Lang {
-        self.account.lang()
     }
 
     /// Fails where two answers to one question differed: whatever is started there could be started twice.

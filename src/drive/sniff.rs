@@ -284,14 +284,13 @@ fn is_known(frame: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::profile::Lang;
     use crate::protocol::line::Parity;
 
     const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
     const READ: &[u8] = &[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C];
 
     fn ear(protocol: Protocol) -> Ear<'static> {
-        let reader = Reader { protocol, node: 0, family: None, order: None, lang: Lang::En };
+        let reader = Reader { protocol, node: 0, family: None, order: None };
         Ear::new(reader, LINE, Span::from_millis(500))
     }
 

@@ -3,7 +3,7 @@
 use super::{Session, Target, decode, recognise};
 use crate::failure::{Class, Failure};
 use crate::outcome::Evidence;
-use crate::profile::{Family, Lang, Registry};
+use crate::profile::{Family, Registry};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::text::{Text, both};
@@ -20,16 +20,11 @@ pub struct Terms<'a> {
     pub word_order: Option<WordOrder>,
     /// Speed and format of the line.
     pub line: LineSetting,
-    /// What is spoken, and in which language it is told.
+    /// What is spoken.
     pub speech: decode::Reader<'static>,
 }
 
 impl Terms<'_> {
-    /// Language of what is told.
-    pub fn lang(&self) -> Lang {
-        self.speech.lang
-    }
-
     /// Takes telegrams of this family apart.
     pub fn telegrams<'f>(&self, family: &'f Family) -> decode::Reader<'f> {
         decode::Reader { family: Some(family), ..self.speech }
@@ -81,7 +76,7 @@ impl Terms<'_> {
 }
 
 /// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.
-pub fn who(address: u8, node: u8, drive: &str, lang: Lang) -> String {
+pub fn who(address: u8, node: u8, drive: &str) -> Text {
     let behind = if node == 0 { String::new() } else { format!(".{node}") };
-    format!("{} {address}{behind} ({drive})", lang.pick("drive", "Antrieb"))
+    both!("drive {address}{behind} ({drive})", "Antrieb {address}{behind} ({drive})")
 }

@@ -1,6 +1,7 @@
 //! What went wrong, said in both languages, with what to do next.
 
 use super::access::{AccessError, Refusal};
+use super::decode::wrong;
 use super::route::No;
 use crate::exchange::ExchangeError;
 use crate::failure::{Class, Failure};
@@ -30,7 +31,7 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
         _ => ("p11", Text::name("P.11")),
     };
     let said = match refusal.no {
-        No::Exception(exception) => both!("exception {exception}", "Ausnahme {exception}"),
+        No::Exception(exception) => wrong::exception(exception),
         No::Nak => Text::name("NAK"),
     };
     let (code, cause) = match (refusal.cause, row) {
@@ -240,7 +241,7 @@ pub(super) fn link(error: &LinkError) -> Failure {
         LinkError::Stranger { port, found } => {
             format!("Anschluss '{port}' ist jetzt ein anderer Adapter: {found}")
         }
-        LinkError::Recording { file, message } => format!("Aufzeichnung {}: {message}", file.display()),
+        LinkError::Recording { file, message } => format!("Aufzeichnung {}: {}", file.display(), message.de),
         LinkError::OffTape { file, line, expected, sent } => {
             let (file, expected, sent) = (file.display(), Hex(expected), Hex(sent));
             format!("Aufzeichnung {file}, Zeile {line}: aufgezeichnet ist {expected}, gesendet wurde {sent}")

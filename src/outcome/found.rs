@@ -64,7 +64,8 @@ pub struct FoundDrive {
     /// State, if it is a drive that we know.
     pub state: Option<State>,
     /// Active fault, if there is one.
-    pub fault: Option<String>,
+    #[serde(deserialize_with = "Text::as_printed_or_null")]
+    pub fault: Option<Text>,
 }
 
 /// One thing that tells a family.
@@ -169,11 +170,11 @@ pub struct Counter {
     /// Stable name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Count; null if it could not be read.
     pub count: Option<u16>,
     /// What it counts and what a high value means.
-    pub help: String,
+    pub help: Text,
 }
 
 /// Result of a link test.

@@ -129,7 +129,7 @@ pub enum Event {
         /// The bytes.
         hex: String,
         /// What they say.
-        meaning: String,
+        meaning: Text,
     },
     /// So much is done.
     Progress {
@@ -138,7 +138,7 @@ pub enum Event {
         /// Steps in all.
         total: u64,
         /// What is being tried.
-        what: String,
+        what: Text,
     },
     /// One of several searches that run at once has come so far.
     Search {
@@ -149,7 +149,7 @@ pub enum Event {
         /// Steps in all.
         total: u64,
         /// What is being tried.
-        what: String,
+        what: Text,
     },
     /// A drive was found.
     Found(FoundDrive),

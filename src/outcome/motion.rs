@@ -1,6 +1,7 @@
 //! What `statemachine` and `sollwert` found and did.
 
 use super::{Decimal, ErrorDoc, Fault, State, Value, Word};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -38,7 +39,7 @@ pub struct Motion {
     #[serde(skip)]
     pub idle: bool,
     /// What is worth knowing besides.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 impl Motion {
@@ -126,7 +127,7 @@ pub struct Stop {
     /// State that was seen last.
     pub state: Option<State>,
     /// What is to be known of the shaft, or what stops the drive if the line is dead.
-    pub note: Option<String>,
+    pub note: Option<Text>,
 }
 
 /// Result of `statemachine show`.
@@ -158,7 +159,7 @@ pub struct StateReport {
     /// Active fault; null if there is none, or if it could not be read.
     pub fault: Option<Fault>,
     /// What keeps the drive from running by the control word, and how one sees it.
-    pub missing: Vec<String>,
+    pub missing: Vec<Text>,
     /// The map of the state machine.
     pub states: Vec<StateRow>,
     /// Why it could not be read.
@@ -171,11 +172,11 @@ pub struct StateRow {
     /// Stable name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Whether the drive is in it.
     pub present: bool,
     /// Transitions with their number, command and goal.
-    pub leads: Vec<String>,
+    pub leads: Vec<Text>,
 }
 
 /// Result of `sollwert` without a value.

@@ -1,6 +1,7 @@
 //! What `params`, `decode` and `simulate` say.
 
 use super::{Bit, Decimal, Fault, Register, Word};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -21,7 +22,7 @@ pub struct ParamDoc {
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Unit.
     pub unit: Option<String>,
     /// Data type, where a source tells it.
@@ -52,7 +53,7 @@ pub struct ParamDoc {
     /// Bits with a name.
     pub bits: Vec<Bit>,
     /// A remark.
-    pub note: Option<String>,
+    pub note: Option<Text>,
     /// Facts that no second source confirms.
     pub unconfirmed: Vec<String>,
     /// Where the facts come from.
@@ -67,7 +68,7 @@ pub struct ChoiceDoc {
     /// Raw value.
     pub raw: i64,
     /// Name in the chosen language.
-    pub text: String,
+    pub text: Text,
 }
 
 /// Result of `decode`.
@@ -105,7 +106,7 @@ pub struct TelegramDoc {
     /// The bytes.
     pub hex: String,
     /// What it says.
-    pub meaning: String,
+    pub meaning: Text,
     /// Field by field.
     pub fields: Vec<Field>,
 }
@@ -116,9 +117,9 @@ pub struct Field {
     /// Its bytes.
     pub hex: String,
     /// What it is.
-    pub name: String,
+    pub name: Text,
     /// What it says.
-    pub value: String,
+    pub value: Text,
 }
 
 /// Result of `simulate`.

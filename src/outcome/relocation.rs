@@ -1,6 +1,7 @@
 //! What `protocol set` and `line set` did.
 
 use super::ErrorDoc;
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -45,7 +46,7 @@ pub struct Place {
     /// Address in that protocol.
     pub address: u8,
     /// The same for people: `rtu 19200 8E1, address 1`.
-    pub text: String,
+    pub text: Text,
 }
 
 /// A write on the way.
@@ -54,13 +55,13 @@ pub struct RelocationStep {
     /// Parameter number.
     pub param: u32,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Raw value before; null where there is none, as for a restart.
     pub old_raw: Option<i64>,
     /// Raw value that was, or is to be, written.
     pub raw: i64,
     /// What the value stands for.
-    pub text: Option<String>,
+    pub text: Option<Text>,
     /// When the drive is somewhere else by it.
     pub moves: Moves,
     /// What became of it.

@@ -1,6 +1,7 @@
 //! What `monitor` and `sniff` tell as it comes.
 
 use super::{Decimal, ErrorDoc, State, TelegramDoc, Value, Warning};
+use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -53,7 +54,7 @@ pub struct WatchedDrive {
     /// Family; `unknown` as long as the drive does not answer.
     pub drive: String,
     /// Title of the family.
-    pub title: Option<String>,
+    pub title: Option<Text>,
     /// The values of its samples, in their order.
     pub columns: Vec<Column>,
 }
@@ -70,7 +71,7 @@ pub struct Column {
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Unit.
     pub unit: Option<String>,
     /// What the parameter is to the drive, if it is one that every family has: `status-word`, `setpoint-ramp` …

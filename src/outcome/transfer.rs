@@ -36,7 +36,7 @@ pub struct Written {
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Data set, 0-4.
     pub data_set: u8,
     /// `eeprom`, `ram`, or `unknown` where no source tells whether the value outlives power-off.
@@ -52,15 +52,15 @@ pub struct Written {
     /// Unit.
     pub unit: Option<String>,
     /// What the new value stands for.
-    pub text: Option<String>,
+    pub text: Option<Text>,
     /// What became of it.
     pub result: WriteResult,
     /// The telegram that was, or would be, sent.
     pub telegram: Option<String>,
     /// What the telegram says.
-    pub meaning: Option<String>,
+    pub meaning: Option<Text>,
     /// When it takes effect, if not at once.
-    pub note: Option<String>,
+    pub note: Option<Text>,
     /// Why it was not written.
     pub error: Option<ErrorDoc>,
 }
@@ -127,7 +127,7 @@ pub struct DatasetRow {
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Unit.
     pub unit: Option<String>,
     /// Whether the values are the same.

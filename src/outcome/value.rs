@@ -1,6 +1,7 @@
 //! Values, words, states, faults: what a parameter says.
 
 use super::ErrorDoc;
+use crate::text::{Text, both};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use std::borrow::Cow;
@@ -48,7 +49,7 @@ pub struct Value {
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// Data set, 0-4.
     pub data_set: u8,
     /// `eeprom`, `ram`, or `unknown` where no source tells whether the value outlives power-off.
@@ -62,7 +63,7 @@ pub struct Value {
     /// Unit.
     pub unit: Option<String>,
     /// What the value stands for, where a table says so.
-    pub text: Option<String>,
+    pub text: Option<Text>,
     /// The bits, if the parameter is a word.
     pub word: Option<Word>,
     /// `uint`, `int`, `word`, `long`.
@@ -108,9 +109,9 @@ pub struct Bit {
     /// Stable name; null if nobody defined it.
     pub slug: Option<String>,
     /// Name in the chosen language.
-    pub name: Option<String>,
+    pub name: Option<Text>,
     /// What it means and what to do.
-    pub help: Option<String>,
+    pub help: Option<Text>,
 }
 
 /// A state of the drive.
@@ -119,7 +120,8 @@ pub struct State {
     /// Stable name; `unknown` if the word means none.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    #[serde(deserialize_with = "Text::as_printed")]
+    pub name: Text,
 }
 
 /// A fault.
@@ -130,15 +132,22 @@ pub struct Fault {
     /// As the drive displays it.
     pub key: String,
     /// Group in the chosen language.
-    pub group: Option<String>,
+    pub group: Option<Text>,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// What causes it.
-    pub cause: Option<String>,
+    pub cause: Option<Text>,
     /// What to do.
-    pub remedy: Option<String>,
+    pub remedy: Option<Text>,
     /// Node that is meant, if the code carries one.
     pub node: Option<u32>,
+}
+
+impl Fault {
+    /// In a line: `F0500 Output current overload`.
+    pub fn told(&self) -> Text {
+        both!("{key} {name}", "{key} {name}", key = self.key, name = self.name)
+    }
 }
 
 /// A code of the error register.
@@ -149,7 +158,7 @@ pub struct Register {
     /// Stable name.
     pub slug: String,
     /// Name in the chosen language.
-    pub name: String,
+    pub name: Text,
     /// What to do.
-    pub hint: Option<String>,
+    pub hint: Option<Text>,
 }

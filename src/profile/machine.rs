@@ -4,7 +4,7 @@
 //! planner finds the commands from the present state to a goal, or says what stands in the way.
 
 use super::row::CatalogueRow;
-use crate::text::Lang;
+use crate::text::Text;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -32,9 +32,9 @@ pub struct Command {
 }
 
 impl Command {
-    /// Name in `lang`.
-    pub fn name(&self, lang: Lang) -> &str {
-        lang.pick(&self.en, &self.de)
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
     }
 }
 

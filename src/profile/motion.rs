@@ -4,7 +4,7 @@
 use super::machine::{Need, Takes};
 use super::role::Role;
 use super::row::CatalogueRow;
-use crate::text::{Lang, Text};
+use crate::text::Text;
 use serde::Deserialize;
 
 /// What moving a drive of this family needs besides its state machine.
@@ -124,9 +124,9 @@ pub struct Blind {
 }
 
 impl Blind {
-    /// What it does.
-    pub fn name(&self, lang: Lang) -> &str {
-        lang.pick(&self.en, &self.de)
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
     }
 }
 
@@ -183,9 +183,9 @@ pub struct Part {
 }
 
 impl Part {
-    /// What it is.
-    pub fn name(&self, lang: Lang) -> &str {
-        lang.pick(&self.en, &self.de)
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
     }
 }
 
@@ -318,9 +318,9 @@ pub struct Start {
 }
 
 impl Start {
-    /// What it does.
-    pub fn name(&self, lang: Lang) -> &str {
-        lang.pick(&self.en, &self.de)
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
     }
 }
 
@@ -376,9 +376,9 @@ pub struct Floor {
 }
 
 impl Mode {
-    /// Name in `lang`.
-    pub fn name(&self, lang: Lang) -> &str {
-        lang.pick(&self.en, &self.de)
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        Text { en: self.en.clone().into(), de: self.de.clone().into() }
     }
 
     /// Whether the setpoint 0 brings the shaft to rest.

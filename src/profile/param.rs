@@ -1,6 +1,6 @@
 //! One parameter of a drive: what the catalogue knows about it.
 
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, Wrong, both};
 use serde::Deserialize;
 
 /// Data type of a parameter on the wire.
@@ -53,11 +53,16 @@ impl Type {
 }
 
 impl std::str::FromStr for Type {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let known = [Type::Uint, Type::Int, Type::Word, Type::Long];
         let found = known.into_iter().find(|known| known.name() == text);
-        found.ok_or_else(|| format!("expected uint, int, word or long, got '{text}'"))
+        found.ok_or_else(|| {
+            Wrong(both!(
+                "expected uint, int, word or long, got '{text}'",
+                "erwartet: uint, int, word oder long; angegeben: '{text}'"
+            ))
+        })
     }
 }
 

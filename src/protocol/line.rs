@@ -1,5 +1,6 @@
 //! The serial line: speed, character format, and how long characters take on it.
 
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use std::fmt;
 use std::str::FromStr;
@@ -109,10 +110,15 @@ impl Parity {
 
 /// Reads `even`, `odd` or `none`.
 impl FromStr for Parity {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let found = Self::NAMES.iter().find(|(_, name)| name.eq_ignore_ascii_case(text.trim()));
-        found.map(|(parity, _)| *parity).ok_or_else(|| format!("expected even, odd or none, got '{text}'"))
+        found.map(|(parity, _)| *parity).ok_or_else(|| {
+            Wrong(both!(
+                "expected even, odd or none, got '{text}'",
+                "erwartet: even, odd oder none; angegeben: '{text}'"
+            ))
+        })
     }
 }
 

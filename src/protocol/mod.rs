@@ -8,6 +8,7 @@ pub mod line;
 pub mod modbus;
 pub mod vabus;
 
+use crate::text::{Wrong, both};
 use line::{LineSetting, Parity};
 use modbus::Framing;
 use std::fmt;
@@ -62,12 +63,13 @@ impl fmt::Display for Protocol {
 }
 
 impl FromStr for Protocol {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let found = Self::ALL.into_iter().find(|protocol| protocol.name().eq_ignore_ascii_case(text.trim()));
         found.ok_or_else(|| {
             let names: Vec<_> = Self::ALL.iter().map(|protocol| protocol.name()).collect();
-            format!("expected {}, got '{text}'", names.join(", "))
+            let names = names.join(", ");
+            Wrong(both!("expected {names}, got '{text}'", "erwartet: {names}; angegeben: '{text}'"))
         })
     }
 }

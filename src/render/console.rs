@@ -1,6 +1,7 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
 use super::clean;
+use super::words::word;
 use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive};
 use crate::text::{Lang, Text};
@@ -119,14 +120,16 @@ impl Console {
         match event {
             Event::Telegram { at_us, direction, hex, meaning } => {
                 let at = format!("{}.{:03}", at_us / 1_000, at_us % 1_000);
+                let meaning = meaning.get(inner.lang).to_owned();
                 inner.line(&format!("{at:>10} ms {direction} {hex}  {meaning}"));
             }
-            Event::Progress { done, total, what } => inner.progress(String::new(), done, total, what),
-            Event::Search { port, done, total, what } => inner.progress(port, done, total, what),
+            Event::Progress { done, total, what } => inner.progress(String::new(), done, total, &what),
+            Event::Search { port, done, total, what } => inner.progress(port, done, total, &what),
             Event::Found(drive) => {
                 if !inner.quiet {
                     let FoundDrive { drive, address, title, port, line, protocol, .. } = drive;
                     let found = inner.lang.pick("found", "gefunden:");
+                    let drive = if drive == "unknown" { word(inner.lang, "unknown").to_owned() } else { drive };
                     let (at, title) = (inner.lang.pick("at", "unter"), title.get(inner.lang));
                     inner.line(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
                 }
@@ -177,7 +180,7 @@ impl Inner {
         }
     }
 
-    fn progress(&mut self, name: String, done: u64, total: u64, what: String) {
+    fn progress(&mut self, name: String, done: u64, total: u64, what: &Text) {
         if !self.progress {
             return;
         }
@@ -195,6 +198,6 @@ impl Inner {
         });
         bar.set_length(total);
         bar.set_position(done);
-        bar.set_message(clean(&what));
+        bar.set_message(clean(what.get(self.lang)));
     }
 }

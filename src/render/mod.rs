@@ -15,6 +15,7 @@ pub use document::{print, print_end};
 pub use outlet::Outlet;
 pub use stream::{Key, Keys, Manner, Stream, View};
 
+use crate::text::{Wrong, both};
 use std::str::FromStr;
 use unicode_width::UnicodeWidthChar;
 
@@ -39,10 +40,15 @@ impl Format {
 }
 
 impl FromStr for Format {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let known = Format::ALL.iter().find(|(word, _)| *word == text);
-        known.map(|(_, format)| *format).ok_or_else(|| format!("expected table, json, ndjson or csv, got '{text}'"))
+        known.map(|(_, format)| *format).ok_or_else(|| {
+            Wrong(both!(
+                "expected table, json, ndjson or csv, got '{text}'",
+                "erwartet: table, json, ndjson oder csv; angegeben: '{text}'"
+            ))
+        })
     }
 }
 

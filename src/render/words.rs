@@ -117,6 +117,8 @@ const GERMAN: &[(&str, &str)] = &[
     ("garbled", "gestört"),
     ("group", "Gruppe"),
     ("hazard", "Gefahr"),
+    ("motion", "Bewegung"),
+    ("reset", "Neustart"),
     ("hint", "Hinweis"),
     ("link test", "Leitungstest"),
     ("meaning", "Bedeutung"),

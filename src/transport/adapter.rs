@@ -4,6 +4,7 @@
 use super::door::SideDoor;
 use super::ioctl::{self, KernelRs485};
 use super::rs485::{Rs485, Rs485Mode};
+use crate::text::{Text, both};
 use crate::tick::Span;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -88,7 +89,7 @@ impl Tuned {
     }
 
     /// Has the driver switch the direction of the line; tells what it set in place of what was asked.
-    pub(super) fn switch_direction(&mut self, before: Span, after: Span) -> io::Result<Vec<String>> {
+    pub(super) fn switch_direction(&mut self, before: Span, after: Span) -> io::Result<Vec<Text>> {
         let found = ioctl::rs485(&self.tty)?;
         let (before, after) = (whole_millis(before), whole_millis(after));
         let set = ioctl::set_rs485(&self.tty, found.enabled(before, after))?;
@@ -96,10 +97,17 @@ impl Tuned {
         if !set.is_enabled() {
             return Err(io::ErrorKind::Unsupported.into());
         }
-        let delays = [("before", before, set.delay_before_send), ("after", after, set.delay_after_send)];
+        let delays = [
+            (both!("before", "vor"), before, set.delay_before_send),
+            (both!("after", "nach"), after, set.delay_after_send),
+        ];
         let deviating = delays.into_iter().filter(|(_, asked, set)| asked != set);
         let told = deviating.map(|(which, asked, set)| {
-            format!("asked for {asked} ms {which} a telegram to switch the direction, the driver set {set} ms")
+            both!(
+                "asked for {asked} ms {which} a telegram to switch the direction, the driver set {set} ms",
+                "verlangt sind {asked} ms {which} einem Telegramm zum Umschalten, der Treiber stellte {set} ms ein",
+                which
+            )
         });
         Ok(told.collect())
     }

@@ -30,6 +30,7 @@ pub use trace::{Trace, TraceLine, read_trace};
 use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
+use crate::text::Text;
 use crate::tick::Tick;
 use net::Far;
 use std::path::PathBuf;
@@ -102,12 +103,12 @@ pub enum LinkError {
     #[error("port '{0}' was lost: the adapter was unplugged or the other end hung up")]
     Lost(String),
     /// The file is no recording that can be played back.
-    #[error("recording {}: {message}", file.display())]
+    #[error("recording {}: {}", file.display(), message.en)]
     Recording {
         /// The file.
         file: PathBuf,
         /// What is wrong with it, with the line.
-        message: String,
+        message: Text,
     },
     /// Something else was sent than the recording has.
     #[error("recording {}, line {line}: recorded was {}, sent was {}", file.display(), Hex(expected), Hex(sent))]
@@ -252,7 +253,7 @@ impl Link {
     }
 
     /// What the driver set in place of what was asked, if it did not obey in all.
-    pub fn deviations(&self) -> &[String] {
+    pub fn deviations(&self) -> &[Text] {
         match &self.carrier {
             Carrier::Serial(link) => link.deviations(),
             Carrier::Net(link) => link.deviations(),

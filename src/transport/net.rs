@@ -4,6 +4,7 @@ use super::clock::Clock;
 use super::rfc2217::{Telnet, Unsettled};
 use super::{Endpoint, Ends, LinkError, Wake};
 use crate::protocol::line::LineSetting;
+use crate::text::Text;
 use crate::tick::{Span, Tick};
 use std::io;
 use tokio::io::AsyncWriteExt;
@@ -29,7 +30,7 @@ pub(super) struct NetLink {
     line: LineSetting,
     connection: Ends<Connection>,
     clock: Clock,
-    deviations: Vec<String>,
+    deviations: Vec<Text>,
 }
 
 #[derive(Debug)]
@@ -88,7 +89,7 @@ impl NetLink {
         Ok(())
     }
 
-    pub(super) fn deviations(&self) -> &[String] {
+    pub(super) fn deviations(&self) -> &[Text] {
         &self.deviations
     }
 
@@ -165,7 +166,7 @@ impl Connection {
     }
 
     /// Has a device server take the setting that its client asks for; tells what it set in place of it.
-    async fn settle(&mut self, clock: Clock) -> Result<Vec<String>, Unsettled> {
+    async fn settle(&mut self, clock: Clock) -> Result<Vec<Text>, Unsettled> {
         match &mut self.telnet {
             Some(telnet) => telnet.settle(&mut self.stream, clock, LIMIT).await,
             None => Ok(Vec::new()),

@@ -1,5 +1,6 @@
 //! What `--port` names: a tty, a port on the network, a recording, or the built-in bench.
 
+use crate::text::{Wrong, both};
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -34,23 +35,32 @@ pub struct Endpoint {
 const MODBUS_PORT: u16 = 502;
 
 impl FromStr for Port {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         if text.is_empty() {
-            return Err("the name of the port is empty; expected a tty such as /dev/ttyUSB0, or sim".to_owned());
+            return Err(Wrong(both!(
+                "the name of the port is empty; expected a tty such as /dev/ttyUSB0, or sim",
+                "der Name des Anschlusses ist leer; erwartet: ein Gerät wie /dev/ttyUSB0, oder sim"
+            )));
         }
         match text.split_once(':') {
             _ if text == "sim" => Ok(Port::Sim(None)),
-            Some(("sim", "")) => Err("expected sim:FILE.toml, or just sim".to_owned()),
+            Some(("sim", "")) => {
+                Err(Wrong(both!("expected sim:FILE.toml, or just sim", "erwartet: sim:DATEI.toml oder nur sim")))
+            }
             Some(("sim", file)) => Ok(Port::Sim(Some(PathBuf::from(file)))),
-            Some(("tape", "")) => Err("expected tape:FILE, a recording that --trace has written".to_owned()),
+            Some(("tape", "")) => Err(Wrong(both!(
+                "expected tape:FILE, a recording that --trace has written",
+                "erwartet: tape:DATEI, eine Aufzeichnung von --trace"
+            ))),
             Some(("tape", file)) => Ok(Port::Tape(PathBuf::from(file))),
             Some(("tcp", rest)) => Endpoint::parse("tcp", rest, None).map(Port::Tcp),
             Some(("rfc2217", rest)) => Endpoint::parse("rfc2217", rest, None).map(Port::Rfc2217),
             Some(("mbtcp", rest)) => Endpoint::parse("mbtcp", rest, Some(MODBUS_PORT)).map(Port::Mbtcp),
-            Some((scheme @ ("slcan" | "can"), _)) => Err(format!(
-                "{scheme}: ports are not supported by this version; expected a tty such as /dev/ttyUSB0, or sim"
-            )),
+            Some((scheme @ ("slcan" | "can"), _)) => Err(Wrong(both!(
+                "{scheme}: ports are not supported by this version; expected a tty such as /dev/ttyUSB0, or sim",
+                "Anschlüsse mit {scheme}: kann diese Version nicht; erwartet: ein Gerät wie /dev/ttyUSB0, oder sim"
+            ))),
             _ => Ok(Port::Serial(text.to_owned())),
         }
     }
@@ -72,9 +82,14 @@ impl fmt::Display for Port {
 
 impl Endpoint {
     /// Reads what stands behind `SCHEME:`, such as `//192.168.1.50:4001` or `//[fe80::1]:4001`.
-    fn parse(scheme: &str, rest: &str, default: Option<u16>) -> Result<Self, String> {
-        let expected = if default.is_some() { "HOST[:PORT]" } else { "HOST:PORT" };
-        let bad = || format!("expected {scheme}://{expected}, an IPv6 address in brackets; got '{scheme}:{rest}'");
+    fn parse(scheme: &str, rest: &str, default: Option<u16>) -> Result<Self, Wrong> {
+        let port = if default.is_some() { "[:PORT]" } else { ":PORT" };
+        let bad = || {
+            Wrong(both!(
+                "expected {scheme}://HOST{port}, an IPv6 address in brackets; got '{scheme}:{rest}'",
+                "erwartet: {scheme}://RECHNER{port}, eine IPv6-Adresse in Klammern; angegeben: '{scheme}:{rest}'"
+            ))
+        };
         let text = rest.strip_prefix("//").ok_or_else(bad)?;
         let (host, port) = match text.strip_prefix('[').map(|inside| inside.split_once(']')) {
             Some(split) => split.ok_or_else(bad)?,
@@ -140,11 +155,11 @@ mod tests {
             "mbtcp://a b",
             "mbtcp://host/unit",
         ] {
-            let error = text.parse::<Port>().unwrap_err();
+            let error = text.parse::<Port>().unwrap_err().to_string();
             assert!(error.contains("HOST") && error.ends_with(&format!("got '{text}'")), "{text}: {error}");
         }
         for text in ["", "tape:", "sim:", "can:can0"] {
-            assert!(text.parse::<Port>().unwrap_err().contains("expected"), "{text}");
+            assert!(text.parse::<Port>().unwrap_err().to_string().contains("expected"), "{text}");
         }
     }
 }

@@ -4,6 +4,7 @@
 use super::Wake;
 use super::clock::Clock;
 use crate::protocol::line::{LineSetting, Parity};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use ::rfc2217::{Client, ComPortState, DataBits, Event, PortSettings, Purge, Setting, StopBits};
 use std::io;
@@ -48,7 +49,7 @@ impl Telnet {
         stream: &mut TcpStream,
         clock: Clock,
         limit: Span,
-    ) -> Result<Vec<String>, Unsettled> {
+    ) -> Result<Vec<Text>, Unsettled> {
         let until = clock.now() + limit;
         while self.is_open() && clock.now() < until && self.exchange(stream, clock, until).await?.is_some() {}
         if self.client.com_port_state() != ComPortState::Active {
@@ -131,17 +132,29 @@ impl Telnet {
         if self.unsent.len() > MOST_UNSENT { Err(io::ErrorKind::OutOfMemory.into()) } else { Ok(()) }
     }
 
-    fn deviations(&self) -> Vec<String> {
+    fn deviations(&self) -> Vec<Text> {
         let silent = self.client.pending_settings();
-        let silent = silent.iter().map(|setting| format!("the server does not say which {setting} it set"));
+        let silent = silent.iter().map(|setting| {
+            both!(
+                "the server does not say which {name} it set",
+                "der Server sagt nicht, was er eingestellt hat: {name}",
+                name = named(setting)
+            )
+        });
         let other = self.client.mismatched_settings();
-        let other =
-            other.iter().map(|setting| format!("asked for another {setting}, the server set {}", self.set(setting)));
+        let other = other.iter().map(|setting| {
+            both!(
+                "asked for another {name}, the server set {set}",
+                "{name}: verlangt war anderes, der Server stellte {set} ein",
+                name = named(setting),
+                set = self.set(setting)
+            )
+        });
         silent.chain(other).collect()
     }
 
     /// What the server says it has set.
-    fn set(&self, setting: Setting) -> String {
+    fn set(&self, setting: Setting) -> Text {
         let set = self.client.reported_settings();
         let told = match setting {
             Setting::BaudRate => set.baud_rate.map(|baud| baud.to_string()),
@@ -150,7 +163,7 @@ impl Telnet {
             Setting::StopBits => set.stop_bits.map(|bits| format!("{bits:?}")),
             Setting::FlowControl => set.flow_control.map(|control| format!("{control:?}")),
         };
-        told.map_or_else(|| "something unknown".to_owned(), |told| told.to_lowercase())
+        told.map_or_else(|| both!("something unknown", "etwas Unbekanntes"), |told| Text::name(told.to_lowercase()))
     }
 }
 
@@ -166,6 +179,16 @@ fn settings(line: LineSetting) -> PortSettings {
         },
         stop_bits: if line.stop_bits == 2 { StopBits::Two } else { StopBits::One },
         ..PortSettings::default()
+    }
+}
+
+fn named(setting: Setting) -> Text {
+    match setting {
+        Setting::BaudRate => both!("{setting}", "Baudrate"),
+        Setting::DataBits => both!("{setting}", "Datenbits"),
+        Setting::Parity => both!("{setting}", "Parität"),
+        Setting::StopBits => both!("{setting}", "Stoppbits"),
+        Setting::FlowControl => both!("{setting}", "Flusskontrolle"),
     }
 }
 
@@ -279,7 +302,8 @@ mod tests {
         with_server(stubborn, async |link| {
             let expected =
                 ["asked for another baud rate, the server set 9600", "asked for another parity, the server set none"];
-            assert_eq!(link.unwrap().deviations(), expected);
+            let told: Vec<_> = link.unwrap().deviations().iter().map(|text| text.en.clone()).collect();
+            assert_eq!(told, expected);
         });
     }
 

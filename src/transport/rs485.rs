@@ -1,5 +1,6 @@
 //! Who switches an RS-485 line between talking and listening.
 
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use std::str::FromStr;
 
@@ -45,10 +46,15 @@ impl Rs485Mode {
 
 /// Reads `auto`, `kernel`, `rts` or `adapter`.
 impl FromStr for Rs485Mode {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let found = Self::NAMES.iter().find(|(_, name)| name.eq_ignore_ascii_case(text.trim()));
-        found.map(|(mode, _)| *mode).ok_or_else(|| format!("expected auto, kernel, rts or adapter, got '{text}'"))
+        found.map(|(mode, _)| *mode).ok_or_else(|| {
+            Wrong(both!(
+                "expected auto, kernel, rts or adapter, got '{text}'",
+                "erwartet: auto, kernel, rts oder adapter; angegeben: '{text}'"
+            ))
+        })
     }
 }
 

@@ -7,6 +7,7 @@ use super::ports::{Host, Identity, Whereabouts};
 use super::rs485::{Rs485, Rs485Mode};
 use super::{Ends, LinkError, Wake, tty};
 use crate::protocol::line::{LineSetting, Parity};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::io;
 use tokio::io::AsyncWriteExt;
@@ -24,7 +25,7 @@ pub(super) struct SerialLink {
     rs485: Rs485,
     port: Ends<OpenPort>,
     clock: Clock,
-    deviations: Vec<String>,
+    deviations: Vec<Text>,
 }
 
 /// A port that is held exclusively. What was asked of its driver is given back before it is closed.
@@ -107,7 +108,7 @@ impl SerialLink {
         Ok(())
     }
 
-    pub(super) fn deviations(&self) -> &[String] {
+    pub(super) fn deviations(&self) -> &[Text] {
         &self.deviations
     }
 
@@ -201,7 +202,7 @@ impl Drop for Talking<'_> {
 }
 
 /// Opens the port exclusively, with its input cleared; tells what the driver set in place of what was asked.
-fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec<String>), LinkError> {
+fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec<Text>), LinkError> {
     let builder =
         tokio_serial::new(name, line.baud).data_bits(data_bits(line)).parity(parity(line)).stop_bits(stop_bits(line));
     // Opened before the port is taken exclusively: afterwards the kernel lets nobody else in but root. Whoever finds it
@@ -226,7 +227,7 @@ fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec
 
 impl OpenPort {
     /// Arranges who switches an RS-485 line; tells what is not as asked.
-    fn choose_direction(&mut self, rs485: Rs485) -> io::Result<Vec<String>> {
+    fn choose_direction(&mut self, rs485: Rs485) -> io::Result<Vec<Text>> {
         let by_kernel = self.driver.as_ref().is_some_and(Tuned::switches_direction);
         match (rs485.mode, &mut self.driver) {
             (Rs485Mode::Kernel, Some(driver)) => driver.switch_direction(rs485.before, rs485.after),
@@ -239,9 +240,10 @@ impl OpenPort {
             (Rs485Mode::Auto, Some(driver)) if by_kernel && rs485.has_delays() => {
                 driver.switch_direction(rs485.before, rs485.after)
             }
-            (Rs485Mode::Auto | Rs485Mode::Adapter, _) if rs485.has_delays() => {
-                Ok(vec!["the RS-485 delays do nothing here: the adapter switches the direction by itself".to_owned()])
-            }
+            (Rs485Mode::Auto | Rs485Mode::Adapter, _) if rs485.has_delays() => Ok(vec![both!(
+                "the RS-485 delays do nothing here: the adapter switches the direction by itself",
+                "die RS-485-Verzögerungen wirken hier nicht: der Adapter schaltet die Richtung selbst um"
+            )]),
             (Rs485Mode::Auto | Rs485Mode::Adapter, _) => Ok(Vec::new()),
         }
     }
@@ -432,7 +434,7 @@ mod tests {
             }
             let delayed = Rs485 { after: Span::from_millis(1), ..Rs485::default() };
             let link = Link::open(&port, LINE, delayed).await.unwrap();
-            assert!(link.deviations()[0].contains("delays do nothing"), "{:?}", link.deviations());
+            assert!(link.deviations()[0].en.contains("delays do nothing"), "{:?}", link.deviations());
             let adapter = link.adapter();
             assert_eq!(Port::Serial(adapter.name), port);
             assert_eq!((adapter.low_latency, adapter.error_counts), (LowLatency::Unsupported, None));

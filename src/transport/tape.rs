@@ -4,6 +4,7 @@ use super::trace::{TraceLine, read_trace, recorded_line};
 use super::{LinkError, Wake};
 use crate::files;
 use crate::protocol::line::LineSetting;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -22,18 +23,21 @@ pub(super) struct TapeLink {
     coming: VecDeque<(Tick, Vec<u8>)>,
     /// What was recorded from the next telegram of ours on.
     rest: VecDeque<TraceLine>,
-    deviations: Vec<String>,
+    deviations: Vec<Text>,
 }
 
 impl TapeLink {
     pub(super) fn open(file: &Path, line: LineSetting) -> Result<Self, LinkError> {
         let bad = |message| LinkError::Recording { file: file.to_owned(), message };
-        let text = files::read(file, files::RECORDING).map_err(|error| bad(error.to_string()))?;
+        let text = files::read(file, files::RECORDING).map_err(|error| bad(error.text()))?;
         let rest = read_trace(&text).map_err(bad)?.into();
         let (coming, deviations) = (VecDeque::new(), Vec::new());
         let mut link = TapeLink { file: file.to_owned(), now: Tick::ZERO, slack: Span::ZERO, coming, rest, deviations };
         if let Some(recorded) = recorded_line(&text).filter(|recorded| *recorded != line.to_string()) {
-            link.deviations.push(format!("recorded at {recorded}, played back at {line}"));
+            link.deviations.push(both!(
+                "recorded at {recorded}, played back at {line}",
+                "aufgezeichnet mit {recorded}, abgespielt mit {line}"
+            ));
         }
         link.play(0);
         Ok(link)
@@ -43,7 +47,7 @@ impl TapeLink {
         self.now
     }
 
-    pub(super) fn deviations(&self) -> &[String] {
+    pub(super) fn deviations(&self) -> &[Text] {
         &self.deviations
     }
 
@@ -131,6 +135,7 @@ mod tests {
     fn another_line_setting_than_the_recorded_one_is_told() {
         assert!(tape("# antrieb trace 1, 19200 8E1, rtu\n").unwrap().deviations().is_empty());
         let other = tape("# antrieb trace 1, 9600 8N2, rtu\n").unwrap();
-        assert_eq!(other.deviations(), ["recorded at 9600 8N2, played back at 19200 8E1"]);
+        let told: Vec<_> = other.deviations().iter().map(|text| text.en.clone()).collect();
+        assert_eq!(told, ["recorded at 9600 8N2, played back at 19200 8E1"]);
     }
 }

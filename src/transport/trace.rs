@@ -11,6 +11,7 @@
 
 use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
+use crate::text::{Text, both};
 use crate::tick::Tick;
 use std::fmt;
 use std::io::{self, Write};
@@ -91,7 +92,7 @@ pub struct TraceLine {
 }
 
 /// Reads a recording; the error names the line.
-pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, String> {
+pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, Text> {
     let mut lines = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
@@ -99,7 +100,12 @@ pub fn read_trace(text: &str) -> Result<Vec<TraceLine>, String> {
             continue;
         }
         let number = number + 1;
-        let bad = || format!("line {number}: expected MICROSECONDS > or < HEX BYTES, got '{line}'");
+        let bad = || {
+            both!(
+                "line {number}: expected MICROSECONDS > or < HEX BYTES, got '{line}'",
+                "Zeile {number}: erwartet MIKROSEKUNDEN > oder < HEX-BYTES; dort steht '{line}'"
+            )
+        };
         let mut words = line.split_whitespace();
         let at_us = words.next().and_then(|word| word.parse().ok()).ok_or_else(bad)?;
         let sent = match words.next() {
@@ -123,8 +129,8 @@ mod tests {
         let text = "# antrieb trace 1, 19200 8E1\n2006 > 01 03\n\n20590 < 01 83 02\n";
         let lines = read_trace(text).unwrap();
         assert_eq!(lines[1], TraceLine { number: 4, at_us: 20_590, sent: false, bytes: vec![1, 0x83, 2] });
-        assert!(read_trace("x > 01").unwrap_err().starts_with("line 1:"));
-        assert!(read_trace("5 > 1").unwrap_err().contains("5 > 1"));
+        assert!(read_trace("x > 01").unwrap_err().en.starts_with("line 1:"));
+        assert!(read_trace("5 > 1").unwrap_err().de.contains("5 > 1"));
     }
 
     /// A disk with room for so many bytes.

@@ -15,6 +15,7 @@ mod unix {
     use super::super::door::SideDoor;
     use super::super::ioctl;
     use crate::protocol::line::{LineSetting, Parity};
+    use crate::text::{Text, both};
     use rustix::fs::{FlockOperation, Mode, OFlags, flock};
     use rustix::termios::{ControlModes, InputModes, OptionalActions, tcgetattr, tcsetattr};
 
@@ -46,14 +47,18 @@ mod unix {
     }
 
     /// Sets ISTRIP for 7-bit characters and says what the driver set in place of what was asked.
-    pub(in super::super) fn finish(tty: &SideDoor, name: &str, line: LineSetting) -> Vec<String> {
+    pub(in super::super) fn finish(tty: &SideDoor, name: &str, line: LineSetting) -> Vec<Text> {
         let Ok(mut termios) = tcgetattr(tty) else { return Vec::new() };
         termios.input_modes.set(InputModes::ISTRIP, line.data_bits == 7);
         let _best_effort = tcsetattr(tty, OptionalActions::Now, &termios);
         let Ok(set) = tcgetattr(tty) else { return Vec::new() };
         let mut deviations = Vec::new();
         if set.input_speed() != line.baud {
-            deviations.push(format!("asked for {} baud, the driver set {}", line.baud, set.input_speed()));
+            let (asked, set) = (line.baud, set.input_speed());
+            deviations.push(both!(
+                "asked for {asked} baud, the driver set {set}",
+                "verlangt sind {asked} Baud, der Treiber stellte {set} ein"
+            ));
         }
         if is_pty(name) {
             return deviations; // the kernel masks parity and width on a pty
@@ -65,11 +70,19 @@ mod unix {
             (true, true) => Parity::Odd,
         };
         if parity != line.parity {
-            deviations.push(format!("asked for parity {}, the driver set {}", line.parity.name(), parity.name()));
+            let (asked, set) = (line.parity.name(), parity.name());
+            deviations.push(both!(
+                "asked for parity {asked}, the driver set {set}",
+                "verlangt ist Parität {asked}, der Treiber stellte {set} ein"
+            ));
         }
         let data_bits = if modes & ControlModes::CSIZE == ControlModes::CS7 { 7 } else { 8 };
         if data_bits != line.data_bits {
-            deviations.push(format!("asked for {} data bits, the driver set {data_bits}", line.data_bits));
+            let asked = line.data_bits;
+            deviations.push(both!(
+                "asked for {asked} data bits, the driver set {data_bits}",
+                "verlangt sind {asked} Datenbits, der Treiber stellte {data_bits} ein"
+            ));
         }
         deviations
     }
@@ -79,6 +92,7 @@ mod unix {
 mod elsewhere {
     use super::super::door::SideDoor;
     use crate::protocol::line::LineSetting;
+    use crate::text::Text;
 
     pub(in super::super) fn open(_name: &str) -> std::io::Result<SideDoor> {
         Err(std::io::ErrorKind::Unsupported.into())
@@ -90,7 +104,7 @@ mod elsewhere {
 
     pub(in super::super) fn exclude(_tty: &SideDoor) {}
 
-    pub(in super::super) fn finish(_tty: &SideDoor, _name: &str, _line: LineSetting) -> Vec<String> {
+    pub(in super::super) fn finish(_tty: &SideDoor, _name: &str, _line: LineSetting) -> Vec<Text> {
         Vec::new()
     }
 }

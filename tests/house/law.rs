@@ -2,16 +2,16 @@
 
 /// Room or part of one, and what it may name outside itself. The longest path that fits a file is its row.
 pub(crate) const LAW: &[(&str, &[&str])] = &[
-    ("tick", &[]),
+    ("tick", &["text"]),
     ("text", &[]),
     ("failure", &["text"]),
     ("files", &["text"]),
     ("gate", &["text"]),
     ("outcome", &["failure", "text"]),
     ("profile", &["text"]),
-    ("protocol", &["tick"]),
+    ("protocol", &["text", "tick"]),
     ("exchange", &["protocol", "tick"]),
-    ("simulator", &["protocol", "profile", "tick"]),
+    ("simulator", &["protocol", "profile", "text", "tick"]),
     ("simulator::line", &["simulator::dice", "protocol", "tick"]),
     ("simulator::device", &["simulator::line::speech", "protocol", "profile", "tick"]),
     (
@@ -81,6 +81,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::decode::registers",
             "drive::decode::services",
             "drive::decode::vabus",
+            "drive::decode::wrong",
             "drive::diag",
             "drive::opening",
             "drive::probe",

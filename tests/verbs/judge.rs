@@ -7,7 +7,7 @@ use antrieb::drive::{
 };
 use antrieb::gate::Writing;
 use antrieb::outcome::Event;
-use antrieb::profile::{DataSets, Lang, Registry, Store, Type};
+use antrieb::profile::{DataSets, Registry, Store, Type};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::Framing;
 use antrieb::transport::Port;
@@ -67,7 +67,7 @@ const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \
 
 /// A scan that gives everybody his time before it asks the next.
 fn by_the_book(addresses: impl IntoIterator<Item = u8>) -> ScanPlan {
-    ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(addresses, Lang::En) }
+    ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(addresses) }
 }
 
 /// Scan, identify, read and write everything, diagnose.
@@ -90,7 +90,7 @@ async fn everything(session: &mut Session<'_>, registry: &Registry) {
         let rows = target.read(session, family.param(372).unwrap(), DataSets::Unnamed).await;
         assert_eq!(rows.len(), 4, "the sets differ by now");
         target.read(session, family.param(480).unwrap(), DataSets::All(Store::Ram)).await;
-        assert_eq!(counters(session, &mut target, Lang::En).await.unwrap().len(), 8);
+        assert_eq!(counters(session, &mut target).await.unwrap().len(), 8);
         assert!(link_test(session, &mut target, 20).await.unwrap().1.is_none());
         assert!(clear_counters(session, &mut target, &permit()).await.unwrap());
     }
@@ -181,7 +181,7 @@ fn an_unchanged_drive_after_everything_that_only_reads() {
             for id in family.group("all").unwrap() {
                 target.read(session, family.param(id).unwrap(), DataSets::Unnamed).await;
             }
-            counters(session, &mut target, Lang::En).await.unwrap();
+            counters(session, &mut target).await.unwrap();
         }
         assert_eq!(format!("{:?}", (session.bench().unwrap().totals().eeprom_writes, ram(session))), before);
     });

@@ -5,6 +5,7 @@
 //! [`every_verb_has_its_rows`] walks the list: a verb without a row fails it.
 
 use crate::agreeable::Agreeable;
+use crate::german;
 use crate::run::{Run, antrieb, check_document};
 use antrieb::args::{Environment, Globals, Settings};
 use antrieb::command::{Context, Entry, VERBS};
@@ -96,6 +97,7 @@ fn case(name: &str, code: u8, line: &str) {
 #[track_caller]
 fn tables(name: &str, code: u8, run: impl Fn(&str) -> Run) {
     let tables = ["--lang en", "--lang de"].map(|lang| run(lang).exits(code).page());
+    german::same(&tables[0], &tables[1]);
     insta::with_settings!({ filters => vec![(r"127\.0\.0\.1:\d+", "(port)")] }, {
         insta::assert_snapshot!(format!("{name}_table"), tables.join("\n"));
     });
@@ -171,6 +173,9 @@ fn interrupted(after: usize, code: u8, line: &str) {
     };
     let tables = [Lang::En, Lang::De].map(|lang| printed(Format::Table, lang));
     assert_eq!(tables[0].is_empty(), tables[1].is_empty());
+    let failed = outcome.failure.as_ref().map(|failure| [&failure.message.en, &failure.message.de]);
+    failed.into_iter().for_each(|[english, german]| german::same(english, german));
+    german::same(&tables[0], &tables[1]);
     if entry.name != "monitor" {
         check_document(&serde_json::from_str(&printed(Format::Json, Lang::En)).unwrap(), code);
     }

@@ -1,5 +1,6 @@
 //! The program inside a test: a command line as it is typed, streams that end in buffers, a directory of its own.
 
+use crate::german;
 use antrieb::args::Environment;
 use antrieb::command::VERBS;
 use antrieb::render::Streams;
@@ -120,7 +121,11 @@ impl Run {
         };
         let exit = antrieb::run(&words, &self.environment, streams);
         let text = |buffer: &Buffer| String::from_utf8(buffer.borrow().clone()).unwrap();
-        Output { line: self.line, exit, out: text(&out), err: text(&err), directory: self.directory }
+        let output = Output { line: self.line, exit, out: text(&out), err: text(&err), directory: self.directory };
+        if output.line.contains("--lang de") {
+            german::check(&output.read_by_people());
+        }
+        output
     }
 
     /// Runs, and must end with this exit code.
@@ -162,6 +167,12 @@ impl Output {
         let at = self.directory.path().display().to_string();
         let page = format!("$ antrieb {}\n{}----- stderr\n{}----- exit {}\n", self.line, self.out, self.err, self.exit);
         page.replace(&at, "DIR")
+    }
+
+    /// What is not made for programs.
+    fn read_by_people(&self) -> String {
+        let is_data = ["--json", "json", "csv"].iter().any(|form| self.line.contains(form));
+        if is_data || self.line.contains("--help") { self.err.clone() } else { self.page() }
     }
 
     /// Telegrams that `-v` showed as sent, in hex.

@@ -1,13 +1,14 @@
 //! What a run leaves behind, before it is judged and reported.
 
 use crate::drive::motion::{Situation, Unseen};
+use crate::text::Text;
 
 /// What a run leaves in its motor.
 pub(super) struct Done {
     pub(super) steps: Vec<crate::outcome::Step>,
     pub(super) changed: Vec<crate::outcome::Change>,
     pub(super) setpoint: Option<crate::outcome::Setpoint>,
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Text>,
     pub(super) mode: Option<String>,
     /// Whether the shaft stands.
     pub(super) standing: Option<bool>,
@@ -16,7 +17,7 @@ pub(super) struct Done {
     /// Why nothing shows whether a drive stands that was to be stopped.
     pub(super) unseen: Option<Unseen>,
     /// Another stop was given than was asked for: which, and why.
-    pub(super) instead: Option<String>,
+    pub(super) instead: Option<Text>,
 }
 
 /// What the drive said before and afterwards.

@@ -6,7 +6,7 @@ use crate::drive::motion::{Ended, Motor, Situation, coasting, watchdog_words};
 use crate::drive::{Target, describe};
 use crate::gate::Relief;
 use crate::outcome::{Data, Motion, Outcome};
-use crate::profile::Lang;
+use crate::text::{Text, both};
 
 /// How often a drive that could not be reached for its stop may come back.
 const MOST_RETURNS: u8 = 5;
@@ -50,36 +50,29 @@ pub(super) async fn aftermath(
     (done, after)
 }
 
-pub(super) fn report(
-    plan: &Plan<'_>,
-    target: &Target,
-    seen: Seen,
-    done: Done,
-    ended: Ended<()>,
-    lang: Lang,
-) -> Outcome {
+pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, ended: Ended<()>) -> Outcome {
     let family = &target.family;
-    let state = |situation: &Situation| describe::state(family, situation.status, lang);
+    let state = |situation: &Situation| describe::state(family, situation.status);
     let to = seen.after.as_ref().map(state);
     let running = seen.after.as_ref().map(has_power);
     let mut notes = done.notes.clone();
     if running == Some(true) {
-        notes.push(keeps(plan, seen.after.as_ref(), done.standing, lang).to_owned());
+        notes.push(keeps(plan, seen.after.as_ref(), done.standing));
     }
     let is_said = ended.stop.as_ref().is_some_and(|stop| stop.note.is_some());
     let is_theirs = done.idle && done.standing.is_none();
-    let coasts = coasting(done.standing, lang).filter(|_| running == Some(false) && !is_theirs && !is_said);
-    notes.extend(coasts.map(str::to_owned));
+    let coasts = coasting(done.standing).filter(|_| running == Some(false) && !is_theirs && !is_said);
+    notes.extend(coasts);
     let watchdog_s = seen.after.as_ref().or(seen.before.as_ref()).and_then(|seen| seen.watchdog_s);
     let is_off = watchdog_s.is_some_and(|seconds| seconds.raw == 0);
     let held = is_held(seen.after.as_ref(), done.standing);
     if is_off && plan.args.watchdog.is_none() && running != Some(false) && !held {
-        notes.push(nothing_stops_it(family, watchdog_s, lang));
+        notes.push(nothing_stops_it(family, watchdog_s));
     }
     if watchdog_s.is_some_and(|seconds| seconds.raw > 0) || (watchdog_s.is_none() && running == Some(true) && !held) {
-        notes.push(watchdog_words(family, watchdog_s, lang));
+        notes.push(watchdog_words(family, watchdog_s));
     }
-    let failure = verdict::of(plan, family, &seen, &ended, running, &done, lang);
+    let failure = verdict::of(plan, family, &seen, &ended, running, &done);
     let data = Motion {
         address: target.address,
         drive: family.drive.clone(),
@@ -101,19 +94,19 @@ pub(super) fn report(
 }
 
 /// What the drive does that keeps its power.
-fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>, lang: Lang) -> &'static str {
+fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>) -> Text {
     match (plan.relief, after.map(|seen| seen.state.as_str())) {
         (Some(Relief::Zero), _) => {
-            lang.pick("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
+            both!("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
         }
-        _ if is_held(after, standing) => lang.pick(
+        _ if is_held(after, standing) => both!(
             "the quick stop holds the shaft at standstill, with power",
-            "der Schnellhalt hält die Welle im Stillstand, mit Strom",
+            "der Schnellhalt hält die Welle im Stillstand, mit Strom"
         ),
         (_, Some("quick-stop-active")) => {
-            lang.pick("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
+            both!("the quick stop is under way, with power", "der Schnellhalt läuft noch, mit Strom")
         }
-        _ => lang.pick("the drive keeps running", "der Antrieb läuft weiter"),
+        _ => both!("the drive keeps running", "der Antrieb läuft weiter"),
     }
 }
 

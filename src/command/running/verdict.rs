@@ -7,8 +7,8 @@ use crate::drive::motion::{Ended, Situation, has_power, may_turn, tripped};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Change, Setpoint, Stop};
-use crate::profile::{Family, Lang, Need};
-use crate::text::Text;
+use crate::profile::{Family, Need, Part};
+use crate::text::{Text, both};
 
 /// A shaft that nobody saw standing may coast.
 const STANDSTILL_UNPROVEN: &str = "forbidden.standstill_unproven";
@@ -21,27 +21,26 @@ pub(super) fn of(
     ended: &Ended<()>,
     running: Option<bool>,
     done: &Done,
-    lang: Lang,
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
-        (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done, lang)),
+        (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done)),
         // A stop that nobody saw come to anything.
         (Some(failure), None) if plan.relief.is_some() && running != Some(false) && tells_nothing(&failure) => {
-            Some(dangerous(failure, family, lang))
+            Some(dangerous(failure, family))
         }
         (Some(failure), None) => Some(failure),
         (None, Some(stop)) if stop.because == "interrupted" => {
-            Some(stopped(interrupted(lang), stop, running, family, done, lang))
+            Some(stopped(interrupted(), stop, running, family, done))
         }
         (None, Some(stop)) if is_unproven(stop) => Some(match fault(plan, seen) {
-            Some(code) => stopped(tripped(family, code, lang), stop, running, family, done, lang),
-            None => unproven(stop, family, done, lang),
+            Some(code) => stopped(tripped(family, code), stop, running, family, done),
+            None => unproven(stop, family, done),
         }),
-        (None, _) => broken_promise(plan, family, seen, running, lang)
-            .or_else(|| other_stop(done, lang))
-            .or_else(|| unseen_relief(plan, done, lang))
-            .or_else(|| not_standing(plan, family, done.setpoint.as_ref(), lang))
-            .or_else(|| not_given_back(plan, &done.changed, lang)),
+        (None, _) => broken_promise(plan, family, seen, running)
+            .or_else(|| other_stop(done))
+            .or_else(|| unseen_relief(plan, done))
+            .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
+            .or_else(|| not_given_back(plan, &done.changed)),
     }
 }
 
@@ -58,40 +57,43 @@ fn tells_nothing(failure: &Failure) -> bool {
 }
 
 /// A run that went wrong, and what its stop did.
-fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family, done: &Done, lang: Lang) -> Failure {
+fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family, done: &Done) -> Failure {
     let mut failure = failure;
     if stop.choice == "keep" {
-        let kept = lang.pick("no stop was sent, as asked for", "es wurde kein Halt gesendet, wie verlangt");
-        failure.message = format!("{}; keep: {kept}", failure.message.get(lang)).into();
-        return if failure.class == Class::Port { dangerous(failure, family, lang) } else { failure };
+        failure.message = both!(
+            "{why}; keep: no stop was sent, as asked for",
+            "{why}; keep: es wurde kein Halt gesendet, wie verlangt",
+            why = failure.message
+        );
+        return if failure.class == Class::Port { dangerous(failure, family) } else { failure };
     }
     let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
-    failure.message = format!("{}; {way}: {}", failure.message.get(lang), came_of(stop, done.idle, lang)).into();
+    let came = came_of(stop, done.idle);
+    failure.message = both!("{why}; {way}: {came}", "{why}; {way}: {came}", why = failure.message, came);
     if stop.acknowledged && stop.standing == Some(true) {
         return failure;
     }
     let is_over = stop.acknowledged || is_off(stop) || running == Some(false);
     let failure = hinted(failure, [stop.note.clone()]);
     match is_over {
-        false => dangerous(failure, family, lang),
+        false => dangerous(failure, family),
         // Nothing stops a shaft without power, but whoever stands beside it must know.
-        true if is_unproven(stop) && !done.idle => warned(failure, lang),
+        true if is_unproven(stop) && !done.idle => warned(failure),
         true => failure,
     }
 }
 
 /// What came of a stop, so that nobody takes a shaft without power for one that stands.
-fn came_of(stop: &Stop, idle: bool, lang: Lang) -> &'static str {
+fn came_of(stop: &Stop, idle: bool) -> Text {
     match (stop.acknowledged, stop.standing) {
         (_, Some(false)) if is_off(stop) => {
-            lang.pick("without power, but the shaft still turns", "ohne Strom, aber die Welle dreht noch")
+            both!("without power, but the shaft still turns", "ohne Strom, aber die Welle dreht noch")
         }
-        (_, None) if is_off(stop) && !idle => lang.pick(
-            "without power; whether the shaft stands is not told",
-            "ohne Strom; ob die Welle steht, zeigt nichts",
-        ),
-        (true, _) => lang.pick("the stop was acknowledged", "der Halt wurde bestätigt"),
-        (false, _) => lang.pick("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
+        (_, None) if is_off(stop) && !idle => {
+            both!("without power; whether the shaft stands is not told", "ohne Strom; ob die Welle steht, zeigt nichts",)
+        }
+        (true, _) => both!("the stop was acknowledged", "der Halt wurde bestätigt"),
+        (false, _) => both!("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),
     }
 }
 
@@ -100,40 +102,44 @@ fn is_off(stop: &Stop) -> bool {
 }
 
 /// The danger first, and what ends it; why it came to that is for later.
-fn dangerous(failure: Failure, family: &Family, lang: Lang) -> Failure {
-    if failure.message.get(lang).starts_with(may_turn(lang)) {
+fn dangerous(failure: Failure, family: &Family) -> Failure {
+    if is_warned(&failure) {
         return failure;
     }
-    hinted(warned(failure, lang), [Some(what_stops_it(family, lang))])
+    hinted(warned(failure), [Some(what_stops_it(family))])
 }
 
 /// The danger first.
-fn warned(failure: Failure, lang: Lang) -> Failure {
+fn warned(failure: Failure) -> Failure {
     let mut failure = failure;
-    if !failure.message.get(lang).starts_with(may_turn(lang)) {
-        failure.message = format!("{}: {}", may_turn(lang), failure.message.get(lang)).into();
+    if !is_warned(&failure) {
+        failure.message = Text::join([&may_turn(), &failure.message], ": ");
     }
     failure
 }
 
+fn is_warned(failure: &Failure) -> bool {
+    failure.message.en.starts_with(&*may_turn().en)
+}
+
 /// A failure with hints before the one that it has.
-fn hinted<const N: usize>(failure: Failure, hints: [Option<String>; N]) -> Failure {
+fn hinted<const N: usize>(failure: Failure, hints: [Option<Text>; N]) -> Failure {
     let mut failure = failure;
     let last = failure.hint.take().map(|hint| *hint).filter(|hint| !hint.is_empty());
-    let hints: Vec<_> = hints.into_iter().flatten().map(Text::from).chain(last).collect();
+    let hints: Vec<_> = hints.into_iter().flatten().chain(last).collect();
     if hints.is_empty() { failure } else { failure.hint(Text::join(&hints, "; ")) }
 }
 
 /// The end came as it was to come, but not the stop.
-fn unproven(stop: &Stop, family: &Family, done: &Done, lang: Lang) -> Failure {
+fn unproven(stop: &Stop, family: &Family, done: &Done) -> Failure {
     if is_off(stop) && stop.standing.is_none() {
-        let failure = unseen(stop.note.clone(), lang);
+        let failure = unseen(stop.note.clone());
         // What nobody gave power here turns by itself, if at all.
-        return if done.idle { failure } else { warned(failure, lang) };
+        return if done.idle { failure } else { warned(failure) };
     }
     let text = match is_off(stop) {
-        true => came_of(stop, false, lang),
-        false => lang.pick("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt"),
+        true => came_of(stop, false),
+        false => both!("the stop at the end was NOT acknowledged", "der Halt am Ende wurde NICHT bestätigt"),
     };
     let (class, code) = match stop.state {
         Some(_) => (Class::Forbidden, "forbidden.not_stopped"),
@@ -141,12 +147,12 @@ fn unproven(stop: &Stop, family: &Family, done: &Done, lang: Lang) -> Failure {
     };
     let failure = hinted(Failure::new(class, code, text), [stop.note.clone()]);
     // Who coasts is stopped by nothing of that.
-    if is_off(stop) { warned(failure, lang) } else { dangerous(failure, family, lang) }
+    if is_off(stop) { warned(failure) } else { dangerous(failure, family) }
 }
 
 /// A stop that took the power away, and nothing showed the shaft at standstill.
-fn unseen(why: Option<String>, lang: Lang) -> Failure {
-    let text = lang.pick(
+fn unseen(why: Option<Text>) -> Failure {
+    let text = both!(
         "the drive is without power, but nothing showed that the shaft stands",
         "der Antrieb ist ohne Strom, aber nichts zeigte, dass die Welle steht",
     );
@@ -155,58 +161,56 @@ fn unseen(why: Option<String>, lang: Lang) -> Failure {
 
 /// A drive that was to stop, and was not seen to stand: its first look came behind the stop, so that it may have been turning
 /// even where that showed no power any more. What is set to coast may do so.
-fn unseen_relief(plan: &Plan<'_>, done: &Done, lang: Lang) -> Option<Failure> {
+fn unseen_relief(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
     let seen = done.unseen.as_ref()?;
     let failure = match plan.relief? {
-        Relief::QuickStop => unseen(Some(seen.why.clone()), lang),
-        Relief::Disable if !seen.as_set => unseen(Some(seen.why.clone()), lang),
+        Relief::QuickStop => unseen(Some(seen.why.clone())),
+        Relief::Disable if !seen.as_set => unseen(Some(seen.why.clone())),
         Relief::Zero if done.setpoint.as_ref()?.reached.is_none() => {
-            let text = lang.pick(
+            let text = both!(
                 "the setpoint is 0, but nothing showed that the shaft stands",
                 "der Sollwert ist 0, aber nichts zeigte, dass die Welle steht",
             );
-            let why = lang.pick("it lost its power on the way", "er hat unterwegs seinen Strom verloren");
+            let why = both!("it lost its power on the way", "er hat unterwegs seinen Strom verloren");
             Failure::new(Class::Forbidden, STANDSTILL_UNPROVEN, text).hint(why)
         }
         _ => return None,
     };
-    Some(warned(failure, lang))
+    Some(warned(failure))
 }
 
 /// The drive is stopped, but not in the way that was asked for.
-fn other_stop(done: &Done, lang: Lang) -> Option<Failure> {
+fn other_stop(done: &Done) -> Option<Failure> {
     let failure = Failure::new(Class::Forbidden, "forbidden.other_stop", done.instead.clone()?);
-    Some(if done.standing == Some(true) { failure } else { warned(failure, lang) })
+    Some(if done.standing == Some(true) { failure } else { warned(failure) })
 }
 
 /// What stops a drive that cannot be reached.
-fn what_stops_it(family: &Family, lang: Lang) -> String {
+fn what_stops_it(family: &Family) -> Text {
     let enable = family.motion.interlock(Need::Release).and_then(|row| row.parts.first());
-    let enable = enable.map_or_else(
-        || lang.pick("its safe-torque-off or enable input", "sein STO- oder Freigabeeingang").to_owned(),
-        |part| part.name(lang).to_owned(),
-    );
-    match lang {
-        Lang::En => format!("what stops it now: {enable}, the emergency stop, or the mains"),
-        Lang::De => format!("was ihn jetzt anhält: {enable}, der Not-Halt oder das Netz"),
-    }
+    let usual = || both!("its safe-torque-off or enable input", "sein STO- oder Freigabeeingang");
+    both!(
+        "what stops it now: {enable}, the emergency stop, or the mains",
+        "was ihn jetzt anhält: {enable}, der Not-Halt oder das Netz",
+        enable = enable.map_or_else(usual, Part::text)
+    )
 }
 
 /// Nothing went wrong on the way; is the drive where it was to be?
-fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option<bool>, lang: Lang) -> Option<Failure> {
+fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option<bool>) -> Option<Failure> {
     if seen.after.is_none() {
-        return Some(dangerous(unknown(lang), family, lang));
+        return Some(dangerous(unknown(), family));
     }
     if let Some(code) = fault(plan, seen) {
-        return Some(tripped(family, code, lang));
+        return Some(tripped(family, code));
     }
     let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
     let must_stop = matches!(plan.relief, Some(act) if act != Relief::Zero);
     // A run that was to end must have ended, whatever was acknowledged on the way.
-    ((must_stand || must_stop) && running != Some(false)).then(|| still_running(lang)).or_else(|| {
+    ((must_stand || must_stop) && running != Some(false)).then(|| still_running()).or_else(|| {
         let must_run = plan.runs && !must_stand;
         (must_run && running == Some(false)).then(|| {
-            let text = lang.pick("the drive does not run any more", "der Antrieb läuft nicht mehr");
+            let text = both!("the drive does not run any more", "der Antrieb läuft nicht mehr");
             Failure::new(Class::Forbidden, "forbidden.not_running", text)
         })
     })
@@ -221,53 +225,59 @@ fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
 }
 
 /// A setpoint of zero at which the shaft turns on.
-fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>, lang: Lang) -> Option<Failure> {
+fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>) -> Option<Failure> {
     let turns = plan.relief == Some(Relief::Zero) && setpoint?.reached == Some(false);
     turns.then(|| {
         let text =
-            lang.pick("the setpoint is 0, but the shaft turns on", "der Sollwert ist 0, aber die Welle dreht weiter");
-        let stops = lang.pick("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält sie an");
-        Failure::new(Class::No, "no.not_standing", text)
-            .hint(format!("{stops}; {}", family.motion.not_reached.get(lang)))
+            both!("the setpoint is 0, but the shaft turns on", "der Sollwert ist 0, aber die Welle dreht weiter");
+        Failure::new(Class::No, "no.not_standing", text).hint(both!(
+            "`statemachine quick-stop` stops it; {why}",
+            "`statemachine quick-stop` hält sie an; {why}",
+            why = family.motion.not_reached
+        ))
     })
 }
 
 /// What a run changed and could not give back, also where that is better so: it is not as it was promised.
-fn not_given_back(plan: &Plan<'_>, changed: &[Change], lang: Lang) -> Option<Failure> {
+fn not_given_back(plan: &Plan<'_>, changed: &[Change]) -> Option<Failure> {
     let bounded = plan.args.hold && plan.args.on_exit != StopArg::Keep;
     let left = changed.iter().filter(|change| bounded && !change.restored);
     let left: Vec<_> = left.map(|change| format!("{} = {}", change.name, change.new)).collect();
     (!left.is_empty()).then(|| {
-        let text = lang.pick("all was done, but not given back:", "alles ist getan, aber nicht zurückgegeben:");
-        Failure::new(Class::Partial, "partial.not_given_back", format!("{text} {}", left.join(", "))).hint(lang.pick(
+        let text = both!(
+            "all was done, but not given back: {left}",
+            "alles ist getan, aber nicht zurückgegeben: {left}",
+            left = left.join(", ")
+        );
+        Failure::new(Class::Partial, "partial.not_given_back", text).hint(both!(
             "the notes say why; `write` sets it, when nothing can start",
-            "die Hinweise sagen, warum; `write` stellt es zurück, wenn nichts anlaufen kann",
+            "die Anmerkungen sagen, warum; `write` stellt es zurück, wenn nichts anlaufen kann"
         ))
     })
 }
 
 /// The work was done, and somebody did not wait for its end.
-fn interrupted(lang: Lang) -> Failure {
-    let text = lang.pick("interrupted while it was stopped", "beim Anhalten unterbrochen");
+fn interrupted() -> Failure {
+    let text = both!("interrupted while it was stopped", "beim Anhalten unterbrochen");
     Failure::new(Class::Interrupted, "interrupted", text)
 }
 
-fn still_running(lang: Lang) -> Failure {
-    let text = lang.pick(
+fn still_running() -> Failure {
+    let text = both!(
         "the drive is running at the end of a run that was to stop it",
         "der Antrieb läuft am Ende eines Laufs, der ihn anhalten sollte",
     );
-    Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(lang.pick(
+    Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(both!(
         "stop it with `statemachine quick-stop`, or by its contacts",
         "anhalten mit `statemachine quick-stop` oder über seine Kontakte",
     ))
 }
 
-fn unknown(lang: Lang) -> Failure {
-    let text = lang.pick(
+fn unknown() -> Failure {
+    let text = both!(
         "all was done, but the drive does not tell in which state it is now",
         "alles ist getan, aber der Antrieb sagt nicht, in welchem Zustand er jetzt ist",
     );
     Failure::new(Class::Silence, "silence.final_state", text)
-        .hint(lang.pick("`statemachine show` asks again", "`statemachine show` fragt noch einmal"))
+        .hint(both!("`statemachine show` asks again", "`statemachine show` fragt noch einmal"))
 }

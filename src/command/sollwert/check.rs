@@ -1,15 +1,15 @@
 //! Holding a setpoint against what the drive says.
 
-use super::Args;
-
 use super::wanted::{Total, Wanted, out_of_range};
+use super::{Args, in_hertz};
 use crate::args::StopArg;
 use crate::drive::motion::{Situation, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::profile::value::check_range;
-use crate::profile::{Adds, Family, Lang, Param, setpoint};
+use crate::profile::{Adds, Family, Param, setpoint};
+use crate::text::{Text, both};
 
 /// Holds a setpoint against what the drive says, before anybody is asked.
 pub(super) struct Check<'c, 's> {
@@ -17,7 +17,6 @@ pub(super) struct Check<'c, 's> {
     pub(super) session: &'c mut Session<'s>,
     pub(super) target: &'c mut Target,
     pub(super) before: &'c Situation,
-    pub(super) lang: Lang,
 }
 
 impl Check<'_, '_> {
@@ -27,20 +26,19 @@ impl Check<'_, '_> {
         enable: bool,
         needs_control: bool,
     ) -> Result<Wanted, Failure> {
-        if needs_control && let Some(failure) = no_control(self.before, self.target, self.lang) {
+        if needs_control && let Some(failure) = no_control(self.before, self.target) {
             return Err(failure);
         }
         if wanted.start.is_some() && !enable && self.before.state != "operation-enabled" {
-            let text =
-                self.lang.pick("the drive is not enabled, so nothing can start", "der Antrieb ist nicht freigegeben");
-            let hint = self.lang.pick("add --enable", "--enable angeben");
+            let text = both!("the drive is not enabled, so nothing can start", "der Antrieb ist nicht freigegeben");
+            let hint = both!("add --enable", "--enable angeben");
             return Err(Failure::new(Class::Forbidden, "forbidden.not_enabled", text).hint(hint));
         }
-        may_change_mode(self.session, self.target, &self.before.state, &wanted.mode, self.lang).await?;
+        may_change_mode(self.session, self.target, &self.before.state, &wanted.mode).await?;
         if wanted.by_speed {
             let pairs = self.pole_pairs().await?;
             let schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
-            wanted.schedule = schedule.ok_or_else(|| too_large(&wanted, &self.target.family, self.lang))?;
+            wanted.schedule = schedule.ok_or_else(|| too_large(&wanted, &self.target.family))?;
             wanted.by_speed = false;
         }
         wanted.check_widths()?;
@@ -59,12 +57,11 @@ impl Check<'_, '_> {
         let pairs = role_raw(self.session, self.target, "pole-pairs").await?;
         pairs.filter(|&pairs| pairs > 0).ok_or_else(|| {
             let label = self.target.family.role("pole-pairs").map_or_else(|| "-".to_owned(), Param::label);
-            let text = match self.lang {
-                Lang::En => format!("the drive does not tell its pole pairs ({label})"),
-                Lang::De => format!("der Antrieb nennt seine Polpaarzahl ({label}) nicht"),
-            };
-            Failure::new(Class::Data, "data.pole_pairs", text)
-                .hint(self.lang.pick("give the setpoint in Hz", "den Sollwert in Hz angeben"))
+            let text = both!(
+                "the drive does not tell its pole pairs ({label})",
+                "der Antrieb nennt seine Polpaarzahl ({label}) nicht"
+            );
+            Failure::new(Class::Data, "data.pole_pairs", text).hint(in_hertz())
         })
     }
 
@@ -75,11 +72,14 @@ impl Check<'_, '_> {
         if present != Some(source.ignored) {
             return Ok(present);
         }
-        let ways: Vec<_> = source.choices.iter().map(|row| format!("--source {} ({})", row.slug, row.value)).collect();
-        let (or, sets) =
-            self.lang.pick(("or", "sets it in RAM for the run"), ("oder", "stellt es für den Lauf im RAM um"));
-        let hint = format!("{} {sets}", ways.join(&format!(" {or} ")));
-        Err(Failure::new(Class::Forbidden, "forbidden.ramp_setpoint", source.why.get(self.lang)).hint(hint))
+        let ways = source.choices.iter().map(|row| Text::name(format_args!("--source {} ({})", row.slug, row.value)));
+        let ways = ways.reduce(|all, way| both!("{all} or {way}", "{all} oder {way}", all, way));
+        let hint = both!(
+            "{ways} sets it in RAM for the run",
+            "{ways} stellt es für den Lauf im RAM um",
+            ways = ways.unwrap_or_default()
+        );
+        Err(Failure::new(Class::Forbidden, "forbidden.ramp_setpoint", source.why.clone()).hint(hint))
     }
 
     /// What the drive adds by itself; told, because it turns the shaft too. `None` if that is not known.
@@ -94,7 +94,7 @@ impl Check<'_, '_> {
         if value != 0 {
             let selected = working(self.session, self.target, &by).await?;
             let text = self.told_addition(wanted, adds, (&shows, value), (&by, selected));
-            self.session.tell(Event::Note(text.into()));
+            self.session.tell(Event::Note(text));
         }
         Ok(Some(value).filter(|_| !adds.sum))
     }
@@ -105,30 +105,31 @@ impl Check<'_, '_> {
         adds: Adds,
         (shows, value): (&Param, i64),
         (by, selected): (&Param, Option<i64>),
-    ) -> String {
+    ) -> Text {
         let family = &self.target.family;
-        let (own, label) = (wanted.shown(value, family, self.lang), shows.label());
+        let (own, label) = (wanted.shown(value, family), shows.label());
         let by = format!("{} = {}", by.label(), selected.map_or_else(|| "?".to_owned(), |raw| raw.to_string()));
         if adds.sum {
-            return match self.lang {
-                Lang::En => format!("the drive adds what {by} selects; {label} shows {own} now, before this setpoint"),
-                Lang::De => {
-                    format!("der Antrieb addiert, was {by} wählt; {label} zeigt jetzt {own}, vor diesem Sollwert")
-                }
-            };
+            return both!(
+                "the drive adds what {by} selects; {label} shows {own} now, before this setpoint",
+                "der Antrieb addiert, was {by} wählt; {label} zeigt jetzt {own}, vor diesem Sollwert",
+                own
+            );
         }
         let last = wanted.schedule.at(u64::MAX);
-        let sum = last.checked_add(value).map_or_else(|| "?".to_owned(), |sum| wanted.shown(sum, family, self.lang));
+        let sum = last.checked_add(value).map_or_else(|| Text::name("?"), |sum| wanted.shown(sum, family));
         let source = wanted.mode.source.as_ref();
         let without = source.and_then(|source| source.choices.iter().find(|row| Some(row.value) != adds.source));
-        let way = without.map_or_else(String::new, |row| match self.lang {
-            Lang::En => format!("; --source {} leaves it out", row.slug),
-            Lang::De => format!("; --source {} lässt ihn weg", row.slug),
+        let way = without.map_or_else(Text::default, |row| {
+            both!("; --source {slug} leaves it out", "; --source {slug} lässt ihn weg", slug = row.slug)
         });
-        match self.lang {
-            Lang::En => format!("{sum}: {own} internal setpoint are added ({label}, {by}){way}"),
-            Lang::De => format!("{sum}: {own} interner Sollwert kommen dazu ({label}, {by}){way}"),
-        }
+        both!(
+            "{sum}: {own} internal setpoint are added ({label}, {by}){way}",
+            "{sum}: {own} interner Sollwert kommen dazu ({label}, {by}){way}",
+            sum,
+            own,
+            way
+        )
     }
 
     /// The bound of the setpoint, if there is one; refused beyond it, with what the drive adds.
@@ -143,14 +144,15 @@ impl Check<'_, '_> {
             return Ok(Some(limit));
         }
         let family = &self.target.family;
-        let (peak, limit) = (wanted.shown(peak, family, self.lang), wanted.shown(limit, family, self.lang));
-        let (name, label) = (param.name(self.lang), param.label());
-        let text = match self.lang {
-            Lang::En => format!("{peak} is above the limit {label} = {limit} ({name})"),
-            Lang::De => format!("{peak} liegt über der Grenze {label} = {limit} ({name})"),
-        };
-        let hint =
-            self.lang.pick("--force sends it; the drive limits it", "--force sendet ihn; der Antrieb begrenzt ihn");
+        let text = both!(
+            "{peak} is above the limit {label} = {limit} ({name})",
+            "{peak} liegt über der Grenze {label} = {limit} ({name})",
+            peak = wanted.shown(peak, family),
+            label = param.label(),
+            limit = wanted.shown(limit, family),
+            name = param.name
+        );
+        let hint = both!("--force sends it; the drive limits it", "--force sendet ihn; der Antrieb begrenzt ihn");
         Err(Failure::new(Class::Data, "data.range", text).hint(hint))
     }
 
@@ -162,8 +164,9 @@ impl Check<'_, '_> {
         let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(None) };
         let lifted = self.ends_at_zero() || wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
-            let least = wanted.shown(least, &self.target.family, self.lang);
-            self.session.tell(Event::Note(floor.why.get(self.lang).replace("{}", &least).into()));
+            let least = wanted.shown(least, &self.target.family);
+            let why = Text::by(|lang| floor.why.get(lang).replace("{}", least.get(lang)));
+            self.session.tell(Event::Note(why));
         }
         Ok(lifted.then_some(least))
     }
@@ -186,11 +189,11 @@ impl Check<'_, '_> {
     }
 }
 
-fn too_large(wanted: &Wanted, family: &Family, lang: Lang) -> Failure {
-    let value = wanted.shown(wanted.schedule.peak(), family, lang);
-    let text = match lang {
-        Lang::En => format!("{value} is more than any drive can be told"),
-        Lang::De => format!("{value} ist mehr, als ein Antrieb gesagt bekommen kann"),
-    };
+fn too_large(wanted: &Wanted, family: &Family) -> Failure {
+    let text = both!(
+        "{value} is more than any drive can be told",
+        "{value} ist mehr, als ein Antrieb gesagt bekommen kann",
+        value = wanted.shown(wanted.schedule.peak(), family)
+    );
     Failure::new(Class::Data, "data.range", text).with("param", wanted.param.id)
 }

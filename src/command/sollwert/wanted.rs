@@ -6,7 +6,8 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
 use crate::profile::value::{self, check_range, format_decimal, parse_decimal};
-use crate::profile::{Family, Lang, Mode, Param, Start, Type};
+use crate::profile::{Family, Mode, Param, Start, Type};
+use crate::text::{Text, both};
 use std::path::{Path, PathBuf};
 
 /// Setpoints as they were typed, with their times in microseconds.
@@ -36,7 +37,7 @@ struct Point {
     line: usize,
 }
 
-pub(super) fn spoken(args: &Args, lang: Lang) -> Result<Option<Spoken>, Failure> {
+pub(super) fn spoken(args: &Args) -> Result<Option<Spoken>, Failure> {
     let point = |us: u64, text: &str| Point { us, text: text.to_owned(), line: 0 };
     if let Some(text) = &args.value {
         return Ok(Some(Spoken { points: vec![point(0, text)], file: None }));
@@ -44,49 +45,52 @@ pub(super) fn spoken(args: &Args, lang: Lang) -> Result<Option<Spoken>, Failure>
     if let Some(text) = &args.ramp {
         let parts: Vec<&str> = text.split(':').collect();
         let [from, to, time] = parts.as_slice() else {
-            return Err(bad(format!("expected FROM:TO:TIME such as 0Hz:50Hz:20s, got '{text}'")));
+            return Err(bad(both!(
+                "expected FROM:TO:TIME such as 0Hz:50Hz:20s, got '{text}'",
+                "erwartet: VON:BIS:ZEIT wie 0Hz:50Hz:20s; angegeben: '{text}'"
+            )));
         };
-        let time = parse_span(time).map_err(bad)?;
+        let time = parse_span(time).map_err(|why| bad(why.0))?;
         return Ok(Some(Spoken { points: vec![point(0, from), point(time.as_micros(), to)], file: None }));
     }
     match &args.profile {
         Some(path) => read_profile(path).map(Some),
         None if args.enable || args.until.is_some() || args.motion.hold || args.mode.is_some() => {
-            let text = lang.pick("expected a setpoint such as 25Hz, got none", "Sollwert fehlt, zum Beispiel 25Hz");
-            Err(bad(text.to_owned()))
+            Err(bad(both!("expected a setpoint such as 25Hz, got none", "Sollwert fehlt, zum Beispiel 25Hz")))
         }
         None => Ok(None),
     }
 }
 
-fn bad(message: String) -> Failure {
+fn bad(message: Text) -> Failure {
     Failure::new(Class::Usage, "usage.setpoint", message)
 }
 
 /// Reads lines `TIME, SETPOINT`; the error names file and line.
 fn read_profile(path: &Path) -> Result<Spoken, Failure> {
-    let bad = |line: usize, why: &str| profile_failure(path, line, why);
-    let text = files::read(path, files::TEXT).map_err(|error| bad(0, &error.to_string()))?;
+    let bad = |line: usize, why: &Text| profile_failure(path, line, why);
+    let text = files::read(path, files::TEXT).map_err(|error| bad(0, &error.text()))?;
     let mut points = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let (number, line) = (index + 1, line.split('#').next().unwrap_or("").trim());
         if line.is_empty() {
             continue;
         }
-        let (time, value) = line
-            .split_once([',', ';', '\t'])
-            .ok_or_else(|| bad(number, "expected TIME, SETPOINT such as '5s, 25Hz'"))?;
-        let time = parse_span(time).map_err(|why| bad(number, &why))?;
+        let expected =
+            || both!("expected TIME, SETPOINT such as '5s, 25Hz'", "erwartet: ZEIT, SOLLWERT wie '5s, 25Hz'");
+        let (time, value) = line.split_once([',', ';', '\t']).ok_or_else(|| bad(number, &expected()))?;
+        let time = parse_span(time).map_err(|why| bad(number, &why.0))?;
         points.push(Point { us: time.as_micros(), text: value.to_owned(), line: number });
     }
     match points.is_empty() {
-        true => Err(bad(0, "no setpoint in the file")),
+        true => Err(bad(0, &both!("no setpoint in the file", "die Datei enthält keinen Sollwert"))),
         false => Ok(Spoken { points, file: Some(path.to_owned()) }),
     }
 }
 
-fn profile_failure(path: &Path, line: usize, why: &str) -> Failure {
-    Failure::new(Class::Data, "data.profile", format!("{}:{line}: {why}", path.display()))
+fn profile_failure(path: &Path, line: usize, why: &Text) -> Failure {
+    let path = path.display();
+    Failure::new(Class::Data, "data.profile", both!("{path}:{line}: {why}", "{path}:{line}: {why}", why))
 }
 
 /// A setpoint as one family understands it.
@@ -154,50 +158,52 @@ impl Wanted {
     }
 
     /// A value with its unit, as people write it.
-    pub(super) fn shown(&self, raw: i64, family: &Family, lang: Lang) -> String {
+    pub(super) fn shown(&self, raw: i64, family: &Family) -> Text {
         if let Some(text) = family.text_of(&self.param, raw) {
-            return text.get(lang).to_owned();
+            return text.clone();
         }
         let (decimals, unit) = match (self.by_speed, &self.param.unit) {
             (true, _) => (SPEED_DECIMALS, SPEED_UNIT),
             (false, unit) => (self.param.decimals_or_zero(), unit.as_deref().unwrap_or("")),
         };
         let ratio = self.denominator.as_ref().map_or_else(String::new, |(_, raw)| format!("/{raw}"));
-        format!("{}{ratio} {unit}", format_decimal(raw, decimals)).trim_end().to_owned()
+        Text::name(format!("{}{ratio} {unit}", format_decimal(raw, decimals)).trim_end())
     }
 }
 
 /// Reads the setpoint and what belongs to it in the words of a family.
-pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: Lang) -> Result<Wanted, Failure> {
-    let failed = |point: &Point, why: String| match &spoken.file {
+pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Result<Wanted, Failure> {
+    let failed = |point: &Point, why: Text| match &spoken.file {
         Some(path) => profile_failure(path, point.line, &why),
         None => bad(why),
     };
-    let first = spoken.points.first().ok_or_else(|| bad("expected a setpoint such as 25Hz".to_owned()))?;
-    let mode = named_mode(args, family, lang)?;
+    let expected = || bad(both!("expected a setpoint such as 25Hz", "erwartet: ein Sollwert wie 25Hz"));
+    let first = spoken.points.first().ok_or_else(expected)?;
+    let mode = named_mode(args, family)?;
     let mode = match mode {
         Some(mode) => mode,
         None if spoken.is_bare_zero() => zero_mode(family).ok_or_else(|| {
-            bad(lang
-                .pick("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still")
-                .to_owned())
+            bad(both!("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still"))
         })?,
-        None => unit_mode(&first.text, family, lang)
+        None => unit_mode(&first.text, family)
             .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
     };
     let mut said = Vec::new();
     for point in &spoken.points {
         let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
             value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
-            error => failed(point, error.to_string()),
+            error => failed(point, error.text()),
         })?;
         if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
-            return Err(failed(point, "all setpoints must have the same unit".to_owned()));
+            return Err(failed(
+                point,
+                both!("all setpoints must have the same unit", "alle Sollwerte brauchen dieselbe Einheit"),
+            ));
         }
         said.push(one);
     }
     let schedule = schedule(spoken, &said)?;
-    check_codes(args, mode, family, &schedule, lang)?;
+    check_codes(args, mode, family, &schedule)?;
     let mut settings = options(args, mode, family)?;
     settings.extend(source(args, mode, family)?);
     let set = |id: u32, raw: i64| (family.param_or_unknown(id), raw);
@@ -214,33 +220,43 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family, lang: La
     };
     wanted.check_widths()?;
     if args.until.is_some() && mode.endless {
-        let text = lang.pick("nothing tells that this is reached:", "nichts zeigt an, dass das erreicht ist:");
-        return Err(bad(format!("{text} {}", mode.name(lang))));
+        return Err(bad(both!(
+            "nothing tells that this is reached: {mode}",
+            "nichts zeigt an, dass das erreicht ist: {mode}",
+            mode = mode.text()
+        )));
     }
     if !mode.starts.is_empty() && spoken.points.len() > 1 {
-        let text =
-            lang.pick("one movement has one target; it cannot be led", "eine Fahrt hat ein Ziel, keinen Verlauf:");
-        return Err(bad(format!("{text}: {}", mode.name(lang))));
+        return Err(bad(both!(
+            "one movement has one target; it cannot be led: {mode}",
+            "eine Fahrt hat ein Ziel, keinen Verlauf: {mode}",
+            mode = mode.text()
+        )));
     }
     Ok(wanted)
 }
 
 pub(super) fn out_of_range(param: &Param, error: &value::ValueError) -> Failure {
-    Failure::new(Class::Data, "data.range", format!("{}: {error}", param.label())).with("param", param.id)
+    of_param(param, "data.range", error)
+}
+
+fn of_param(param: &Param, code: &str, error: &value::ValueError) -> Failure {
+    let text = both!("{label}: {why}", "{label}: {why}", label = param.label(), why = error.text());
+    Failure::new(Class::Data, code, text).with("param", param.id)
 }
 
 /// A code is none of the numbers between two others: a speed that is typed in its place must not start the drive.
-fn check_codes(args: &Args, mode: &Mode, family: &Family, schedule: &Schedule, lang: Lang) -> Result<(), Failure> {
+fn check_codes(args: &Args, mode: &Mode, family: &Family, schedule: &Schedule) -> Result<(), Failure> {
     let Some(codes) = mode.codes.as_ref().filter(|_| !args.force) else { return Ok(()) };
     let param = family.param_or_unknown(mode.setpoint);
     let unknown = |raw: &i64| family.text_of(&param, *raw).is_none();
     let Some(raw) = schedule.values().find(unknown) else { return Ok(()) };
     let label = param.label();
-    let text = match lang {
-        Lang::En => format!("{raw} is no code of {label}: it takes codes, not speeds"),
-        Lang::De => format!("{raw} ist kein Code von {label}: dort stehen Codes, keine Drehzahlen"),
-    };
-    Err(Failure::new(Class::Data, "data.code", text).hint(codes.get(lang)).with("param", param.id))
+    let text = both!(
+        "{raw} is no code of {label}: it takes codes, not speeds",
+        "{raw} ist kein Code von {label}: dort stehen Codes, keine Drehzahlen"
+    );
+    Err(Failure::new(Class::Data, "data.code", text).hint(codes.clone()).with("param", param.id))
 }
 
 /// A number that is larger than any that can be sent.
@@ -259,23 +275,26 @@ fn zero_mode(family: &Family) -> Option<&Mode> {
 }
 
 /// The mode that was named.
-fn named_mode<'f>(args: &Args, family: &'f Family, lang: Lang) -> Result<Option<&'f Mode>, Failure> {
+fn named_mode<'f>(args: &Args, family: &'f Family) -> Result<Option<&'f Mode>, Failure> {
     let Some(slug) = &args.mode else { return Ok(None) };
     family.mode(slug).map(Some).ok_or_else(|| {
-        let text = match lang {
-            Lang::En => format!("'{slug}' is no mode of this drive (expected: {})", modes(family)),
-            Lang::De => format!("'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {})", modes(family)),
-        };
+        let text = both!(
+            "'{slug}' is no mode of this drive (expected: {modes})",
+            "'{slug}' ist keine Betriebsart dieses Antriebs (möglich: {modes})",
+            modes = modes(family)
+        );
         Failure::new(Class::Usage, "usage.mode", text)
     })
 }
 
 /// The mode that the unit tells.
-fn unit_mode<'f>(text: &str, family: &'f Family, lang: Lang) -> Result<&'f Mode, String> {
+fn unit_mode<'f>(text: &str, family: &'f Family) -> Result<&'f Mode, Text> {
     let modes = modes(family);
-    setpoint::mode_of(family, text).ok_or_else(|| match lang {
-        Lang::En => format!("expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'"),
-        Lang::De => format!("erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"),
+    setpoint::mode_of(family, text).ok_or_else(|| {
+        both!(
+            "expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'",
+            "erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"
+        )
     })
 }
 
@@ -289,7 +308,7 @@ fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failur
     match (&spoken.file, points.as_slice()) {
         (Some(path), _) => Schedule::steps(points).map_err(|point| {
             let line = spoken.points.get(point.saturating_sub(1)).map_or(0, |point| point.line);
-            profile_failure(path, line, "times must rise")
+            profile_failure(path, line, &both!("times must rise", "die Zeiten müssen steigen"))
         }),
         (None, &[(_, from), (us, to)]) => Ok(Schedule::ramp(from, to, us)),
         (None, points) => {
@@ -316,8 +335,13 @@ fn source(args: &Args, mode: &Mode, family: &Family) -> Result<Option<(Param, i6
 }
 
 fn unknown_word(flag: &str, word: &str, known: &[&str], mode: &Mode) -> Failure {
-    let expected = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-    let message = format!("{flag} {word} does not fit '{}' (expected: {expected})", mode.slug);
+    let expected = if known.is_empty() { both!("none", "keine") } else { Text::name(known.join(", ")) };
+    let message = both!(
+        "{flag} {word} does not fit '{mode}' (expected: {expected})",
+        "{flag} {word} passt nicht zu '{mode}' (möglich: {expected})",
+        mode = mode.slug,
+        expected
+    );
     Failure::new(Class::Usage, "usage.option", message)
 }
 
@@ -325,8 +349,9 @@ fn unknown_word(flag: &str, word: &str, known: &[&str], mode: &Mode) -> Failure 
 fn options(args: &Args, mode: &Mode, family: &Family) -> Result<Vec<(Param, i64)>, Failure> {
     let mut options = Vec::new();
     for text in &args.options {
-        let (name, what) =
-            text.split_once('=').ok_or_else(|| bad(format!("expected PARAMETER=VALUE, got '{text}'")))?;
+        let expected =
+            || both!("expected PARAMETER=VALUE, got '{text}'", "erwartet: PARAMETER=WERT; angegeben: '{text}'");
+        let (name, what) = text.split_once('=').ok_or_else(|| bad(expected()))?;
         let found = match name.parse() {
             Ok(id) => family.param(id),
             Err(_) => family.find(name).ok(),
@@ -336,9 +361,7 @@ fn options(args: &Args, mode: &Mode, family: &Family) -> Result<Vec<(Param, i64)
             let known: Vec<_> = known.iter().map(String::as_str).collect();
             return Err(unknown_word("--set", name, &known, mode));
         };
-        let bad = |error: value::ValueError| {
-            Failure::new(Class::Data, "data.value", format!("{}: {error}", param.label())).with("param", param.id)
-        };
+        let bad = |error: value::ValueError| of_param(param, "data.value", &error);
         let raw = value::parse(what, param, &family.choices(param)).map_err(bad)?;
         check_range(raw, param).map_err(bad)?;
         options.push((param.clone(), raw));

@@ -7,7 +7,8 @@ use crate::drive::motion::{Situation, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::{Family, Lang, Mode};
+use crate::profile::{Family, Mode};
+use crate::text::both;
 
 /// Whether nothing but a setpoint of zero is wanted, as far as the words tell.
 pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
@@ -61,21 +62,18 @@ pub(super) async fn relief(
 }
 
 /// The mode in which the drive works, for a zero without a unit.
-pub(super) async fn present_mode(
-    session: &mut Session<'_>,
-    target: &mut Target,
-    lang: Lang,
-) -> Result<Option<Mode>, Failure> {
+pub(super) async fn present_mode(session: &mut Session<'_>, target: &mut Target) -> Result<Option<Mode>, Failure> {
     let Some(active) = role_raw(session, target, "mode-active").await? else { return Ok(None) };
     let mode = target.family.modes.iter().find(|mode| mode.value == Some(active)).cloned();
     match mode {
         Some(mode) if !mode.zero_stops() => {
-            let text = lang.pick(
-                "a setpoint of 0 does not stop the drive in this mode",
-                "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an",
+            let text = both!(
+                "a setpoint of 0 does not stop the drive in this mode: {mode}",
+                "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an: {mode}",
+                mode = mode.text()
             );
-            let failure = Failure::new(Class::Forbidden, "forbidden.mode", format!("{text}: {}", mode.name(lang)));
-            Err(failure.hint(lang.pick("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an")))
+            Err(Failure::new(Class::Forbidden, "forbidden.mode", text)
+                .hint(both!("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an")))
         }
         mode => Ok(mode),
     }

@@ -1,10 +1,12 @@
 //! Codes 3, 16 and 23 in words (LXM05 manual 5.2, 5.3, with the lengths of sources G4): as parameters where those of the
 //! family are pairs of registers, else as plain registers.
 
+use super::modbus::{count_field, writes, written};
 use super::{Reader, Said, field, field8, field16};
 use crate::outcome::Field;
 use crate::profile::{Family, Param, Route, format_value};
 use crate::protocol::modbus::pdu::WordOrder;
+use crate::text::{Text, both};
 
 /// Most parameters or registers that one line names.
 const FEW: usize = 4;
@@ -17,25 +19,28 @@ impl Reader<'_> {
 
     /// Code 3.
     pub(super) fn reads(&self, start: u16, count: u16) -> Said {
-        (format!("{} {}", self.pick("read", "lesen"), self.span(start, count)), self.span_fields(start, count))
+        let meaning = both!("read {span}", "lesen {span}", span = self.span(start, count));
+        (meaning, self.span_fields(start, count))
     }
 
     /// Code 16.
     pub(super) fn writes(&self, start: u16, words: &[u16]) -> Said {
-        let meaning = format!("{} {}", self.pick("write", "schreiben"), self.assigned(start, words));
-        (meaning, self.written_fields(start, words))
+        (writes(&self.assigned(start, words)), self.written_fields(start, words))
     }
 
     /// The reply to code 16.
     pub(super) fn taken(&self, start: u16, count: u16) -> Said {
-        let meaning = format!("{} {}", self.span(start, count), self.pick("written", "geschrieben"));
-        (meaning, self.span_fields(start, count))
+        (written(&self.span(start, count)), self.span_fields(start, count))
     }
 
     /// Code 23, which writes first (V1.1b3, 6.17).
     pub(super) fn exchanges(&self, start: u16, count: u16, write_start: u16, words: &[u16]) -> Said {
-        let (write, read) = (self.pick("write", "schreiben"), self.pick("then read", "dann lesen"));
-        let meaning = format!("{write} {}, {read} {}", self.assigned(write_start, words), self.span(start, count));
+        let meaning = both!(
+            "write {assigned}, then read {span}",
+            "schreiben {assigned}, dann lesen {span}",
+            assigned = self.assigned(write_start, words),
+            span = self.span(start, count)
+        );
         let mut fields = self.span_fields(start, count);
         fields.extend(self.written_fields(write_start, words));
         (meaning, fields)
@@ -43,59 +48,61 @@ impl Reader<'_> {
 
     /// The reply to codes 3 and 23, which does not say what was read.
     pub(super) fn told(&self, words: &[u16]) -> Said {
-        let value = self.pick("value", "Wert");
         let parts = self.parts(words);
         let shown: Vec<_> = parts.iter().map(Part::plain).collect();
-        let mut fields = vec![self.bytes_field(words)];
-        fields.extend(parts.iter().zip(&shown).map(|(part, shown)| field(&part.bytes, value, shown)));
-        (format!("{value} {}", shown.join(", ")), fields)
+        let mut fields = vec![bytes_field(words)];
+        fields.extend(parts.iter().zip(&shown).map(|(part, shown)| part.field(both!("value", "Wert"), shown.clone())));
+        (both!("value {all}", "Wert {all}", all = Text::join(&shown, ", ")), fields)
     }
 
     /// Code 6 of a family that does not have it: one register.
     pub(super) fn single(&self, address: u16, word: u16) -> Vec<Field> {
         vec![
-            field16(address, self.pick("register", "Register"), self.span(address, 1)),
-            field16(word, self.pick("value", "Wert"), Part::word(word).plain()),
+            field16(address, both!("register", "Register"), self.span(address, 1)),
+            field16(word, both!("value", "Wert"), Part::word(word).plain()),
         ]
     }
 
     /// What lies in `count` registers from `start` on.
-    fn span(&self, start: u16, count: u16) -> String {
+    fn span(&self, start: u16, count: u16) -> Text {
         let (width, unit) = self.grain(count.into());
         let number = usize::from(count) / width;
         let addresses: Vec<u16> = addresses(start, width).take(number.min(FEW)).collect();
         match addresses.as_slice() {
             &[only] if number == 1 => self.named(only, width),
             few @ [_, ..] if few.len() == number && width == 2 => {
-                few.iter().map(|&address| self.label(address, width)).collect::<Vec<_>>().join(", ")
+                Text::join(&few.iter().map(|&address| self.label(address, width)).collect::<Vec<_>>(), ", ")
             }
-            _ => format!("{number} {unit} {}", self.from(start, width)),
+            _ => self.many(number, &unit, start, width),
         }
     }
 
     /// The values that go into the registers from `start` on.
-    pub(super) fn assigned(&self, start: u16, words: &[u16]) -> String {
+    pub(super) fn assigned(&self, start: u16, words: &[u16]) -> Text {
         let (width, unit) = self.grain(words.len());
         let parts = self.parts(words);
         let each: Vec<(u16, &Part)> = addresses(start, width).zip(&parts).take(FEW).collect();
+        let is = |name: Text, address: u16, part: &Part| Text::join([&name, &self.read_out(address, part)], " = ");
         match each.as_slice() {
-            [(_, only)] if parts.len() == 1 => {
-                format!("{} = {}", self.named(start, width), self.read_out(start, only))
+            [(_, only)] if parts.len() == 1 => is(self.named(start, width), start, only),
+            few @ [_, ..] if few.len() == parts.len() => {
+                let each = few.iter().map(|(address, part)| is(self.label(*address, width), *address, part));
+                Text::join(&each.collect::<Vec<_>>(), ", ")
             }
-            few @ [_, ..] if few.len() == parts.len() => few
-                .iter()
-                .map(|(address, part)| format!("{} = {}", self.label(*address, width), self.read_out(*address, part)))
-                .collect::<Vec<_>>()
-                .join(", "),
-            _ => format!("{} {unit} {}", parts.len(), self.from(start, width)),
+            _ => self.many(parts.len(), &unit, start, width),
         }
     }
 
+    fn many(&self, number: usize, unit: &Text, start: u16, width: usize) -> Text {
+        let start = if width == 2 { self.label(start, width) } else { Text::name(start) };
+        both!("{number} {unit} from {start}", "{number} {unit} ab {start}", unit, start)
+    }
+
     /// Registers that belong together, and what several of them are called.
-    fn grain(&self, registers: usize) -> (usize, &'static str) {
+    fn grain(&self, registers: usize) -> (usize, Text) {
         match self.paired() {
-            Some(_) if registers > 0 && registers.is_multiple_of(2) => (2, self.pick("parameters", "Parameter")),
-            _ => (1, self.pick("registers", "Register")),
+            Some(_) if registers > 0 && registers.is_multiple_of(2) => (2, both!("parameters", "Parameter")),
+            _ => (1, both!("registers", "Register")),
         }
     }
 
@@ -110,61 +117,54 @@ impl Reader<'_> {
         self.paired()?.param(address.into())
     }
 
-    fn label(&self, address: u16, width: usize) -> String {
+    fn label(&self, address: u16, width: usize) -> Text {
         match self.paired().filter(|_| width == 2) {
-            Some(family) => family.param_or_unknown(address.into()).label(),
-            None => format!("{} {address}", self.pick("register", "Register")),
+            Some(family) => Text::name(family.param_or_unknown(address.into()).label()),
+            None => both!("register {address}", "Register {address}"),
         }
     }
 
-    fn named(&self, address: u16, width: usize) -> String {
+    fn named(&self, address: u16, width: usize) -> Text {
         let label = self.label(address, width);
         let name = self.known(address).filter(|_| width == 2);
-        name.map_or_else(|| label.clone(), |param| format!("{label} {}", param.name(self.lang)))
-    }
-
-    fn from(&self, start: u16, width: usize) -> String {
-        let start = if width == 2 { self.label(start, width) } else { start.to_string() };
-        format!("{} {start}", self.pick("from", "ab"))
+        name.map_or_else(|| label.clone(), |param| Text::join([&label, &param.name], " "))
     }
 
     /// A value as people read it.
-    fn read_out(&self, address: u16, part: &Part) -> String {
+    fn read_out(&self, address: u16, part: &Part) -> Text {
         let known = self.paired().zip(self.known(address)).filter(|_| part.bytes.len() == 4);
         let Some((family, param)) = known else { return part.plain() };
         if param.hex {
-            return format!("0x{:04X}", part.bits);
+            return Text::name(format_args!("0x{:04X}", part.bits));
         }
         let value = format_value(param, part.bits, true);
-        let text = family.text_of(param, (part.bits as i32).into());
-        text.map_or_else(|| value.clone(), |text| format!("{value} ({})", text.get(self.lang)))
+        match family.text_of(param, (part.bits as i32).into()) {
+            Some(text) => both!("{value} ({text})", "{value} ({text})", text),
+            None => Text::name(value),
+        }
     }
 
     fn span_fields(&self, start: u16, count: u16) -> Vec<Field> {
         let width = self.grain(count.into()).0;
-        vec![
-            field16(start, self.pick("first register", "erstes Register"), self.named(start, width)),
-            self.count_field(count),
-        ]
+        vec![field16(start, both!("first register", "erstes Register"), self.named(start, width)), count_field(count)]
     }
 
     fn written_fields(&self, start: u16, words: &[u16]) -> Vec<Field> {
         let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
         let mut fields = self.span_fields(start, count);
-        fields.push(self.bytes_field(words));
+        fields.push(bytes_field(words));
         let width = self.grain(words.len()).0;
-        let beyond = self.pick("behind the last register", "hinter dem letzten Register");
         let places = addresses(start, width).map(Some).chain(std::iter::repeat(None));
         fields.extend(places.zip(self.parts(words)).map(|(address, part)| match address {
-            Some(address) => field(&part.bytes, &self.label(address, width), self.read_out(address, &part)),
-            None => field(&part.bytes, beyond, part.plain()),
+            Some(address) => part.field(self.label(address, width), self.read_out(address, &part)),
+            None => part.field(both!("behind the last register", "hinter dem letzten Register"), part.plain()),
         }));
         fields
     }
+}
 
-    fn bytes_field(&self, words: &[u16]) -> Field {
-        field8(u8::try_from(words.len() * 2).unwrap_or(u8::MAX), self.pick("byte count", "Byteanzahl"))
-    }
+fn bytes_field(words: &[u16]) -> Field {
+    field8(u8::try_from(words.len() * 2).unwrap_or(u8::MAX), both!("byte count", "Byteanzahl"))
 }
 
 /// Every `width`th register from `start` to the last that there is.
@@ -188,11 +188,15 @@ impl Part {
         Part { bytes: words.iter().flat_map(|word| word.to_be_bytes()).collect(), bits: order.join(words) }
     }
 
+    fn field(&self, name: Text, value: Text) -> Field {
+        field(&self.bytes, name, value)
+    }
+
     /// The value where nobody knows what it means.
-    fn plain(&self) -> String {
+    fn plain(&self) -> Text {
         match self.bytes.len() {
-            4 => format!("{} (0x{:08X})", self.bits as i32, self.bits),
-            _ => format!("{} (0x{:04X})", self.bits, self.bits),
+            4 => Text::name(format_args!("{} (0x{:08X})", self.bits as i32, self.bits)),
+            _ => Text::name(format_args!("{} (0x{:04X})", self.bits, self.bits)),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Telegrams of VABus in words (sources A2, EM-RES-03 manual 5.10.2.2).
 
-use super::Reader;
+use super::{Reader, field, no_telegram, wrong};
 use crate::outcome::{Field, TelegramDoc};
-use crate::profile::{Lang, Type, format_value};
+use crate::profile::{Type, format_value};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::Hex;
-use crate::protocol::vabus::{
-    Address, Data, EOT, Header, Heard, Receiver, Reply, Request, SystemNode, Telegram, TelegramError, bcc,
-};
+use crate::protocol::vabus::{Address, Data, EOT, Header, Heard, Receiver, Reply, Request, SystemNode, Telegram, bcc};
+use crate::text::{Text, both};
 
 /// Bytes that were heard together, cut into telegrams and what is none.
 pub(super) fn cut(bytes: &[u8]) -> Vec<Vec<u8>> {
@@ -41,15 +40,12 @@ impl Reader<'_> {
             function: None,
             check_ok: telegram.is_ok(),
             hex: Hex(bytes).to_string(),
-            meaning: String::new(),
+            meaning: Text::default(),
             fields: Vec::new(),
         };
         match telegram {
             Ok(telegram) => self.describe(&telegram, &mut doc),
-            Err(error) => {
-                let prefix = self.pick("no valid telegram", "kein gültiges Telegramm");
-                doc.meaning = format!("{prefix}: {}", self.telegram_error(&error));
-            }
+            Err(error) => doc.meaning = no_telegram(&wrong::telegram(&error)),
         }
         doc
     }
@@ -57,94 +53,85 @@ impl Reader<'_> {
     fn describe(&self, telegram: &Telegram, doc: &mut TelegramDoc) {
         let (direction, address, meaning) = match telegram {
             Telegram::End => {
+                let end = both!("end of the exchange", "Ende des Austauschs");
                 doc.direction = Some("request");
-                doc.fields = vec![self.control("04", "EOT", "end of the exchange", "Ende des Austauschs")];
-                return doc.meaning.push_str(self.pick("end of the exchange", "Ende des Austauschs"));
+                doc.fields = vec![control("04", "EOT", end.clone())];
+                doc.meaning = end;
+                return;
             }
             Telegram::Request(Request::Enquiry { address, header }) => {
-                doc.fields = [self.opening(*address), self.header(*header)].concat();
-                doc.fields.push(self.control("05", "ENQ", "asks for the value", "fragt nach dem Wert"));
-                ("request", *address, format!("{} {}", self.pick("read", "lesen"), self.subject(*header)))
+                doc.fields = [opening(*address), self.header(*header)].concat();
+                doc.fields.push(control("05", "ENQ", both!("asks for the value", "fragt nach dem Wert")));
+                ("request", *address, both!("read {what}", "lesen {what}", what = self.subject(*header)))
             }
             Telegram::Request(Request::Select { address, header, data }) => {
-                doc.fields = [self.opening(*address), self.text(*header, data)].concat();
-                let write = self.pick("write", "schreiben");
-                let shown = self.shown(*header, data);
-                ("request", *address, format!("{write} {} = {shown}", self.subject(*header)))
+                doc.fields = [opening(*address), self.text(*header, data)].concat();
+                let what = self.value_of(*header, data);
+                ("request", *address, both!("write {what}", "schreiben {what}", what))
             }
             Telegram::Reply(Reply::Value { address, header, data }) => {
-                doc.fields = [vec![self.address(*address)], self.text(*header, data)].concat();
-                ("reply", *address, format!("{} = {}", self.subject(*header), self.shown(*header, data)))
+                doc.fields = [vec![addressed(*address)], self.text(*header, data)].concat();
+                ("reply", *address, self.value_of(*header, data))
             }
             Telegram::Reply(Reply::Ack { address }) => {
-                doc.fields = vec![self.address(*address), self.control("06", "ACK", "done", "ausgeführt")];
-                ("reply", *address, self.pick("done (ACK)", "ausgeführt (ACK)").to_owned())
+                doc.fields = vec![addressed(*address), control("06", "ACK", both!("done", "ausgeführt"))];
+                ("reply", *address, both!("done (ACK)", "ausgeführt (ACK)"))
             }
             Telegram::Reply(Reply::Nak { address }) => {
-                doc.fields = vec![self.address(*address), self.control("15", "NAK", "refused", "abgelehnt")];
-                let meaning = self.pick("refused (NAK); P.11 tells why", "abgelehnt (NAK); P.11 nennt den Grund");
-                ("reply", *address, meaning.to_owned())
+                doc.fields = vec![addressed(*address), control("15", "NAK", both!("refused", "abgelehnt"))];
+                let meaning = both!("refused (NAK); P.11 tells why", "abgelehnt (NAK); P.11 nennt den Grund");
+                ("reply", *address, meaning)
             }
         };
         doc.direction = Some(direction);
         doc.address = Some(address.id());
-        doc.meaning = format!("{}: {meaning}", self.drive(address));
-    }
-
-    fn drive(&self, address: Address) -> String {
-        match address.is_broadcast() {
-            true => self.pick("to everybody", "an alle").to_owned(),
-            false => format!("{} {address}", self.pick("address", "Adresse")),
-        }
+        doc.meaning = Text::join([&drive(address), &meaning], ": ");
     }
 
     /// Parameter, data set and name; the node where it is not the addressed drive itself.
-    fn subject(&self, header: Header) -> String {
+    fn subject(&self, header: Header) -> Text {
         let (number, set) = (header.number.get(), header.set.number());
-        let name = self.family.and_then(|family| family.param(number.into()));
-        let name = name.map_or_else(String::new, |param| format!(" {}", param.name(self.lang)));
-        let node = match header.node {
-            SystemNode::SELF => String::new(),
-            node => format!("{} {}, ", self.pick("system-bus node", "Systembusknoten"), node.id()),
+        let label = Text::name(format_args!("P.{number}@{set}"));
+        let named = match self.family.and_then(|family| family.param(number.into())) {
+            Some(param) => Text::join([&label, &param.name], " "),
+            None => label,
         };
-        format!("{node}P.{number}@{set}{name}")
+        match header.node {
+            SystemNode::SELF => named,
+            node => both!("system-bus node {id}, {named}", "Systembusknoten {id}, {named}", id = node.id(), named),
+        }
+    }
+
+    fn value_of(&self, header: Header, data: &Data) -> Text {
+        Text::join([&self.subject(header), &self.shown(header, data)], " = ")
     }
 
     /// A value as far as the catalogue tells what it is; four or eight digits may be a text too.
-    fn shown(&self, header: Header, data: &Data) -> String {
+    fn shown(&self, header: Header, data: &Data) -> Text {
         let param = self.family.and_then(|family| family.param(header.number.get().into()));
         let is_text = param.is_some_and(|param| param.kind == Some(Type::String));
         let number = data.as_word().map(|bits| (u32::from(bits), false)).or(data.as_long().map(|bits| (bits, true)));
-        match (number.filter(|_| !is_text), param) {
+        Text::name(match (number.filter(|_| !is_text), param) {
             (Some((bits, long)), Some(param)) => format_value(param, bits, long),
             (Some((bits, true)), None) => format!("{} (0x{bits:08X})", bits as i32),
             (Some((bits, false)), None) => format!("{bits} (0x{bits:04X})"),
             (None, _) => format!("\"{}\"", data.characters().escape_ascii()),
-        }
-    }
-
-    fn opening(&self, address: Address) -> Vec<Field> {
-        vec![self.control("04", "EOT", "a telegram of the master", "ein Telegramm des Masters"), self.address(address)]
-    }
-
-    fn address(&self, address: Address) -> Field {
-        self.part(&[address.character()], ("address", "Adresse"), self.drive(address))
+        })
     }
 
     fn header(&self, header: Header) -> Vec<Field> {
         let [first, second, third] = header.number.characters();
-        let itself = self.pick("the drive itself", "der Umrichter selbst").to_owned();
-        let node = if header.node == SystemNode::SELF { itself } else { header.node.id().to_string() };
-        let memory = if header.set.number() < 5 { "EEPROM" } else { "RAM" };
+        let node = match header.node {
+            SystemNode::SELF => both!("the drive itself", "der Umrichter selbst"),
+            node => Text::name(node.id()),
+        };
+        let set = header.set.number();
+        let memory = if set < 5 { "EEPROM" } else { "RAM" };
         let number = self.subject(Header { node: SystemNode::SELF, ..header });
         vec![
-            self.part(&[header.node.character()], ("system-bus node", "Systembusknoten"), node),
-            self.part(
-                &[b'0' + header.set.number()],
-                ("data set", "Datensatz"),
-                format!("{} {memory}", header.set.number()),
-            ),
-            self.part(&[first, second, third], ("parameter", "Parameter"), number),
+            field(&[header.node.character()], both!("system-bus node", "Systembusknoten"), node),
+            field(&[b'0' + set], both!("data set", "Datensatz"), Text::name(format_args!("{set} {memory}"))),
+            field(&[first, second, third], both!("parameter", "Parameter"), number),
         ]
     }
 
@@ -153,42 +140,33 @@ impl Reader<'_> {
         let length = format!("{:02}", data.characters().len());
         let whole = Reply::Value { address: Address::BROADCAST, header, data: data.clone() }.encode();
         let between = whole.get(2..whole.len().saturating_sub(2)).unwrap_or_default();
-        let mut fields = vec![self.control("02", "STX", "start of the text", "Textanfang")];
+        let mut fields = vec![control("02", "STX", both!("start of the text", "Textanfang"))];
         fields.extend(self.header(header));
         fields.extend([
-            self.part(length.as_bytes(), ("length", "Länge"), length.clone()),
-            self.part(data.characters(), ("value", "Wert"), self.shown(header, data)),
-            self.control("03", "ETX", "end of the text", "Textende"),
-            self.part(&[bcc(between)], ("BCC", "BCC"), "ok".to_owned()),
+            field(length.as_bytes(), both!("length", "Länge"), Text::name(&length)),
+            field(data.characters(), both!("value", "Wert"), self.shown(header, data)),
+            control("03", "ETX", both!("end of the text", "Textende")),
+            field(&[bcc(between)], Text::name("BCC"), Text::name("ok")),
         ]);
         fields
     }
+}
 
-    fn part(&self, bytes: &[u8], (en, de): (&'static str, &'static str), value: String) -> Field {
-        Field { hex: Hex(bytes).to_string(), name: self.pick(en, de).to_owned(), value }
+fn drive(address: Address) -> Text {
+    match address.is_broadcast() {
+        true => both!("to everybody", "an alle"),
+        false => both!("address {address}", "Adresse {address}"),
     }
+}
 
-    fn control(&self, hex: &str, name: &str, en: &'static str, de: &'static str) -> Field {
-        Field { hex: hex.to_owned(), name: name.to_owned(), value: self.pick(en, de).to_owned() }
-    }
+fn opening(address: Address) -> Vec<Field> {
+    vec![control("04", "EOT", both!("a telegram of the master", "ein Telegramm des Masters")), addressed(address)]
+}
 
-    fn telegram_error(&self, error: &TelegramError) -> String {
-        if self.lang == Lang::En {
-            return error.to_string();
-        }
-        match error {
-            TelegramError::TooShort { len } => format!("{len} Bytes sind zu wenig für ein Telegramm"),
-            TelegramError::TooLong { extra } => format!("{extra} Bytes zu viel hinter dem Telegramm"),
-            TelegramError::Control { expected, got } => {
-                format!("{got:02X}h, wo {} stehen muss", expected.replace(" or ", " oder "))
-            }
-            TelegramError::Address(byte) => format!("{byte:02X}h ist keine Adresse (41h bis 5Eh, 60h für alle)"),
-            TelegramError::Node(byte) => format!("{byte:02X}h ist kein Systembusknoten (30h oder 41h bis 7Fh)"),
-            TelegramError::Set(byte) => format!("{byte:02X}h ist kein Datensatz"),
-            TelegramError::Number(text) => format!("{text:02X?} ist keine Parameternummer (000 bis 999, A00 bis F99)"),
-            TelegramError::Length(text) => format!("{text:02X?} ist keine Länge (01 bis 99)"),
-            TelegramError::Text(byte) => format!("Steuerzeichen {byte:02X}h in den Daten"),
-            TelegramError::Check { expected, got } => format!("Prüfzeichen {got:02X}h, erwartet {expected:02X}h"),
-        }
-    }
+fn addressed(address: Address) -> Field {
+    field(&[address.character()], both!("address", "Adresse"), drive(address))
+}
+
+fn control(hex: &str, name: &str, value: Text) -> Field {
+    Field { hex: hex.to_owned(), name: Text::name(name), value }
 }

@@ -75,10 +75,10 @@ fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
     let new = format_decimal(row.raw, row.value.decimals);
-    let text = row.text.as_ref().map_or_else(String::new, |text| format!(" ({text})"));
+    let text = row.text.as_ref().map_or_else(Text::default, |text| both!(" ({text})", " ({text})", text));
     let who = match row.address {
         0 => both!("every drive", "alle Antriebe"),
-        address => Text::by(|lang| who(address, row.node, &row.drive, lang)),
+        address => who(address, row.node, &row.drive),
     };
     let (label, store) = match family.link.route.has_data_sets() {
         true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),
@@ -88,6 +88,7 @@ fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
         "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",
         "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",
         who,
-        name = step.param.name
+        name = step.param.name,
+        text
     )
 }

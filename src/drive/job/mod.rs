@@ -71,14 +71,14 @@ pub async fn prepare(
 ) -> Result<Vec<Written>, Failure> {
     let mut rows = Vec::new();
     for step in steps {
-        let (address, lang) = (target.address, terms.lang());
-        let row = describe::to_write(address, &target.family, &step.param, step.set, step.raw, lang);
+        let address = target.address;
+        let row = describe::to_write(address, &target.family, &step.param, step.set, step.raw);
         let mut row = Written { node: session.node(), ..row };
         if let Some(kind) = step.kind {
             target.set_width(step.param.id, kind);
         }
         if address != 0 && step.param.access.reads() {
-            let mut reader = Reader::new(session, target, lang);
+            let mut reader = Reader::new(session, target);
             let old = reader.rows(&step.param, wire_sets(step.set)).await?;
             if let [old] = old.as_slice() {
                 (row.old_raw, row.old) = (old.raw, old.value);
@@ -325,13 +325,14 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
     };
     let unknown = || both!("its old value", "den alten Wert");
     let old = row.old.map_or_else(unknown, |old| Text::name(format_decimal(old.raw, old.decimals)));
-    let new = row.text.clone().unwrap_or_else(|| format_decimal(row.raw, row.value.decimals));
+    let new = row.text.clone().unwrap_or_else(|| Text::name(format_decimal(row.raw, row.value.decimals)));
     let (label, address, line, protocol) = (step.param.label(), row.address, terms.line, terms.speech.protocol.name());
     let message = both!(
         "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \
              back is to write {old} with the new setting",
         "{label} ist {new}: {when} ist der Antrieb nicht mehr mit Adresse {address} bei {line} {protocol} erreichbar; \
              zurück führt, mit der neuen Einstellung {old} zu schreiben",
+        new,
         when,
         old
     );

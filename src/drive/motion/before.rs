@@ -4,8 +4,9 @@ use super::look::{raw, working};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
+use crate::profile::Param;
 use crate::profile::value::format_decimal;
-use crate::profile::{Lang, Param};
+use crate::text::{Text, both};
 
 /// A setpoint, or the source of one, that stands in the drive from before and turns the shaft once it is enabled.
 #[derive(Clone, Debug)]
@@ -31,28 +32,25 @@ pub async fn standing(session: &mut Session<'_>, target: &mut Target) -> Result<
 
 /// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the
 /// drive runs at by its own settings even then.
-pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
-    let mut told: Vec<String> = standing(session, target).await?.iter().map(|row| row.told(lang)).collect();
-    told.extend(own_setpoints(session, target, lang).await?);
+pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
+    let mut told: Vec<Text> = standing(session, target).await?.iter().map(Standing::told).collect();
+    told.extend(own_setpoints(session, target).await?);
     Ok(told)
 }
 
 /// What the shaft runs at once contacts start it, in words: what stands there from before stays.
-pub async fn runs_at(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
+pub async fn runs_at(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
     let mut told = Vec::new();
     for Standing { param, shown: (shows, value) } in standing(session, target).await? {
         let (label, value) = (param.label(), shown(&shows, value));
-        told.push(match lang {
-            Lang::En => format!("{label} stands at {value}: it runs at that"),
-            Lang::De => format!("{label} steht auf {value}: damit läuft er"),
-        });
+        told.push(both!("{label} stands at {value}: it runs at that", "{label} steht auf {value}: damit läuft er"));
     }
-    told.extend(own_setpoints(session, target, lang).await?);
+    told.extend(own_setpoints(session, target).await?);
     Ok(told)
 }
 
 /// What the drive runs at by its own settings, whatever the line says.
-async fn own_setpoints(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Vec<String>, Failure> {
+async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
     let family = target.family.clone();
     let mut told = Vec::new();
     for mode in &family.modes {
@@ -65,21 +63,21 @@ async fn own_setpoints(session: &mut Session<'_>, target: &mut Target, lang: Lan
         let Some(value) = working(session, target, &param).await?.filter(|&value| value != 0) else { continue };
         let (value, label, by) = (shown(&param, value), param.label(), family.param_or_unknown(source.param).label());
         let chosen = chosen.unwrap_or(0);
-        told.push(match lang {
-            Lang::En => format!("it runs at {value} by itself ({label}, {by} = {chosen})"),
-            Lang::De => format!("er läuft von selbst mit {value} ({label}, {by} = {chosen})"),
-        });
+        told.push(both!(
+            "it runs at {value} by itself ({label}, {by} = {chosen})",
+            "er läuft von selbst mit {value} ({label}, {by} = {chosen})"
+        ));
     }
     Ok(told)
 }
 
 impl Standing {
-    pub(super) fn told(&self, lang: Lang) -> String {
+    pub(super) fn told(&self) -> Text {
         let (label, value) = (self.param.label(), shown(&self.shown.0, self.shown.1));
-        match lang {
-            Lang::En => format!("{label} still stands at {value}: it is set to 0 before the drive is enabled"),
-            Lang::De => format!("{label} steht noch auf {value}: wird vor der Freigabe auf 0 gesetzt"),
-        }
+        both!(
+            "{label} still stands at {value}: it is set to 0 before the drive is enabled",
+            "{label} steht noch auf {value}: wird vor der Freigabe auf 0 gesetzt"
+        )
     }
 }
 

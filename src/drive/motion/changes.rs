@@ -5,7 +5,8 @@ use super::{Lever, Motor, StopChoice, guard, has_power};
 use crate::drive::describe;
 use crate::failure::Failure;
 use crate::outcome::{Change, Stop};
-use crate::profile::{DataSets, Lang, Need, Param};
+use crate::profile::{DataSets, Need, Param};
+use crate::text::both;
 
 /// How often it is tried.
 const TRIES: u8 = 5;
@@ -98,12 +99,11 @@ impl Motor<'_, '_> {
             if let Some(param) = param {
                 // So that nobody is surprised by it at the next enable.
                 if self.write(&param, 0, 0).await.is_err() {
-                    self.notes.push(match self.lang {
-                        Lang::En => format!("{} may still stand in the drive; it could not be set to 0", param.label()),
-                        Lang::De => {
-                            format!("{} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben", param.label())
-                        }
-                    });
+                    self.notes.push(both!(
+                        "{label} may still stand in the drive; it could not be set to 0",
+                        "{label} steht vielleicht noch im Antrieb; 0 war nicht zu schreiben",
+                        label = param.label()
+                    ));
                 }
             }
         }
@@ -143,15 +143,11 @@ impl Motor<'_, '_> {
         }
         let label = family.role_label("control-mode");
         let (now, would) = (control.obeys, control.terminals);
-        self.notes.push(match self.lang {
-            Lang::En => format!(
-                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}"
-            ),
-            Lang::De => format!(
-                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
-                 {would} starten"
-            ),
-        });
+        self.notes.push(both!(
+            "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}",
+            "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
+             {would} starten"
+        ));
         false
     }
 }

@@ -17,7 +17,7 @@ impl Motor<'_, '_> {
             }
             _ => return None,
         };
-        let state = describe::state(&self.target.family, status, self.lang).slug;
+        let state = describe::state(&self.target.family, status).slug;
         // A memory that moves on with every reading is left alone where there is no fault.
         let fault = match state.starts_with("fault") {
             true => self.role_raw("fault").await.ok().flatten(),

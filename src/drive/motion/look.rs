@@ -8,8 +8,8 @@ use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
-use crate::profile::{DataSets, Facts, Family, Interlock, Lang, Mode, NoPlan, Param, Sets};
-use crate::text::both;
+use crate::profile::{DataSets, DriveState, Facts, Family, Interlock, Mode, NoPlan, Param, Sets};
+use crate::text::{Text, both};
 use crate::tick::Span;
 use std::collections::BTreeMap;
 
@@ -58,27 +58,31 @@ impl Situation {
     }
 
     /// What is missing behind an interlock, and where one sees it.
-    fn told(&self, row: &Interlock, lang: Lang) -> Option<String> {
-        let missing = row.missing.as_ref()?.get(lang);
+    fn told(&self, row: &Interlock) -> Option<Text> {
+        let missing = row.missing.clone()?;
         let given = |inputs: &[u8]| self.inputs.is_none_or(|word| inputs.iter().any(|bit| word >> bit & 1 == 1));
         let mut parts: Vec<_> = row.parts.iter().filter(|part| !given(&part.inputs)).collect();
         if parts.is_empty() {
             parts.extend(&row.parts);
         }
-        let parts: Vec<_> = parts.iter().map(|part| part.name(lang)).collect();
-        let seen = row.seen.as_ref().map_or_else(String::new, |seen| format!(" ({})", seen.get(lang)));
-        Some(if parts.is_empty() { missing.to_owned() } else { format!("{missing}: {}{seen}", parts.join("; ")) })
+        if parts.is_empty() {
+            return Some(missing);
+        }
+        let parts: Vec<_> = parts.iter().map(|part| part.text()).collect();
+        let seen = row.seen.as_ref().map_or_else(Text::default, |seen| both!(" ({seen})", " ({seen})", seen));
+        let parts = Text::join(&parts, "; ");
+        Some(both!("{missing}: {parts}{seen}", "{missing}: {parts}{seen}", missing, parts, seen))
     }
 }
 
 /// What the drive says that matters for moving it.
-pub async fn look(session: &mut Session<'_>, target: &mut Target, lang: Lang) -> Result<Situation, Failure> {
+pub async fn look(session: &mut Session<'_>, target: &mut Target) -> Result<Situation, Failure> {
     let status = status_word(session, target).await?;
     let watchdog = working_raw(session, target, "watchdog").await?;
     target.known_watchdog = watchdog;
     let mut situation = Situation {
         status,
-        state: describe::state(&target.family, status, lang).slug,
+        state: describe::state(&target.family, status).slug,
         mode: working_raw(session, target, "control-mode").await?,
         fault: present_fault(session, target, status).await?,
         inputs: role_raw(session, target, "digital-inputs").await?,
@@ -133,7 +137,6 @@ pub async fn may_change_mode(
     target: &mut Target,
     state: &str,
     mode: &Mode,
-    lang: Lang,
 ) -> Result<(), Failure> {
     let active = match mode.value.filter(|_| state == "operation-enabled") {
         Some(_) => role_raw(session, target, "mode-active").await?,
@@ -142,15 +145,14 @@ pub async fn may_change_mode(
     if active == mode.value || active.is_none() || !turns(session, target).await? {
         return Ok(());
     }
-    let present = target.family.modes.iter().find(|row| row.value == active).map(|row| row.name(lang));
-    let (present, wanted) = (present.unwrap_or("?"), mode.name(lang));
-    let text = match lang {
-        Lang::En => format!("the shaft turns in mode '{present}'; '{wanted}' is selected at standstill only"),
-        Lang::De => {
-            format!("die Welle dreht in der Betriebsart '{present}'; '{wanted}' wird nur im Stillstand gewählt")
-        }
-    };
-    let hint = lang.pick("`statemachine quick-stop` stops it first", "`statemachine quick-stop` hält sie vorher an");
+    let present = target.family.modes.iter().find(|row| row.value == active).map(Mode::text);
+    let text = both!(
+        "the shaft turns in mode '{present}'; '{wanted}' is selected at standstill only",
+        "die Welle dreht in der Betriebsart '{present}'; '{wanted}' wird nur im Stillstand gewählt",
+        present = present.unwrap_or_else(|| Text::name("?")),
+        wanted = mode.text()
+    );
+    let hint = both!("`statemachine quick-stop` stops it first", "`statemachine quick-stop` hält sie vorher an");
     Err(Failure::new(Class::Forbidden, "forbidden.turning", text).hint(hint))
 }
 
@@ -177,7 +179,7 @@ pub fn watchdog_seconds(family: &Family, raw: i64) -> Decimal {
 /// The value that sets the drive's watchdog to a time: a part of its unit counts as one.
 ///
 /// Refused beyond what the drive takes: a shorter time than was asked for would trip by surprise.
-pub fn watchdog_raw(family: &Family, span: Span, lang: Lang) -> Result<i64, Failure> {
+pub fn watchdog_raw(family: &Family, span: Span) -> Result<i64, Failure> {
     let decimals = watchdog_decimals(family);
     let raw = i64::try_from(span.as_micros().div_ceil(1_000_000 / 10u64.pow(decimals.into()))).unwrap_or(i64::MAX);
     let Some(param) = family.role("watchdog").filter(|param| param.max.is_some_and(|max| raw > max)) else {
@@ -185,10 +187,10 @@ pub fn watchdog_raw(family: &Family, span: Span, lang: Lang) -> Result<i64, Fail
     };
     let (label, given, most) =
         (param.label(), format_decimal(raw, decimals), format_decimal(param.max.unwrap_or(i64::MAX), decimals));
-    let text = match lang {
-        Lang::En => format!("--watchdog {given} s: {label} takes at most {most} s"),
-        Lang::De => format!("--watchdog {given} s: {label} nimmt höchstens {most} s"),
-    };
+    let text = both!(
+        "--watchdog {given} s: {label} takes at most {most} s",
+        "--watchdog {given} s: {label} nimmt höchstens {most} s"
+    );
     Err(Failure::new(Class::Data, "data.range", text).with("param", param.id))
 }
 
@@ -198,77 +200,83 @@ fn watchdog_decimals(family: &Family) -> u8 {
 }
 
 /// What keeps the drive from running, in words, and how one sees it.
-pub fn missing(situation: &Situation, target: &Target, lang: Lang) -> Vec<String> {
+pub fn missing(situation: &Situation, target: &Target) -> Vec<Text> {
     let family = &target.family;
-    let mut missing: Vec<String> = not_obeyed(situation, family, lang).into_iter().collect();
+    let mut missing: Vec<Text> = not_obeyed(situation, family).into_iter().collect();
     let lacking = family.motion.interlocks.iter().filter(|row| situation.lacks(row, family));
-    missing.extend(lacking.filter_map(|row| situation.told(row, lang)));
-    if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32, lang)) {
-        missing.push(format!("{} {}", fault.key, fault.name));
+    missing.extend(lacking.filter_map(|row| situation.told(row)));
+    if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32)) {
+        missing.push(fault.told());
     }
     missing
 }
 
-fn not_obeyed(situation: &Situation, family: &Family, lang: Lang) -> Option<String> {
+fn not_obeyed(situation: &Situation, family: &Family) -> Option<Text> {
     let (control, mode) = (family.motion.control?, situation.mode?);
     if mode == control.obeys {
         return None;
     }
     let (label, obeys) = (family.role("control-mode")?.label(), control.obeys);
-    Some(match lang {
-        Lang::En => format!("{label} is {mode}: the control word is obeyed only with {obeys} (--take-control)"),
-        Lang::De => format!("{label} ist {mode}: auf das Steuerwort hört der Antrieb nur bei {obeys} (--take-control)"),
-    })
+    Some(both!(
+        "{label} is {mode}: the control word is obeyed only with {obeys} (--take-control)",
+        "{label} ist {mode}: auf das Steuerwort hört der Antrieb nur bei {obeys} (--take-control)"
+    ))
 }
 
 /// The failure to show where the control word is not obeyed; `None` where it is, or where the drive does not say.
-pub fn no_control(situation: &Situation, target: &Target, lang: Lang) -> Option<Failure> {
+pub fn no_control(situation: &Situation, target: &Target) -> Option<Failure> {
     let (control, mode) = (target.family.motion.control?, situation.mode?);
     if mode == control.obeys {
         return None;
     }
     let (label, obeys) = (target.family.role("control-mode")?.label(), control.obeys);
-    let text = match lang {
-        Lang::En => format!("the drive is not controlled by the control word: {label} is {mode}, it must be {obeys}"),
-        Lang::De => format!("der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"),
-    };
-    Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(lang.pick(
+    let text = both!(
+        "the drive is not controlled by the control word: {label} is {mode}, it must be {obeys}",
+        "der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"
+    );
+    Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(both!(
         "--take-control sets it in RAM for the run and gives it back",
-        "--take-control stellt es für den Lauf im RAM um und danach zurück",
+        "--take-control stellt es für den Lauf im RAM um und danach zurück"
     )))
 }
 
+/// The failure to show of a drive that is not commanded by a word.
+pub fn no_control_word() -> Failure {
+    let text = both!("this drive has no control word", "dieser Antrieb hat kein Steuerwort");
+    Failure::new(Class::Data, "data.role", text)
+}
+
 /// The failure to show where the drive has tripped.
-pub fn tripped(family: &Family, code: u32, lang: Lang) -> Failure {
-    let fault = describe::fault(family, code, lang);
-    let told = fault.as_ref().map_or_else(String::new, |fault| format!(": {} {}", fault.key, fault.name));
-    let text = lang.pick("the drive has tripped", "der Antrieb hat abgeschaltet");
-    let failure = Failure::new(Class::Forbidden, "forbidden.fault", format!("{text}{told}"));
+pub fn tripped(family: &Family, code: u32) -> Failure {
+    let fault = describe::fault(family, code);
+    let text = both!("the drive has tripped", "der Antrieb hat abgeschaltet");
+    let text = fault.iter().fold(text, |text, fault| Text::join([&text, &fault.told()], ": "));
+    let failure = Failure::new(Class::Forbidden, "forbidden.fault", text);
     match fault.and_then(|fault| fault.remedy) {
         Some(remedy) => failure.hint(remedy),
         None => failure,
     }
 }
 
-pub(super) fn no_plan(why: &NoPlan, situation: &Situation, family: &Family, lang: Lang) -> Failure {
+pub(super) fn no_plan(why: &NoPlan, situation: &Situation, family: &Family) -> Failure {
     match why {
         NoPlan::Unreachable { from, goal } => {
-            let (from, goal) = (state_name(family, from, lang), state_name(family, goal, lang));
-            let text = match lang {
-                Lang::En => format!("no command leads from '{from}' to '{goal}'"),
-                Lang::De => format!("kein Befehl führt von '{from}' nach '{goal}'"),
-            };
+            let text = both!(
+                "no command leads from '{from}' to '{goal}'",
+                "kein Befehl führt von '{from}' nach '{goal}'",
+                from = state_name(family, from),
+                goal = state_name(family, goal)
+            );
             Failure::new(Class::Forbidden, "forbidden.unreachable", text)
         }
         NoPlan::Missing(needs) => {
             let rows = needs.iter().filter_map(|need| family.motion.interlock(*need));
             // The inputs tell which part of it is missing.
-            let words: Vec<_> =
-                rows.map(|row| situation.told(row, lang).unwrap_or_else(|| row.what.get(lang).to_owned())).collect();
-            let text = format!(
-                "{}: {}",
-                lang.pick("the drive cannot be enabled, missing", "der Antrieb ist nicht freizugeben, es fehlt"),
-                words.join(", ")
+            let words: Vec<_> = rows.map(|row| situation.told(row).unwrap_or_else(|| row.what.clone())).collect();
+            let text = both!(
+                "the drive cannot be enabled, missing: {missing}",
+                "der Antrieb ist nicht freizugeben, es fehlt: {missing}",
+                missing = Text::join(&words, ", ")
             );
             let slugs = needs.iter().map(|need| format!("{need:?}").to_lowercase()).collect::<Vec<_>>();
             Failure::new(Class::Forbidden, "forbidden.interlock", text).with("missing", slugs.join(","))
@@ -276,8 +284,8 @@ pub(super) fn no_plan(why: &NoPlan, situation: &Situation, family: &Family, lang
     }
 }
 
-pub(super) fn state_name<'f>(family: &'f Family, slug: &'f str, lang: Lang) -> &'f str {
-    family.states.iter().find(|row| row.slug == slug).map_or(slug, |row| row.name(lang))
+pub(super) fn state_name(family: &Family, slug: &str) -> Text {
+    family.states.iter().find(|row| row.slug == slug).map_or_else(|| Text::name(slug), DriveState::text)
 }
 
 /// The raw value of the parameter with a role; `None` if the drive refuses it or has none.
@@ -328,6 +336,7 @@ pub(super) async fn ram_set(session: &mut Session<'_>, target: &mut Target, para
 mod tests {
     use super::*;
     use crate::profile::Registry;
+    use crate::text::Lang;
     use std::rc::Rc;
 
     fn family(drive: &str) -> Rc<Family> {
@@ -340,7 +349,7 @@ mod tests {
 
     #[test]
     fn a_watchdog_time_is_never_rounded_down_and_never_off() {
-        let raw = |drive: &str, us: u64| watchdog_raw(&family(drive), Span::from_micros(us), Lang::En).ok();
+        let raw = |drive: &str, us: u64| watchdog_raw(&family(drive), Span::from_micros(us)).ok();
         for (drive, us, expected) in [
             ("acu", 2_000_000, 2),
             ("acu", 2_000_001, 3),
@@ -355,8 +364,7 @@ mod tests {
         for (drive, unit_us) in [("acu", 1_000_000), ("lxm05", 1_000)] {
             let most = family(drive).role("watchdog").unwrap().max.unwrap();
             assert_eq!(raw(drive, most as u64 * unit_us), Some(most), "{drive}");
-            let beyond =
-                watchdog_raw(&family(drive), Span::from_micros(most as u64 * unit_us + 1), Lang::De).unwrap_err();
+            let beyond = watchdog_raw(&family(drive), Span::from_micros(most as u64 * unit_us + 1)).unwrap_err();
             assert_eq!(beyond.code, "data.range", "{drive}");
             assert!(beyond.message.get(Lang::De).contains("höchstens"), "{beyond:?}");
         }
@@ -367,8 +375,7 @@ mod tests {
     #[test]
     fn what_does_not_say_who_controls_it_is_not_refused() {
         let target = |drive: &str| Target::new(1, family(drive));
-        let refused =
-            |drive: &str, mode| no_control(&situation(0, mode), &target(drive), Lang::En).map(|f| f.to_string());
+        let refused = |drive: &str, mode| no_control(&situation(0, mode), &target(drive)).map(|f| f.to_string());
         assert_eq!([refused("acu", None), refused("acu", Some(1)), refused("lxm05", Some(0))], [None, None, None]);
         let text = refused("act", Some(2)).unwrap();
         assert!(text.contains("P.412 is 2, it must be 1"), "{text}");
@@ -380,7 +387,7 @@ mod tests {
     #[test]
     fn only_what_is_missing_is_named() {
         let acu = Target::new(1, family("acu"));
-        let told = |seen: &Situation| missing(seen, &acu, Lang::En);
+        let told = |seen: &Situation| missing(seen, &acu).into_iter().map(|text| text.en).collect::<Vec<_>>();
         // Remote and mains are given: bits 9 and 4.
         let ready = situation(0x0210, Some(1));
         assert_eq!(told(&ready), [""; 0]);
@@ -420,16 +427,16 @@ mod tests {
     #[test]
     fn a_state_without_a_name_is_called_by_its_word() {
         let family = family("acu");
-        assert_eq!(state_name(&family, "fault", Lang::De), "Störung");
-        assert_eq!(state_name(&family, "switched-on", Lang::En), "Switched on");
-        assert_eq!(state_name(&family, "unknown", Lang::En), "unknown");
+        assert_eq!(state_name(&family, "fault").de, "Störung");
+        assert_eq!(state_name(&family, "switched-on").en, "Switched on");
+        assert_eq!(state_name(&family, "unknown"), Text::name("unknown"));
     }
 
     #[test]
     fn a_trip_is_named_with_its_remedy() {
         let acu = family("acu");
-        let known = tripped(&acu, 0x0500, Lang::En);
+        let known = tripped(&acu, 0x0500);
         assert!(known.to_string().starts_with("the drive has tripped: F0500 "), "{known}");
-        assert_eq!(tripped(&acu, 0, Lang::En).to_string(), "the drive has tripped");
+        assert_eq!(tripped(&acu, 0).to_string(), "the drive has tripped");
     }
 }

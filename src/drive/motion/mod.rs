@@ -22,8 +22,8 @@ mod watchdog;
 pub use super::route::Meant;
 pub use before::{Standing, runs_at, standing, upon_enabling};
 pub use look::{
-    Situation, look, may_change_mode, missing, no_control, role_raw, tripped, watchdog_raw, watchdog_seconds, working,
-    working_raw,
+    Situation, look, may_change_mode, missing, no_control, no_control_word, role_raw, tripped, watchdog_raw,
+    watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
 pub use shout::{FirstWord, shout, shout_zero};
@@ -39,7 +39,8 @@ use super::write::{Order, WriteFate};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Permit};
 use crate::outcome::{Change, Setpoint, State, Step, Stop};
-use crate::profile::{Blind, Lang, Mode, Need, Param};
+use crate::profile::{Blind, Mode, Need, Param};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -77,7 +78,6 @@ pub struct Motor<'a, 's> {
     session: &'a mut Session<'s>,
     target: &'a mut Target,
     permit: &'a Permit<gate::Motion>,
-    lang: Lang,
     patience: Span,
     /// A command or setpoint went out, so there is something to stop.
     touched: bool,
@@ -92,7 +92,7 @@ pub struct Motor<'a, 's> {
     /// The word that went out then.
     pub first_word: FirstWord,
     /// Another stop was given than was asked for: which, and why.
-    pub instead: Option<String>,
+    pub instead: Option<Text>,
     /// What looks tell of the shaft of a drive that shows the frequency of its stator.
     sight: Sight,
     /// The encoder that tells without power too, once it was looked for.
@@ -148,7 +148,7 @@ pub struct Motor<'a, 's> {
     /// Setpoint that the stop has set to 0 before it asked for that mode.
     zeroed: Option<u32>,
     /// What is worth knowing besides.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// How a run ended.
@@ -166,7 +166,6 @@ impl<'a, 's> Motor<'a, 's> {
         session: &'a mut Session<'s>,
         target: &'a mut Target,
         permit: &'a Permit<gate::Motion>,
-        lang: Lang,
         patience: Option<Span>,
     ) -> Self {
         let patience = patience.unwrap_or(patience::USUAL);
@@ -178,7 +177,6 @@ impl<'a, 's> Motor<'a, 's> {
             session,
             target,
             permit,
-            lang,
             patience,
             touched: false,
             stops: None,
@@ -239,7 +237,11 @@ impl<'a, 's> Motor<'a, 's> {
     ) -> Ended<T> {
         (self.stops, self.bounded) = (Some(choice), hold);
         let result = catching(work(self)).await.unwrap_or_else(|| {
-            Err(Failure::new(Class::Bug, "bug.panic", "a bug of ours ended the run; the drive was stopped as chosen"))
+            let text = both!(
+                "a bug of ours ended the run; the drive was stopped as chosen",
+                "ein Fehler dieses Programms beendete den Lauf; der Antrieb wurde wie gewählt angehalten"
+            );
+            Err(Failure::new(Class::Bug, "bug.panic", text))
         });
         let because = match &result {
             Ok(_) => "end",
@@ -279,7 +281,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     /// What the drive says now.
     pub async fn look(&mut self) -> Result<Situation, Failure> {
-        let situation = look(self.session, self.target, self.lang).await?;
+        let situation = look(self.session, self.target).await?;
         self.see(&situation.state);
         Ok(situation)
     }
@@ -287,7 +289,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn status(&mut self) -> Result<u32, Failure> {
         let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
         self.shown = Some((status, self.session.now()));
-        let state = describe::state(&self.target.family, status, self.lang).slug;
+        let state = describe::state(&self.target.family, status).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
         self.see(&state);
         self.seen = Some(state);
@@ -325,7 +327,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     async fn state(&mut self) -> Result<State, Failure> {
         let status = self.status().await?;
-        Ok(describe::state(&self.target.family, status, self.lang))
+        Ok(describe::state(&self.target.family, status))
     }
 
     /// What tells whether the shaft moves.
@@ -372,7 +374,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     fn control_word(&self) -> Result<Param, Failure> {
         let param = self.target.family.role("control-word").cloned();
-        param.ok_or_else(|| Failure::new(Class::Data, "data.role", "this drive has no control word"))
+        param.ok_or_else(|| no_control_word())
     }
 
     /// Writes to RAM, where nothing wears out. What is not echoed is written again, which changes nothing, as long as
@@ -410,7 +412,7 @@ impl<'a, 's> Motor<'a, 's> {
         self.session.rest(span).await.map_err(|error| match error {
             // No answer was waited for.
             AccessError::Interrupted => {
-                Failure::new(Class::Interrupted, "interrupted", self.lang.pick("interrupted", "unterbrochen"))
+                Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
             }
             error => self.failure(&error),
         })

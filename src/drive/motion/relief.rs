@@ -6,7 +6,8 @@ use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::profile::{Lang, Mode, Param, Takes, Transition};
+use crate::profile::{Mode, Param, Takes, Transition};
+use crate::text::{Text, both};
 use crate::tick::Span;
 
 /// The command of the state machine that an act is; `None` for a setpoint.
@@ -20,8 +21,8 @@ pub(super) fn command_of(act: Relief) -> Option<&'static str> {
 }
 
 /// What comes first where nothing proves that the shaft stands.
-pub fn may_turn(lang: Lang) -> &'static str {
-    lang.pick("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
+pub fn may_turn() -> Text {
+    both!("THE SHAFT MAY STILL TURN", "DIE WELLE KANN NOCH DREHEN")
 }
 
 impl StopChoice {
@@ -88,7 +89,7 @@ impl Motor<'_, '_> {
         let contacts = family.motion.control.map(|control| control.contacts);
         let unheard = |seen: &Option<Situation>, motor: &Self| {
             let seen = seen.as_ref().filter(|seen| seen.mode.is_none() || seen.mode != contacts)?;
-            no_control(seen, motor.target, motor.lang)
+            no_control(seen, motor.target)
         };
         if unheard(&situation, self).is_some() {
             // What was read may be wrong: the stop is not kept back by it, and what proves it is asked anew.
@@ -122,10 +123,10 @@ impl Motor<'_, '_> {
     fn note_instead(&mut self, act: Relief, heard: bool) {
         if act == Relief::Disable && self.first_word.instead && heard {
             let label = self.target.family.role_label("control-mode");
-            self.instead = Some(match self.lang {
-                Lang::En => format!("a quick stop in place of the ramp: {label} was not told in time"),
-                Lang::De => format!("Schnellhalt statt Rampe: {label} wurde nicht rechtzeitig gesagt"),
-            });
+            self.instead = Some(both!(
+                "a quick stop in place of the ramp: {label} was not told in time",
+                "Schnellhalt statt Rampe: {label} wurde nicht rechtzeitig gesagt"
+            ));
         }
     }
 
@@ -137,27 +138,26 @@ impl Motor<'_, '_> {
         let keeps_power = self.word & !starts != 0;
         let why = match act {
             Relief::QuickStop => {
-                Some(self.lang.pick("and contacts know no quick stop", "und Kontakte kennen keinen Schnellhalt"))
+                Some(both!("and contacts know no quick stop", "und Kontakte kennen keinen Schnellhalt"))
             }
             Relief::Disable if self.first_word.instead && !keeps_power => {
-                Some(self.lang.pick("which was not told in time", "was nicht rechtzeitig gesagt wurde"))
+                Some(both!("which was not told in time", "was nicht rechtzeitig gesagt wurde"))
             }
             _ => None,
         };
-        self.instead = why.map(|why| self.opened_instead(why));
+        self.instead = why.map(|why| self.opened_instead(&why));
         let way = if act == Relief::Disable { StopChoice::Ramp } else { StopChoice::Coast };
         self.open_contacts(way, false).await.map(|_state| ())
     }
 
     /// What opening all contacts is in place of the stop that was asked for.
-    fn opened_instead(&self, why: &str) -> String {
+    fn opened_instead(&self, why: &Text) -> Text {
         let label = self.target.family.role_label("control-mode");
-        match self.lang {
-            Lang::En => {
-                format!("{label} is 2, {why}: all contacts were opened, and a shaft that was turning coasts")
-            }
-            Lang::De => format!("{label} ist 2, {why}: alle Kontakte wurden geöffnet, eine drehende Welle läuft aus"),
-        }
+        both!(
+            "{label} is 2, {why}: all contacts were opened, and a shaft that was turning coasts",
+            "{label} ist 2, {why}: alle Kontakte wurden geöffnet, eine drehende Welle läuft aus",
+            why
+        )
     }
 
     /// What proves the stop, and what decides on the word that follows: state and control mode, if both are told. All else
@@ -175,14 +175,14 @@ impl Motor<'_, '_> {
 
     async fn state_and_mode(&mut self) -> Result<Situation, Failure> {
         let status = self.status().await?;
-        let state = describe::state(&self.target.family, status, self.lang).slug;
+        let state = describe::state(&self.target.family, status).slug;
         let mode = working_raw(self.session, self.target, "control-mode").await?;
         Ok(Situation { status, state, mode, ..Situation::default() })
     }
 
     /// Whether the drive was seen without power at the last look since its stop began.
     pub(super) fn is_off(&self) -> bool {
-        let slug = |status| describe::state(&self.target.family, status, self.lang).slug;
+        let slug = |status| describe::state(&self.target.family, status).slug;
         self.stopping && self.shown.is_some_and(|(status, _)| has_power(&slug(status)) == Some(false))
     }
 
@@ -190,18 +190,11 @@ impl Motor<'_, '_> {
     pub(super) fn tell_lost(&mut self, failure: &Failure) {
         let Some((_, at)) = self.shown else { return };
         let ago = self.session.now().since(at).as_millis();
-        self.notes.push(match self.lang {
-            Lang::En => format!(
-                "seen without power {ago} ms before the end; not read after that: {}",
-                failure.message.get(self.lang)
-            ),
-            Lang::De => {
-                format!(
-                    "{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {}",
-                    failure.message.get(self.lang)
-                )
-            }
-        });
+        self.notes.push(both!(
+            "seen without power {ago} ms before the end; not read after that: {why}",
+            "{ago} ms vor dem Ende ohne Strom gesehen; danach nicht gelesen: {why}",
+            why = failure.message
+        ));
     }
 
     /// Sends the word that can only stop, whatever the drive takes it for.
@@ -220,18 +213,18 @@ impl Motor<'_, '_> {
     /// The stop went out, to a drive that others start and stop.
     fn not_obeyed(&self, failure: Failure, seen: &Situation) -> Failure {
         let mut failure = failure;
-        let sent = self.lang.pick(
-            "the stop was sent all the same, but it is not obeyed",
-            "der Halt wurde trotzdem gesendet, aber nicht befolgt",
+        failure.message = both!(
+            "{why}; the stop was sent all the same, but it is not obeyed",
+            "{why}; der Halt wurde trotzdem gesendet, aber nicht befolgt",
+            why = failure.message
         );
-        failure.message = format!("{}; {sent}", failure.message.get(self.lang)).into();
         if ["operation-enabled", "quick-stop-active", "unknown"].contains(&seen.state.as_str()) {
-            failure.message = format!("{}: {}", may_turn(self.lang), failure.message.get(self.lang)).into();
+            failure.message = Text::join([&may_turn(), &failure.message], ": ");
         }
-        failure.hint(self.lang.pick(
+        failure.hint(both!(
             "its enable or start contact, its keypad or the mains stop it; --take-control takes it over for the run",
             "ihn halten Freigabe oder Startkontakt, seine Bedieneinheit oder das Netz an; --take-control übernimmt ihn für \
-             den Lauf",
+             den Lauf"
         ))
     }
 
@@ -279,7 +272,7 @@ impl Motor<'_, '_> {
             None => {
                 // A stop is never refused: it goes out even if the state says that there is nothing to stop.
                 let command = machine.command(slug).cloned();
-                let command = command.ok_or_else(|| Failure::new(Class::Usage, "usage.command", slug.to_owned()))?;
+                let command = command.ok_or_else(|| Failure::new(Class::Usage, "usage.command", Text::name(slug)))?;
                 self.write_control(command.word).await
             }
         }

@@ -8,7 +8,8 @@ use super::{Lever, Motor};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, Setpoint};
-use crate::profile::{Control, Lang, Mode, Movement, Param, Start};
+use crate::profile::{Control, Mode, Movement, Param, Start};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 
 /// How far the ramp may be from its goal and still be there, raw: a source that is added may be an analog one.
@@ -39,15 +40,15 @@ impl Motor<'_, '_> {
                 false => sent.is_err().then_some(shown.1),
             };
             if left.is_some_and(|left| left != 0) {
-                let text = self.lang.pick(
-                    "what stands in the drive would turn the shaft as soon as it is enabled, and cannot be set to 0:",
-                    "was im Antrieb steht, würde die Welle mit der Freigabe drehen und lässt sich nicht auf 0 setzen:",
+                let text = both!(
+                    "what stands in the drive would turn the shaft as soon as it is enabled, and cannot be set to 0: {label}",
+                    "was im Antrieb steht, würde die Welle mit der Freigabe drehen und lässt sich nicht auf 0 setzen: {label}",
+                    label = param.label()
                 );
-                let failure =
-                    Failure::new(Class::Forbidden, "forbidden.standing_setpoint", format!("{text} {}", param.label()));
+                let failure = Failure::new(Class::Forbidden, "forbidden.standing_setpoint", text);
                 return Err(failure.with("param", param.id));
             }
-            self.notes.push(row.told(self.lang));
+            self.notes.push(row.told());
         }
         Ok(())
     }
@@ -67,7 +68,7 @@ impl Motor<'_, '_> {
         {
             // 0 is no mode that could be given back.
             self.engage(selects, value, |old| family.modes.iter().any(|mode| mode.value == Some(old))).await?;
-            self.until_mode(shows, value, mode.name(self.lang)).await?;
+            self.until_mode(shows, value, &mode.text()).await?;
         }
         for preset in &mode.engage {
             self.engage(&family.param_or_unknown(preset.param), preset.value, |_| true).await?;
@@ -75,7 +76,7 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    async fn until_mode(&mut self, shows: &Param, value: i64, name: &str) -> Result<(), Failure> {
+    async fn until_mode(&mut self, shows: &Param, value: i64, name: &Text) -> Result<(), Failure> {
         let wait = self.wait();
         loop {
             self.look_on().await?;
@@ -84,13 +85,14 @@ impl Motor<'_, '_> {
                 return Ok(());
             }
             if wait.is_over(self.session.now()) {
-                let text =
-                    self.lang.pick("the drive does not take the mode", "der Antrieb übernimmt die Betriebsart nicht:");
-                let failure = Failure::new(Class::Forbidden, "forbidden.mode", format!("{text} '{name}'"));
-                return Err(failure.hint(match self.lang {
-                    crate::profile::Lang::En => format!("{} must show {value}", shows.label()),
-                    crate::profile::Lang::De => format!("{} muss {value} zeigen", shows.label()),
-                }));
+                let text = both!(
+                    "the drive does not take the mode '{name}'",
+                    "der Antrieb übernimmt die Betriebsart nicht: '{name}'",
+                    name
+                );
+                let label = shows.label();
+                return Err(Failure::new(Class::Forbidden, "forbidden.mode", text)
+                    .hint(both!("{label} must show {value}", "{label} muss {value} zeigen")));
             }
             self.rest(self.beat()).await?;
         }
@@ -126,10 +128,11 @@ impl Motor<'_, '_> {
         match &given {
             Err(failure) if failure.class == Class::Refused => (self.setpoint, self.again) = (before, None),
             // It counts as written: it may stand in the drive.
-            Err(_) => self.notes.push(match self.lang {
-                Lang::En => format!("whether {} was written is not known", param.label()),
-                Lang::De => format!("ob {} geschrieben wurde, ist unbekannt", param.label()),
-            }),
+            Err(_) => self.notes.push(both!(
+                "whether {label} was written is not known",
+                "ob {label} geschrieben wurde, ist unbekannt",
+                label = param.label()
+            )),
             Ok(()) => {
                 let change = self.changes.iter_mut().find(|change| change.param == param.id);
                 change.into_iter().for_each(|change| change.new = raw);
@@ -185,12 +188,11 @@ impl Motor<'_, '_> {
                 wait.renew(self.session.now());
             }
             if wait.is_over(self.session.now()) {
-                let text = self.lang.pick(
+                let text = both!(
                     "the setpoint is not reached and the actual value does not move any more",
-                    "der Sollwert wird nicht erreicht und der Istwert bewegt sich nicht mehr",
+                    "der Sollwert wird nicht erreicht und der Istwert bewegt sich nicht mehr"
                 );
-                let hint = family.motion.not_reached.get(self.lang);
-                return Err(Failure::new(Class::No, "no.not_reached", text).hint(hint));
+                return Err(Failure::new(Class::No, "no.not_reached", text).hint(family.motion.not_reached.clone()));
             }
             self.rest(self.beat()).await?;
         }
@@ -202,11 +204,11 @@ impl Motor<'_, '_> {
         let param = self.setpoint.as_ref().and_then(|setpoint| family.param(setpoint.param));
         let value = |raw: i64| param.map_or_else(|| raw.to_string(), |param| shown(param, raw));
         let (told, runs_at) = (value(told), value(runs_at));
-        let text = match self.lang {
-            Lang::En => format!("{told} is not reached: by its own limits the drive runs at {runs_at}"),
-            Lang::De => format!("{told} wird nicht erreicht: durch seine Grenzen läuft der Antrieb mit {runs_at}"),
-        };
-        Failure::new(Class::No, "no.not_reached", text).hint(family.motion.not_reached.get(self.lang))
+        let text = both!(
+            "{told} is not reached: by its own limits the drive runs at {runs_at}",
+            "{told} wird nicht erreicht: durch seine Grenzen läuft der Antrieb mit {runs_at}"
+        );
+        Failure::new(Class::No, "no.not_reached", text).hint(family.motion.not_reached.clone())
     }
 
     /// Whether the ramp asks for what the drive will run at, as far as both are known.
@@ -291,7 +293,7 @@ impl Motor<'_, '_> {
     /// then the run is over, before the enable comes back and the shaft runs up by itself.
     async fn look_on(&mut self) -> Result<u32, Failure> {
         let status = self.status().await?;
-        let state = describe::state(&self.target.family, status, self.lang);
+        let state = describe::state(&self.target.family, status);
         match state.slug.as_str() {
             "operation-enabled" => {
                 self.enabled = true;
@@ -303,12 +305,13 @@ impl Motor<'_, '_> {
             slug if slug.starts_with("fault") => return Err(self.fault_failure().await),
             _ if !self.enabled => {}
             _ => {
-                let text = self.lang.pick(
-                    "the drive left the run by itself; it is now",
-                    "der Antrieb ist von selbst ausgestiegen, jetzt:",
+                let text = both!(
+                    "the drive left the run by itself; it is now {state}",
+                    "der Antrieb ist von selbst ausgestiegen, jetzt: {state}",
+                    state = state.name
                 );
                 // Why is asked once the stop is out: the enable may come back meanwhile.
-                return Err(Failure::new(Class::Forbidden, LEFT_RUN, format!("{text} {}", state.name)));
+                return Err(Failure::new(Class::Forbidden, LEFT_RUN, text));
             }
         }
         Ok(status)
@@ -317,7 +320,7 @@ impl Motor<'_, '_> {
     /// Adds to a failure what keeps a drive from running that left the run by itself.
     pub(super) async fn explained(&mut self, failure: Failure) -> Failure {
         let missing = if failure.code == LEFT_RUN { self.missing_now().await } else { Vec::new() };
-        if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
+        if missing.is_empty() { failure } else { failure.hint(Text::join(&missing, "; ")) }
     }
 
     /// Asks now and then who has control. That no answer comes is for the look at the state to judge.
@@ -356,7 +359,7 @@ impl Motor<'_, '_> {
         let taken = control.zip(mode).is_some_and(|(control, mode)| mode != control.obeys);
         if taken {
             let failure = self.taken().await;
-            self.notes.push(failure.message.get(self.lang).to_owned());
+            self.notes.push(failure.message);
         }
         taken
     }
@@ -373,29 +376,19 @@ impl Motor<'_, '_> {
         };
         let label = family.role_label("control-mode");
         let mode = mode.map_or_else(|| "?".to_owned(), |mode| mode.to_string());
-        let text = match (self.lever, self.lang) {
-            (Lever::ControlWord, Lang::En) => {
-                format!(
-                    "control was changed in the run: {label} in force is {mode}, so contacts by the line are not obeyed"
-                )
-            }
-            (Lever::ControlWord, Lang::De) => {
-                format!(
-                    "die Steuerung wurde im Lauf umgestellt: {label} wirkt mit {mode}, Kontakte über die Leitung also nicht"
-                )
-            }
-            (_, Lang::En) => {
-                format!(
-                    "control was taken away in the run: {label} in force is {mode}, so the control word is not obeyed"
-                )
-            }
-            (_, Lang::De) => {
-                format!("die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, das Steuerwort also nicht")
-            }
+        let text = match self.lever {
+            Lever::ControlWord => both!(
+                "control was changed in the run: {label} in force is {mode}, so contacts by the line are not obeyed",
+                "die Steuerung wurde im Lauf umgestellt: {label} wirkt mit {mode}, Kontakte über die Leitung also nicht"
+            ),
+            _ => both!(
+                "control was taken away in the run: {label} in force is {mode}, so the control word is not obeyed",
+                "die Steuerung wurde im Lauf entzogen: {label} wirkt mit {mode}, das Steuerwort also nicht"
+            ),
         };
-        Failure::new(Class::Forbidden, "forbidden.control_taken", text).hint(self.lang.pick(
+        Failure::new(Class::Forbidden, "forbidden.control_taken", text).hint(both!(
             "another data set is active? `dataset` shows it; --take-control takes control in the one that is",
-            "ein anderer Datensatz aktiv? `dataset` zeigt ihn; --take-control übernimmt im aktiven",
+            "ein anderer Datensatz aktiv? `dataset` zeigt ihn; --take-control übernimmt im aktiven"
         ))
     }
 

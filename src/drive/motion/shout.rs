@@ -36,7 +36,7 @@ use crate::exchange::{Answer, Limits, Question};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Event;
-use crate::profile::{Control, DataSets, Family, Lang, Mode, Param, Registry, Sets, Type};
+use crate::profile::{Control, DataSets, Family, Mode, Param, Registry, Sets, Type};
 use crate::text::both;
 use crate::tick::Span;
 use std::rc::Rc;
@@ -285,12 +285,10 @@ async fn first_word(
         return Ok(FirstWord { word: Some(word), instead: false });
     }
     let label = family.role_label("control-mode");
-    session.tell(Event::Note(match session.lang() {
-        Lang::En => {
-            format!("{label} did not tell in time what the control word is: a quick stop in place of the ramp").into()
-        }
-        Lang::De => format!("{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe").into(),
-    }));
+    session.tell(Event::Note(both!(
+        "{label} did not tell in time what the control word is: a quick stop in place of the ramp",
+        "{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"
+    )));
     Ok(FirstWord { word: word_of("quick-stop"), instead: true })
 }
 

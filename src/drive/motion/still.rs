@@ -6,7 +6,8 @@ use super::patience::{FEW, Wait};
 use super::shaft::Watch;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State};
-use crate::profile::{Blind, Lang, Param};
+use crate::profile::{Blind, Param};
+use crate::text::{Text, both};
 use crate::tick::Span;
 
 /// States without power: a stop has done its work.
@@ -111,17 +112,10 @@ impl Motor<'_, '_> {
         if now != Some(false) {
             return Ok(now);
         }
-        let text = match self.lang {
-            Lang::En => {
-                format!("without power; the shaft is watched until it stands, at most {COASTING}; Ctrl-C ends that")
-            }
-            Lang::De => {
-                format!(
-                    "ohne Strom; die Welle wird bis zum Stillstand beobachtet, höchstens {COASTING}; Ctrl-C beendet das"
-                )
-            }
-        };
-        self.session.tell(Event::Note(text.into()));
+        self.session.tell(Event::Note(both!(
+            "without power; the shaft is watched until it stands, at most {COASTING}; Ctrl-C ends that",
+            "ohne Strom; die Welle wird bis zum Stillstand beobachtet, höchstens {COASTING}; Ctrl-C beendet das"
+        )));
         let wait = self.wait().at_most(COASTING);
         self.standstill_within(wait).await
     }
@@ -186,9 +180,12 @@ impl Motor<'_, '_> {
 
     /// The failure to show where the shaft does not come to rest.
     fn still_turning(&self, state: &State) -> Failure {
-        let text =
-            self.lang.pick("the shaft does not come to rest; state", "die Welle kommt nicht zum Stillstand; Zustand");
-        Failure::new(Class::Forbidden, "forbidden.still_turning", format!("{text}: {}", state.name))
+        let text = both!(
+            "the shaft does not come to rest; state: {state}",
+            "die Welle kommt nicht zum Stillstand; Zustand: {state}",
+            state = state.name
+        );
+        Failure::new(Class::Forbidden, "forbidden.still_turning", text)
     }
 
     fn stands(&self, watch: &Watch) -> Option<bool> {
@@ -287,27 +284,25 @@ impl Motor<'_, '_> {
     pub async fn why_unseen(&mut self) -> Unseen {
         let family = self.target.family.clone();
         let Some(stator) = &family.motion.stator else {
-            let why = self.lang.pick("no answer told of its shaft", "keine Antwort sagte etwas von seiner Welle");
-            return Unseen { why: why.to_owned(), as_set: false };
+            let why = both!("no answer told of its shaft", "keine Antwort sagte etwas von seiner Welle");
+            return Unseen { why, as_set: false };
         };
         let ending = if self.sight.by_setting { self.ending().await.ok().flatten() } else { None };
         match ending {
-            Some(row) if self.powered || row.coasts => {
-                Unseen { why: row.name(self.lang).to_owned(), as_set: row.coasts }
-            }
-            _ if !self.powered => Unseen { why: never_powered(self.lang).to_owned(), as_set: false },
-            _ => Unseen { why: stator.early.get(self.lang).to_owned(), as_set: false },
+            Some(row) if self.powered || row.coasts => Unseen { why: row.text(), as_set: row.coasts },
+            _ if !self.powered => Unseen { why: never_powered(), as_set: false },
+            _ => Unseen { why: stator.early.clone(), as_set: false },
         }
     }
 }
 
 /// What is said of the shaft of a drive that had no power at any look: it may coast from before.
-pub(super) fn never_powered(lang: Lang) -> &'static str {
-    lang.pick(
+pub(super) fn never_powered() -> Text {
+    both!(
         "it had no power at any look, and without it nothing tells of its shaft, which may coast from before: look at it; \
          `disable-voltage` and `--on-exit coast` promise no standstill",
         "er war bei jedem Blick ohne Strom, und dann zeigt nichts, ob seine Welle von vorher ausläuft: selbst hinsehen; \
-         `disable-voltage` und `--on-exit coast` versprechen keinen Stillstand",
+         `disable-voltage` und `--on-exit coast` versprechen keinen Stillstand"
     )
 }
 
@@ -315,22 +310,22 @@ pub(super) fn never_powered(lang: Lang) -> &'static str {
 #[derive(Clone, Debug)]
 pub struct Unseen {
     /// In words, with what to do about it.
-    pub why: String,
+    pub why: Text,
     /// The drive is set to coast, so that whoever disables it was given what is set.
     pub as_set: bool,
 }
 
 /// What is said of a shaft without power.
-pub fn coasting(standing: Option<bool>, lang: Lang) -> Option<&'static str> {
+pub fn coasting(standing: Option<bool>) -> Option<Text> {
     match standing {
         Some(true) => None,
-        Some(false) => Some(lang.pick(
+        Some(false) => Some(both!(
             "without power, but the shaft still turns by itself",
-            "ohne Strom, aber die Welle dreht noch von selbst",
+            "ohne Strom, aber die Welle dreht noch von selbst"
         )),
-        None => Some(lang.pick(
+        None => Some(both!(
             "without power: a shaft that was turning coasts; nothing tells when it stands",
-            "ohne Strom: eine Welle, die drehte, läuft aus; nichts zeigt, wann sie steht",
+            "ohne Strom: eine Welle, die drehte, läuft aus; nichts zeigt, wann sie steht"
         )),
     }
 }
@@ -423,8 +418,8 @@ mod tests {
 
     #[test]
     fn what_is_said_of_a_shaft_without_power() {
-        assert_eq!(coasting(Some(true), Lang::En), None);
-        assert!(coasting(Some(false), Lang::En).is_some_and(|text| text.contains("still turns")));
-        assert!(coasting(None, Lang::De).is_some_and(|text| text.contains("nichts zeigt")));
+        assert_eq!(coasting(Some(true)), None);
+        assert!(coasting(Some(false)).is_some_and(|text| text.en.contains("still turns")));
+        assert!(coasting(None).is_some_and(|text| text.de.contains("nichts zeigt")));
     }
 }

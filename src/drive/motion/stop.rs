@@ -5,7 +5,8 @@ use super::still::{STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Stop};
-use crate::profile::{Lang, Mode, StopRow, Takes};
+use crate::profile::{Mode, StopRow, Takes};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 
 mod choice;
@@ -45,9 +46,7 @@ impl Motor<'_, '_> {
         let mut stop =
             Stop { choice: choice.slug(), escalated, because, acknowledged: false, standing: None, state, note };
         if choice == StopChoice::Keep {
-            let text =
-                self.lang.pick("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt");
-            stop.note = Some(text.to_owned());
+            stop.note = Some(both!("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt"));
             return stop;
         }
         let begun = self.begin_to_stop(choice, because == "interrupted");
@@ -150,11 +149,11 @@ impl Motor<'_, '_> {
     fn no_quick_stop(&mut self) -> StopChoice {
         let way = if self.relieving.is_some() { StopChoice::Coast } else { StopChoice::Ramp };
         let (label, slug) = (self.target.family.role_label("control-mode"), way.slug());
-        let text = match self.lang {
-            Lang::En => format!("{label} is 2, and contacts know no quick stop: {slug} in its place"),
-            Lang::De => format!("{label} ist 2, und Kontakte kennen keinen Schnellhalt: stattdessen {slug}"),
-        };
-        self.session.tell(Event::Note(text.clone().into()));
+        let text = both!(
+            "{label} is 2, and contacts know no quick stop: {slug} in its place",
+            "{label} ist 2, und Kontakte kennen keinen Schnellhalt: stattdessen {slug}"
+        );
+        self.session.tell(Event::Note(text.clone()));
         self.instead = Some(text);
         way
     }
@@ -175,19 +174,18 @@ impl Motor<'_, '_> {
                 None => !(proof.owed && self.powered),
             };
         if !off {
-            let text = self.lang.pick(
+            stop.note = Some(both!(
                 "the setpoint is 0; its contacts or its keypad keep the drive enabled",
-                "der Sollwert ist 0; seine Kontakte oder seine Bedieneinheit halten den Antrieb freigegeben",
-            );
-            stop.note = Some(text.to_owned());
+                "der Sollwert ist 0; seine Kontakte oder seine Bedieneinheit halten den Antrieb freigegeben"
+            ));
         } else if self.powered || proof.standing == Some(false) {
-            stop.note = coasting(proof.standing, self.lang).map(str::to_owned);
+            stop.note = coasting(proof.standing);
             if !stop.acknowledged && proof.standing.is_none() && stop.because != "error" {
                 let why = self.why_unseen().await.why;
-                stop.note = stop.note.map(|note| format!("{note}; {why}"));
+                stop.note = stop.note.map(|note| Text::join([&note, &why], "; "));
             }
         } else if proof.standing.is_none() && proof.owed && stop.because != "error" {
-            stop.note = Some(never_powered(self.lang).to_owned());
+            stop.note = Some(never_powered());
         }
         (stop.state, stop.standing) = (Some(proof.state), proof.standing);
         stop
@@ -206,7 +204,7 @@ impl Motor<'_, '_> {
         let watchdog = self.watchdog_note().await;
         stop.note = Some(match &stop.state {
             Some(state) if by_others && has_power(&state.slug) == Some(true) => {
-                format!("{}; {watchdog}", started_by_others(self.lang))
+                Text::join([&started_by_others(), &watchdog], "; ")
             }
             _ => watchdog,
         });
@@ -257,7 +255,8 @@ impl Motor<'_, '_> {
     /// Sends a stop once and waits for what proves it. `hurry`: the state must do, the shaft is not waited for.
     async fn try_stop(&mut self, way: StopChoice, hurry: bool, last: bool) -> Result<Proof, Failure> {
         let Some(row) = self.way_to_stop(way).await else {
-            return Err(Failure::new(Class::Data, "data.stop", format!("no stop '{}'", way.slug())));
+            let text = both!("no stop '{slug}'", "diesen Halt gibt es nicht: '{slug}'", slug = way.slug());
+            return Err(Failure::new(Class::Data, "data.stop", text));
         };
         let state = match self.lever {
             Lever::ControlWord => self.stop_by_commands(&row, last).await?,

@@ -5,8 +5,9 @@ use super::stop::QUICK_STOP;
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, State, Step};
-use crate::profile::{Command, Lang, Need, Transition};
+use crate::outcome::{Event, Fault, State, Step};
+use crate::profile::{Command, Need, Transition};
+use crate::text::{Text, both};
 use crate::tick::Span;
 
 impl Motor<'_, '_> {
@@ -29,7 +30,7 @@ impl Motor<'_, '_> {
         }
         let facts = situation.facts(&family);
         let way = family.machine.plan(&from, goal, &facts);
-        let way = way.map_err(|why| no_plan(&why, &situation, &family, self.lang))?;
+        let way = way.map_err(|why| no_plan(&why, &situation, &family))?;
         if goal != "operation-enabled" && way.iter().any(|transition| transition.to == "operation-enabled") {
             return Err(self.detour(goal));
         }
@@ -70,24 +71,31 @@ impl Motor<'_, '_> {
         self.enabled = false;
         let situation = self.look().await?;
         if situation.state != "fault" {
-            return Err(no_fault(self.lang));
+            return Err(no_fault());
         }
         let machine = self.target.family.machine.clone();
         match machine.transition("fault", "reset").cloned() {
             Some(transition) => {
                 self.pass(&transition).await?;
                 // The numbers of the fault memory are in no source, so this is all there is to show of it.
-                let was = describe::fault(&self.target.family, situation.fault.unwrap_or(0) as u32, self.lang);
+                let was = describe::fault(&self.target.family, situation.fault.unwrap_or(0) as u32);
                 let now = self.look().await?.fault.unwrap_or(0);
-                let now = describe::fault(&self.target.family, now as u32, self.lang);
-                let told = |fault: Option<crate::outcome::Fault>| {
-                    fault.map_or_else(|| "-".to_owned(), |fault| format!("{} {}", fault.key, fault.name))
-                };
+                let now = describe::fault(&self.target.family, now as u32);
+                let told = |fault: Option<Fault>| fault.map_or_else(|| Text::name("-"), |fault| fault.told());
                 let label = self.target.family.role_label("fault");
-                self.notes.push(format!("{label}: {} -> {}", told(was), told(now)));
+                self.notes.push(both!(
+                    "{label}: {was} -> {now}",
+                    "{label}: {was} -> {now}",
+                    was = told(was),
+                    now = told(now)
+                ));
                 Ok(())
             }
-            None => Err(Failure::new(Class::Data, "data.machine", "this drive has no reset")),
+            None => Err(Failure::new(
+                Class::Data,
+                "data.machine",
+                both!("this drive has no reset", "dieser Antrieb hat keine Quittierung"),
+            )),
         }
     }
 
@@ -132,10 +140,11 @@ impl Motor<'_, '_> {
     /// Tells how long the drive still refuses a reset.
     async fn count_down(&mut self, total: u64) -> Result<(), Failure> {
         for done in 0..total {
-            let what = match self.lang {
-                Lang::En => format!("the drive refuses a reset for another {} s", total - done),
-                Lang::De => format!("der Antrieb lässt {} s lang noch keine Quittierung zu", total - done),
-            };
+            let what = both!(
+                "the drive refuses a reset for another {left} s",
+                "der Antrieb lässt {left} s lang noch keine Quittierung zu",
+                left = total - done
+            );
             self.session.tell(Event::Progress { done, total, what });
             self.rest(Span::from_secs(1)).await?;
         }
@@ -143,7 +152,7 @@ impl Motor<'_, '_> {
     }
 
     pub(super) fn demand_control(&mut self, situation: &Situation) -> Result<(), Failure> {
-        match no_control(situation, self.target, self.lang) {
+        match no_control(situation, self.target) {
             Some(failure) => Err(failure),
             None => {
                 self.lever = Lever::ControlWord;
@@ -154,42 +163,43 @@ impl Motor<'_, '_> {
 
     /// Nobody powers a motor only to stop it.
     fn detour(&self, goal: &str) -> Failure {
-        let goal = state_name(&self.target.family, goal, self.lang);
-        let text = match self.lang {
-            Lang::En => format!("'{goal}' is reached only from 'operation enabled', and the drive is not enabled"),
-            Lang::De => format!("'{goal}' geht nur aus 'Betrieb freigegeben', und der Antrieb ist nicht freigegeben"),
-        };
+        let text = both!(
+            "'{goal}' is reached only from 'operation enabled', and the drive is not enabled",
+            "'{goal}' geht nur aus 'Betrieb freigegeben', und der Antrieb ist nicht freigegeben",
+            goal = state_name(&self.target.family, goal)
+        );
         Failure::new(Class::Forbidden, "forbidden.detour", text)
     }
 
     /// Why a state does not come.
     pub(super) async fn stuck(&mut self, state: &State, goal: &str) -> Failure {
-        let goal = state_name(&self.target.family, goal, self.lang).to_owned();
-        let text = match self.lang {
-            Lang::En => format!("the drive stays in '{}' and does not go to '{goal}'", state.name),
-            Lang::De => format!("der Antrieb bleibt in '{}' und geht nicht nach '{goal}'", state.name),
-        };
+        let text = both!(
+            "the drive stays in '{state}' and does not go to '{goal}'",
+            "der Antrieb bleibt in '{state}' und geht nicht nach '{goal}'",
+            state = state.name,
+            goal = state_name(&self.target.family, goal)
+        );
         let missing = self.missing_now().await;
         let failure = Failure::new(Class::Forbidden, "forbidden.interlock", text);
-        if missing.is_empty() { failure } else { failure.hint(missing.join("; ")) }
+        if missing.is_empty() { failure } else { failure.hint(Text::join(&missing, "; ")) }
     }
 
     /// What keeps the drive from running, as far as it can be asked.
-    pub(super) async fn missing_now(&mut self) -> Vec<String> {
+    pub(super) async fn missing_now(&mut self) -> Vec<Text> {
         match self.look().await {
-            Ok(situation) => missing(&situation, self.target, self.lang),
+            Ok(situation) => missing(&situation, self.target),
             Err(_) => Vec::new(),
         }
     }
 
     pub(super) async fn fault_failure(&mut self) -> Failure {
         let code = self.role_raw("fault").await.ok().flatten().unwrap_or(0);
-        tripped(&self.target.family, code as u32, self.lang)
+        tripped(&self.target.family, code as u32)
     }
 }
 
 /// Where nothing is to be reset.
-pub fn no_fault(lang: Lang) -> Failure {
-    let text = lang.pick("there is no fault to reset", "es steht keine Störung an");
+pub fn no_fault() -> Failure {
+    let text = both!("there is no fault to reset", "es steht keine Störung an");
     Failure::new(Class::Forbidden, "forbidden.no_fault", text)
 }

@@ -4,11 +4,12 @@ use super::look::{watchdog_seconds, working_raw};
 use super::{Motor, may_turn};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
-use crate::profile::{Family, Lang, Param};
+use crate::profile::{Family, Param};
+use crate::text::{Text, both};
 
 impl Motor<'_, '_> {
     /// What is to be known of it where the stop was not proven.
-    pub(super) async fn watchdog_note(&mut self) -> String {
+    pub(super) async fn watchdog_note(&mut self) -> Text {
         let changed = self.target.family.role("watchdog").map(|param| param.id);
         let set = self.changes.iter().find(|change| Some(change.param) == changed).map(|change| change.new);
         let raw = match set {
@@ -19,31 +20,31 @@ impl Motor<'_, '_> {
             }
         };
         let family = &self.target.family;
-        let turns = may_turn(self.lang);
         match raw {
-            Some(raw) if raw > 0 => watchdog_words(family, Some(watchdog_seconds(family, raw)), self.lang),
+            Some(raw) if raw > 0 => watchdog_words(family, Some(watchdog_seconds(family, raw))),
             raw => {
-                let known = raw.map(|raw| watchdog_seconds(family, raw));
-                format!("{}: {turns}", watchdog_words(family, known, self.lang))
+                let words = watchdog_words(family, raw.map(|raw| watchdog_seconds(family, raw)));
+                Text::join([&words, &may_turn()], ": ")
             }
         }
     }
 }
 
 /// What the drive's watchdog is set to, and what it does then.
-pub fn watchdog_words(family: &Family, seconds: Option<Decimal>, lang: Lang) -> String {
+pub fn watchdog_words(family: &Family, seconds: Option<Decimal>) -> Text {
     let label = family.role("watchdog").map_or_else(|| "-".to_owned(), Param::label);
-    let does = family.motion.watchdog.get(lang);
-    match (seconds, lang) {
-        (Some(off), Lang::En) if off.raw == 0 => format!("the drive's watchdog ({label}) is off"),
-        (Some(off), Lang::De) if off.raw == 0 => format!("der Watchdog ({label}) ist aus"),
-        (Some(on), Lang::En) => {
-            format!("the drive's watchdog ({label}) is {} s: {does}", format_decimal(on.raw, on.decimals))
+    match seconds {
+        Some(off) if off.raw == 0 => {
+            both!("the drive's watchdog ({label}) is off", "der Watchdog ({label}) ist aus")
         }
-        (Some(on), Lang::De) => {
-            format!("der Watchdog ({label}) steht auf {} s: {does}", format_decimal(on.raw, on.decimals))
+        Some(on) => both!(
+            "the drive's watchdog ({label}) is {seconds} s: {does}",
+            "der Watchdog ({label}) steht auf {seconds} s: {does}",
+            seconds = format_decimal(on.raw, on.decimals),
+            does = family.motion.watchdog
+        ),
+        None => {
+            both!("whether the drive's watchdog stops it is not known", "ob der Watchdog abschaltet, ist unbekannt")
         }
-        (None, Lang::En) => "whether the drive's watchdog stops it is not known".to_owned(),
-        (None, Lang::De) => "ob der Watchdog abschaltet, ist unbekannt".to_owned(),
     }
 }

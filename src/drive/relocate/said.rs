@@ -48,7 +48,8 @@ pub(super) fn cannot_follow(port: &str) -> Failure {
 pub(super) fn occupied(place: Place) -> Failure {
     let message = both!(
         "somebody answers at {place} already; nothing was written",
-        "unter {place} antwortet schon jemand; es wurde nichts geschrieben"
+        "unter {place} antwortet schon jemand; es wurde nichts geschrieben",
+        place = place.text()
     );
     Failure::new(Class::Forbidden, "forbidden.occupied", message).hint(both!(
         "choose another address; `antrieb scan` shows them",
@@ -58,7 +59,11 @@ pub(super) fn occupied(place: Place) -> Failure {
 
 /// The drive took the telegram, but is not where it should be.
 pub(super) fn unmoved(place: Place) -> Failure {
-    let message = both!("the drive does not answer at {place}", "der Antrieb antwortet nicht unter {place}");
+    let message = both!(
+        "the drive does not answer at {place}",
+        "der Antrieb antwortet nicht unter {place}",
+        place = place.text()
+    );
     Failure::new(Class::Silence, "silence.not_followed", message)
 }
 
@@ -68,6 +73,7 @@ pub(super) fn left(cause: Failure, how: &Text, place: Place) -> Failure {
         "{why}; the drive answers at {place} ({how})",
         "{why}; der Antrieb antwortet unter {place} ({how})",
         why = cause.message,
+        place = place.text(),
         how
     );
     Failure { message, ..cause }
@@ -75,9 +81,10 @@ pub(super) fn left(cause: Failure, how: &Text, place: Place) -> Failure {
 
 /// A failure that leaves the drive nobody knows where.
 pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&outcome::Place>) -> Failure {
-    let places: Vec<String> = perhaps.iter().map(Place::to_string).collect();
-    let places = Text::by(|lang| places.join(lang.pick(", or ", ", oder ")));
-    let later = after_restart.filter(|later| !perhaps.iter().any(|place| place.to_string() == later.text));
+    let places: Vec<Text> = perhaps.iter().map(|place| place.text()).collect();
+    let later = after_restart.filter(|later| !places.contains(&later.text));
+    let first = places.iter().cloned();
+    let places = first.reduce(|all, place| both!("{all}, or {place}", "{all}, oder {place}", all, place));
     let later = later.map_or_else(Text::default, |later| {
         both!("; after a restart perhaps at {text}", "; nach einem Neustart vielleicht unter {text}", text = later.text)
     });
@@ -85,7 +92,7 @@ pub(super) fn lost(cause: Failure, perhaps: &[Place], after_restart: Option<&out
         "{why}; where the drive is now is not known: look at {places}{later}",
         "{why}; wo der Antrieb jetzt ist, ist unbekannt: zu suchen unter {places}{later}",
         why = cause.message,
-        places,
+        places = places.unwrap_or_default(),
         later
     );
     let class = if cause.class == Class::Port { Class::Port } else { Class::Silence };

@@ -10,7 +10,7 @@ use crate::drive::{describe, recognise};
 use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
-use crate::profile::{Lang, Registry};
+use crate::profile::Registry;
 use crate::text::{Text, both};
 
 /// Characters of the reply to the first question, about.
@@ -33,9 +33,8 @@ pub(super) async fn look(
     registry: &Registry,
     sign: &Sign,
     is_late: bool,
-    lang: Lang,
 ) -> Result<Sight, AccessError> {
-    match describe_drive(session, registry, sign, is_late, lang).await {
+    match describe_drive(session, registry, sign, is_late).await {
         Ok(Some(drive)) => Ok(Sight::Drive(Box::new(drive), is_late.then(|| late(sign)))),
         Ok(None) => Ok(Sight::Nobody),
         Err(AccessError::Exchange(_)) => Ok(Sight::Garbled),
@@ -48,7 +47,6 @@ async fn describe_drive(
     registry: &Registry,
     sign: &Sign,
     is_late: bool,
-    lang: Lang,
 ) -> Result<Option<FoundDrive>, AccessError> {
     let address = sign.station;
     let first = match &sign.said {
@@ -81,12 +79,12 @@ async fn describe_drive(
         Some(word) => Some(word),
         None => read(&mut target, session, "status-word").await?,
     };
-    found.state = status.map(|word| describe::state(&target.family, word, lang));
+    found.state = status.map(|word| describe::state(&target.family, word));
     // Who is in no fault has none; a drive that takes long to answer is spared the question.
     let may_have_one = found.state.as_ref().is_none_or(|state| state.slug.contains("fault") || state.slug == "unknown");
     let fault = if may_have_one { read(&mut target, session, "fault").await? } else { None };
-    let fault = fault.and_then(|code| describe::fault(&target.family, code, lang));
-    found.fault = fault.map(|fault| format!("{} {}", fault.key, fault.name));
+    let fault = fault.and_then(|code| describe::fault(&target.family, code));
+    found.fault = fault.map(|fault| fault.told());
     Ok(Some(found))
 }
 

@@ -12,7 +12,7 @@ use crate::exchange::News;
 use crate::exchange::survey::{Attendance, Patience, Sign, Survey};
 use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive, Warning};
-use crate::profile::{Lang, Registry, Type};
+use crate::profile::{Registry, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Framing;
@@ -72,13 +72,11 @@ pub struct ScanPlan {
     pub before: Vec<Asked>,
     /// Goes on beside another master.
     pub force: bool,
-    /// Language of texts.
-    pub lang: Lang,
 }
 
 impl ScanPlan {
     /// A search at the setting of the session.
-    pub fn new(addresses: impl IntoIterator<Item = u8>, lang: Lang) -> Self {
+    pub fn new(addresses: impl IntoIterator<Item = u8>) -> Self {
         ScanPlan {
             addresses: addresses.into_iter().collect(),
             unknown: Unknown::default(),
@@ -86,7 +84,6 @@ impl ScanPlan {
             until_first: None,
             before: Vec::new(),
             force: false,
-            lang,
         }
     }
 }
@@ -345,7 +342,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             self.session.expect(sign.station, question);
         }
         let is_late = sign.after > window + self.session.line().chars(look::REPLY);
-        look::look(self.session, self.registry, sign, is_late, self.plan.lang).await
+        look::look(self.session, self.registry, sign, is_late).await
     }
 
     fn take(&mut self, index: usize, sign: &Sign, sight: Sight) {
@@ -370,12 +367,8 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let before: usize = self.searched.iter().map(|searched| searched.asked.len()).sum();
         let total: usize = self.searched.iter().map(|searched| searched.total).sum();
         let Some(searched) = self.searched.get(index) else { return };
-        let at = self.plan.lang.pick("address", "Adresse");
-        let what = if self.searched.len() == 1 {
-            format!("{at} {address}")
-        } else {
-            format!("{}, {at} {address}", searched.tuning)
-        };
+        let tuning = if self.searched.len() == 1 { String::new() } else { format!("{}, ", searched.tuning) };
+        let what = both!("{tuning}address {address}", "{tuning}Adresse {address}");
         let done = before + survey.settled(self.session.now()).count();
         self.session.tell(Event::Progress { done: done as u64, total: total as u64, what });
     }

@@ -167,8 +167,7 @@ impl Watch<'_> {
         let family = station.target.as_ref().map(|target| target.family.clone());
         let drive = family.as_ref().map_or_else(|| "unknown".to_owned(), |family| family.drive.clone());
         let values = family.or_else(|| self.terms.usual()).map(|family| {
-            let rows =
-                station.items.iter().flat_map(|item| item.unread(station.address, &family, self.terms.lang(), failure));
+            let rows = station.items.iter().flat_map(|item| item.unread(station.address, &family, failure));
             rows.map(|value| SampleValue { t, value: Value { drive: drive.clone(), ..value } }).collect()
         });
         Sample {
@@ -333,14 +332,13 @@ impl Watch<'_> {
     }
 
     fn watched(&self, station: &Station) -> WatchedDrive {
-        let lang = self.terms.lang();
         let Some(target) = &station.target else {
             // It may turn out to be any drive that we know.
             let mut columns: Vec<Column> = Vec::new();
             for drive in self.terms.registry.drives() {
                 let Some(family) = self.terms.registry.family(&drive.id) else { continue };
                 for item in (self.select)(&family).unwrap_or_default() {
-                    let new = item.columns(&family, lang).into_iter();
+                    let new = item.columns(&family).into_iter();
                     columns.extend(new.filter(|new| !columns.iter().any(|known| known.is_of(new))).collect::<Vec<_>>());
                 }
             }
@@ -349,8 +347,8 @@ impl Watch<'_> {
         WatchedDrive {
             address: station.address,
             drive: target.family.drive.clone(),
-            title: Some(target.family.title.get(lang).to_owned()),
-            columns: station.items.iter().flat_map(|item| item.columns(&target.family, lang)).collect(),
+            title: Some(target.family.title.clone()),
+            columns: station.items.iter().flat_map(|item| item.columns(&target.family)).collect(),
         }
     }
 

@@ -4,7 +4,7 @@ use super::Watch;
 use crate::drive::{Reader, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Column, SampleValue, Value, Warning};
-use crate::profile::{DataSets, Family, Lang, Param, Selection, Store};
+use crate::profile::{DataSets, Family, Param, Selection, Store};
 use crate::tick::Tick;
 
 /// A parameter that is watched in one drive.
@@ -60,9 +60,9 @@ impl Item {
     }
 
     /// The rows of this parameter when it cannot be read.
-    pub(super) fn unread(&self, station: u8, family: &Family, lang: Lang, failure: &Failure) -> Vec<Value> {
+    pub(super) fn unread(&self, station: u8, family: &Family, failure: &Failure) -> Vec<Value> {
         let sets = self.sets.wire().into_iter();
-        sets.map(|set| describe::unread(station, family, &self.param, set, lang, failure)).collect()
+        sets.map(|set| describe::unread(station, family, &self.param, set, failure)).collect()
     }
 }
 
@@ -122,7 +122,6 @@ impl Station {
 
     /// Recognises the drive if that was not done yet, then reads what is watched. A silent drive is not asked further.
     pub(super) async fn read(&mut self, session: &mut Session<'_>, watch: &Watch<'_>) -> Result<Haul, Failure> {
-        let lang = watch.terms.lang();
         if self.target.is_none() {
             let shows_register = self.items.iter().any(|item| item.param.slug == "error-register");
             let target = watch.terms.target(session, self.address, shows_register).await?;
@@ -132,12 +131,12 @@ impl Station {
         let mut haul = Haul { values: Vec::new(), warnings: Vec::new(), failure: None };
         let Some(target) = &mut self.target else { return Ok(haul) };
         let family = target.family.clone();
-        let mut reader = Reader::new(session, target, lang);
+        let mut reader = Reader::new(session, target);
         reader.asked_widths = std::mem::take(&mut self.asked_widths);
         let mut silence: Option<Failure> = None;
         for item in &mut self.items {
             let rows = match silence.as_ref().or(item.refused.as_ref()) {
-                Some(failure) => item.unread(self.address, &family, lang, failure),
+                Some(failure) => item.unread(self.address, &family, failure),
                 None => {
                     let rows = item.read(&mut reader).await?;
                     silence = item.failure.clone().filter(|failure| failure.class == Class::Silence && item.failed);
@@ -157,7 +156,7 @@ impl Station {
 }
 
 impl Item {
-    pub(super) fn columns(&self, family: &Family, lang: Lang) -> Vec<Column> {
+    pub(super) fn columns(&self, family: &Family) -> Vec<Column> {
         let param = &self.param;
         let column = |set: u8| {
             let (data_set, store) = describe::place(set);
@@ -166,7 +165,7 @@ impl Item {
                 data_set,
                 store: describe::kept(store, param),
                 slug: param.slug.clone(),
-                name: param.name(lang).to_owned(),
+                name: param.name.clone(),
                 unit: param.unit.clone(),
                 role: ROLES.into_iter().find(|role| family.role(role).is_some_and(|known| known.id == param.id)),
                 scaled: param.has_scale(),

@@ -1,6 +1,7 @@
 //! Where a catalogue comes from, and where in it something is wrong.
 
 use crate::profile::row::CatalogueRow;
+use crate::text::{Text, both};
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 
@@ -19,6 +20,14 @@ pub struct CatalogueError {
     pub column: usize,
     /// What is wrong and what would be right.
     pub message: String,
+}
+
+impl CatalogueError {
+    /// In words for people; what is wrong with a file of this format is told in English.
+    pub fn text(&self) -> Text {
+        let CatalogueError { path, line, column, message } = self;
+        both!("{path}:{line}:{column}: {message}", "{path}:{line}:{column}: {message}", message = Text::quoted(message))
+    }
 }
 
 /// Where a catalogue comes from.

@@ -7,7 +7,7 @@ mod table;
 
 use super::{Console, Format};
 use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
-use crate::text::{Lang, Text, both};
+use crate::text::{Lang, both};
 use std::io::{self, Write};
 
 /// What is to be printed, and for whom.
@@ -61,7 +61,7 @@ pub fn print_end(outcome: &Outcome, console: &Console) {
             let by = stop.escalated.unwrap_or(stop.choice);
             console.note(&both!("{by}: {proof}", "{by}: {proof}", proof));
         }
-        motion.notes.iter().for_each(|note| console.note(&Text::name(note)));
+        motion.notes.iter().for_each(|note| console.note(note));
     }
     if let Some(failure) = &outcome.failure {
         console.failure(failure);

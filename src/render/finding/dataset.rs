@@ -26,7 +26,7 @@ impl Page {
         let active = dataset.active.map_or_else(|| "?".to_owned(), |set| set.to_string());
         let selection = dataset.selection.as_ref().map_or_else(String::new, |value| {
             let number = value.value.map_or_else(|| "?".to_owned(), |number| shown(number, false));
-            format!("{number} {}", value.text.clone().unwrap_or_default())
+            format!("{number} {}", self.say_or_not(value.text.as_ref()))
         });
         text += &self.pairs(vec![("active set", active), ("selection", selection)]);
         let sets = dataset.rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
@@ -38,7 +38,7 @@ impl Page {
             head.extend(sets.iter().map(String::as_str));
             head.extend(["unit", "equal"]);
             let rows = dataset.rows.iter().map(|row| {
-                let mut cells = vec![row.param.to_string(), row.name.clone()];
+                let mut cells = vec![row.param.to_string(), self.say(&row.name)];
                 cells.extend(row.values.iter().map(|value| match &value.error {
                     None => number(value),
                     Some(error) => error.code.clone(),

@@ -25,13 +25,12 @@ impl Page {
         }
         if let Some(bits) = &decode.word {
             text += &clean(&bits.hex);
-            text += &bits.state.as_ref().map_or_else(String::new, |state| format!(" {}", state.name));
+            text += &bits.state.as_ref().map_or_else(String::new, |state| format!(" {}", self.say(&state.name)));
             text += "\n";
             text += &self.bits(bits);
             let help = bits.bits.iter().filter(|bit| bit.set && bit.help.is_some());
-            let rows: Vec<_> = help
-                .map(|bit| vec![bit.name.clone().unwrap_or_default(), bit.help.clone().unwrap_or_default()])
-                .collect();
+            let rows: Vec<_> =
+                help.map(|bit| vec![self.say_or_not(bit.name.as_ref()), self.say_or_not(bit.help.as_ref())]).collect();
             if !rows.is_empty() {
                 text += "\n";
                 text += &self.table(&["", ""], rows);
@@ -43,16 +42,17 @@ impl Page {
             _ => {}
         }
         if let Some(register) = &decode.register {
-            let mut rows = vec![("error register", format!("{} {}", register.code, register.name))];
-            rows.extend(register.hint.iter().map(|hint| ("hint", hint.clone())));
+            let mut rows = vec![("error register", format!("{} {}", register.code, self.say(&register.name)))];
+            rows.extend(register.hint.iter().map(|hint| ("hint", self.say(hint))));
             text += &self.pairs(rows);
         }
         text
     }
 
     fn telegram(self, doc: &TelegramDoc) -> String {
-        let mut text = self.table(&[""], vec![vec![doc.hex.clone()], vec![doc.meaning.clone()]]);
-        let rows = doc.fields.iter().map(|field| vec![field.hex.clone(), field.name.clone(), field.value.clone()]);
+        let mut text = self.table(&[""], vec![vec![doc.hex.clone()], vec![self.say(&doc.meaning)]]);
+        let rows = doc.fields.iter();
+        let rows = rows.map(|field| vec![field.hex.clone(), self.say(&field.name), self.say(&field.value)]);
         let rows: Vec<_> = rows.collect();
         if !rows.is_empty() {
             text += "\n";

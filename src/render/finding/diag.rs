@@ -24,7 +24,7 @@ impl Page {
         }
         let mut rows = Vec::new();
         if let Some(status) = &report.status {
-            let state = status.state.as_ref().map_or_else(String::new, |state| state.name.clone());
+            let state = self.say_or_not(status.state.as_ref().map(|state| &state.name));
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
         match (&report.fault, report.fault_code) {
@@ -38,15 +38,15 @@ impl Page {
                 rows.push(("warnings", self.word("none").to_owned()));
             }
             for (index, bit) in set.iter().enumerate() {
-                let name = bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit));
-                let help = bit.help.as_ref().map_or_else(String::new, |help| format!(": {help}"));
+                let name = self.bit(bit);
+                let help = bit.help.as_ref().map_or_else(String::new, |help| format!(": {}", self.say(help)));
                 rows.push((if index == 0 { "warnings" } else { "" }, format!("{name}{help}")));
             }
         }
         if let Some(register) = &report.error_register {
             let hint = register.hint.as_ref().filter(|_| register.code != 0);
-            let hint = hint.map_or_else(String::new, |hint| format!(": {hint}"));
-            rows.push(("error register", format!("{} {}{hint}", register.code, register.name)));
+            let hint = hint.map_or_else(String::new, |hint| format!(": {}", self.say(hint)));
+            rows.push(("error register", format!("{} {}{hint}", register.code, self.say(&register.name))));
         }
         rows.extend(self.memory(&report.memory));
         let known = report.watchdog.iter().filter(|value| value.error.is_none());
@@ -60,7 +60,7 @@ impl Page {
         text += &self.pairs(rows);
         let rows = report.counters.iter().map(|counter| {
             let count = counter.count.map_or_else(|| "-".to_owned(), |count| count.to_string());
-            vec![count, counter.name.clone(), counter.help.clone()]
+            vec![count, self.say(&counter.name), self.say(&counter.help)]
         });
         text + "\n" + &self.table(&[">count", "name", "meaning"], rows.collect())
     }
@@ -72,7 +72,7 @@ impl Page {
         }
         let label = |index| if index == 0 { "fault memory" } else { "" };
         let rows = memory.iter().enumerate();
-        rows.map(|(index, value)| (label(index), format!("{}: {}", value.name, self.short(value)))).collect()
+        rows.map(|(index, value)| (label(index), format!("{}: {}", self.say(&value.name), self.short(value)))).collect()
     }
 
     pub(super) fn link(self, link: &LinkTest) -> Vec<(&'static str, String)> {

@@ -18,7 +18,7 @@ impl Page {
     fn motion(self, motion: &Motion) -> String {
         let mut text = self.heading(motion.address, &motion.drive);
         let state = |state: &Option<State>| {
-            state.as_ref().map_or_else(|| self.word("not known").to_owned(), |state| state.name.clone())
+            state.as_ref().map_or_else(|| self.word("not known").to_owned(), |state| self.say(&state.name))
         };
         let mut rows = vec![("state", format!("{} -> {}", state(&motion.from), state(&motion.to)))];
         if let Some(setpoint) = &motion.setpoint {
@@ -53,7 +53,7 @@ impl Page {
                 false if motion.running == Some(false) && stop.standing.is_none() => "standstill NOT proven",
                 false => "NOT acknowledged",
             };
-            let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
+            let note = stop.note.as_ref().map_or_else(String::new, |note| format!("; {}", self.say(note)));
             let by = stop.escalated.map_or_else(String::new, |by| format!(" -> {by}"));
             rows.push((
                 "stop",
@@ -65,14 +65,14 @@ impl Page {
             let shaft = motion.shaft().map_or_else(String::new, |told| format!("; {}", self.word(told)));
             rows.push(("running", format!("{word}{shaft}")));
         }
-        rows.extend(motion.notes.iter().map(|note| ("note", note.clone())));
+        rows.extend(motion.notes.iter().map(|note| ("note", self.say(note))));
         text += &self.pairs(rows);
         let steps = motion.steps.iter().map(|step| {
             vec![
                 step.transition.clone(),
                 step.command.clone().unwrap_or_else(|| "-".to_owned()),
                 step.control.clone().unwrap_or_else(|| "-".to_owned()),
-                step.state.name.clone(),
+                self.say(&step.state.name),
                 format!("{} ms", step.took_ms),
             ]
         });

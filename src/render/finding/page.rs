@@ -1,10 +1,11 @@
 //! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
 
-use crate::outcome::{Decimal, Fault, Value, Word};
+use crate::outcome::{Bit, Decimal, Fault, Value, Word};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::clean;
 use crate::render::words::word;
+use crate::text::Text;
 use comfy_table::{CellAlignment, ContentArrangement, Table};
 
 /// How a page is written.
@@ -18,6 +19,26 @@ pub(in crate::render) struct Page {
 impl Page {
     pub(super) fn word(self, english: &str) -> &str {
         word(self.lang, english)
+    }
+
+    /// A text in the language of the page.
+    pub(super) fn say(self, text: &Text) -> String {
+        text.get(self.lang).to_owned()
+    }
+
+    /// A text that may be missing.
+    pub(super) fn say_or_not(self, text: Option<&Text>) -> String {
+        text.map_or_else(String::new, |text| self.say(text))
+    }
+
+    /// A family, or that nobody knows it.
+    pub(super) fn family(self, drive: &str) -> &str {
+        if drive == "unknown" { self.word(drive) } else { drive }
+    }
+
+    /// What a bit is called; its number where nobody named it.
+    pub(super) fn bit(self, bit: &Bit) -> String {
+        bit.name.as_ref().map_or_else(|| format!("{} {}", self.word("bit"), bit.bit), |name| self.say(name))
     }
 
     pub(super) fn each<T>(self, items: &[T], one: impl Fn(Page, &T) -> String) -> String {
@@ -61,7 +82,7 @@ impl Page {
     }
 
     pub(super) fn heading(self, address: u8, drive: &str) -> String {
-        format!("{} {address} ({})\n", self.word("drive"), clean(drive))
+        format!("{} {address} ({})\n", self.word("drive"), clean(self.family(drive)))
     }
 
     /// One row a value; the address only if there are several drives.
@@ -72,7 +93,7 @@ impl Page {
             row.extend([
                 value.param.to_string(),
                 set_name(value.data_set, value.store),
-                value.name.clone(),
+                self.say(&value.name),
                 number(value),
                 unit(value).to_owned(),
                 self.meaning(value),
@@ -105,13 +126,11 @@ impl Page {
             return error.message.get(self.lang).to_owned();
         }
         let mut parts = Vec::new();
-        parts.extend(value.text.clone());
+        parts.extend(value.text.as_ref().map(|text| self.say(text)));
         if let Some(word) = &value.word {
-            parts.extend(word.state.as_ref().map(|state| state.name.clone()));
+            parts.extend(word.state.as_ref().map(|state| self.say(&state.name)));
             let set = word.bits.iter().filter(|bit| bit.set);
-            let set: Vec<_> = set
-                .map(|bit| bit.name.clone().unwrap_or_else(|| format!("{} {}", self.word("bit"), bit.bit)))
-                .collect();
+            let set: Vec<_> = set.map(|bit| self.bit(bit)).collect();
             parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
         }
         if let Some(expected) = &value.expected {
@@ -127,18 +146,19 @@ impl Page {
     }
 
     pub(super) fn fault(self, fault: &Fault) -> Vec<(&'static str, String)> {
-        let mut rows = vec![("fault", format!("{} {}", fault.key, fault.name))];
-        rows.extend(fault.group.iter().map(|group| ("group", group.clone())));
+        let mut rows = vec![("fault", self.say(&fault.told()))];
+        rows.extend(fault.group.iter().map(|group| ("group", self.say(group))));
         rows.extend(fault.node.iter().map(|node| ("node", node.to_string())));
-        rows.extend(fault.cause.iter().map(|cause| ("cause", cause.clone())));
-        rows.extend(fault.remedy.iter().map(|remedy| ("remedy", remedy.clone())));
+        rows.extend(fault.cause.iter().map(|cause| ("cause", self.say(cause))));
+        rows.extend(fault.remedy.iter().map(|remedy| ("remedy", self.say(remedy))));
         rows
     }
 
     pub(super) fn bits(self, bits: &Word) -> String {
         let rows = bits.bits.iter().map(|bit| {
             let unknown = || self.word("unknown").to_owned();
-            vec![bit.bit.to_string(), u8::from(bit.set).to_string(), bit.name.clone().unwrap_or_else(unknown)]
+            let name = bit.name.as_ref().map_or_else(unknown, |name| self.say(name));
+            vec![bit.bit.to_string(), u8::from(bit.set).to_string(), name]
         });
         self.table(&[">bit", ">value", "name"], rows.collect())
     }

@@ -23,7 +23,7 @@ impl Page {
             vec![
                 param.param.to_string(),
                 param.slug.clone(),
-                param.name.clone(),
+                self.say(&param.name),
                 param.unit.clone().unwrap_or_default(),
                 range(param),
                 param.access.to_owned(),
@@ -37,7 +37,7 @@ impl Page {
         let mut rows = vec![
             ("param", param.param.to_string()),
             ("slug", param.slug.clone()),
-            ("name", param.name.clone()),
+            ("name", self.say(&param.name)),
             ("type", param.kind.unwrap_or("?").to_owned()),
             ("access", param.access.to_owned()),
             ("data sets", param.data_sets.map_or_else(|| "?".to_owned(), |sets| sets.to_string())),
@@ -48,7 +48,7 @@ impl Page {
             rows.push(("range", range(param)));
         }
         rows.extend(param.default.map(|default| ("default", shown(default, false))));
-        rows.extend(param.hazard.map(|hazard| ("hazard", hazard.to_owned())));
+        rows.extend(param.hazard.map(|hazard| ("hazard", self.word(hazard).to_owned())));
         rows.extend(param.module.iter().map(|module| ("module", module.clone())));
         if param.volatile {
             rows.push(("volatile", self.word("yes").to_owned()));
@@ -57,15 +57,15 @@ impl Page {
             rows.push(("note", self.word("after a reset").to_owned()));
         }
         for (index, choice) in param.values.iter().enumerate() {
-            rows.push((if index == 0 { "values" } else { "" }, format!("{} = {}", choice.raw, choice.text)));
+            rows.push((if index == 0 { "values" } else { "" }, format!("{} = {}", choice.raw, self.say(&choice.text))));
         }
         for (index, bit) in param.bits.iter().enumerate() {
             rows.push((
                 if index == 0 { "bits" } else { "" },
-                format!("{} {}", bit.bit, bit.name.clone().unwrap_or_default()),
+                format!("{} {}", bit.bit, self.say_or_not(bit.name.as_ref())),
             ));
         }
-        rows.extend(param.note.iter().map(|note| ("note", note.clone())));
+        rows.extend(param.note.iter().map(|note| ("note", self.say(note))));
         if !param.unconfirmed.is_empty() {
             rows.push(("unconfirmed", param.unconfirmed.join(", ")));
         }

@@ -26,9 +26,9 @@ impl Page {
                 StepResult::Failed => "failed",
                 StepResult::Unknown => "unknown",
             };
-            let text = step.text.clone().unwrap_or_default();
+            let text = self.say_or_not(step.text.as_ref());
             let new = step.raw.to_string();
-            vec![step.param.to_string(), step.name.clone(), old, new, text, self.word(result).to_owned()]
+            vec![step.param.to_string(), self.say(&step.name), old, new, text, self.word(result).to_owned()]
         };
         let steps =
             self.table(&[">param", "name", ">old", ">new", "", "result"], relocation.steps.iter().map(row).collect());
@@ -40,15 +40,15 @@ impl Page {
             RelocationResult::Halfway => "halfway",
             RelocationResult::Lost => "lost",
         };
-        let perhaps: Vec<&str> = relocation.perhaps.iter().map(|place| place.text.as_str()).collect();
+        let perhaps: Vec<&str> = relocation.perhaps.iter().map(|place| place.text.get(self.lang)).collect();
         let mut rows = vec![
-            ("from", relocation.from.text.clone()),
-            ("to", relocation.to.text.clone()),
+            ("from", self.say(&relocation.from.text)),
+            ("to", self.say(&relocation.to.text)),
             ("result", self.word(result).to_owned()),
         ];
-        rows.extend(relocation.now.iter().map(|now| ("answers at", now.text.clone())));
+        rows.extend(relocation.now.iter().map(|now| ("answers at", self.say(&now.text))));
         rows.extend((!perhaps.is_empty()).then(|| ("perhaps at", perhaps.join("; "))));
-        rows.extend(relocation.after_restart.iter().map(|place| ("after a restart", place.text.clone())));
+        rows.extend(relocation.after_restart.iter().map(|place| ("after a restart", self.say(&place.text))));
         rows.extend(relocation.way_back.iter().map(|command| ("way back", command.clone())));
         [heading, steps, self.pairs(rows)].concat()
     }

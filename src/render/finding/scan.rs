@@ -33,10 +33,10 @@ impl Page {
             }
             row.extend([
                 drive.address.to_string(),
-                drive.drive.clone(),
+                self.family(&drive.drive).to_owned(),
                 drive.title.get(self.lang).to_owned(),
-                drive.state.as_ref().map_or_else(String::new, |state| state.name.clone()),
-                drive.fault.clone().unwrap_or_else(|| "-".to_owned()),
+                self.say_or_not(drive.state.as_ref().map(|state| &state.name)),
+                drive.fault.as_ref().map_or_else(|| "-".to_owned(), |fault| self.say(fault)),
                 told,
             ]);
             row

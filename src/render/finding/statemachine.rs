@@ -22,7 +22,7 @@ impl Page {
             return text + &format!("{}\n", clean(error.message.get(self.lang)));
         }
         let mut rows = Vec::new();
-        rows.extend(report.state.iter().map(|state| ("state", state.name.clone())));
+        rows.extend(report.state.iter().map(|state| ("state", self.say(&state.name))));
         let mode = |mode: &Value| format!("P.{} = {} {}", mode.param, number(mode), self.meaning(mode));
         rows.extend(report.control_mode.iter().map(|value| ("control mode", mode(value))));
         rows.extend(report.control_mode_stored.iter().map(|value| ("stored, not in force", mode(value))));
@@ -32,14 +32,14 @@ impl Page {
             (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
         }
         for (index, missing) in report.missing.iter().enumerate() {
-            rows.push((if index == 0 { "missing" } else { "" }, missing.clone()));
+            rows.push((if index == 0 { "missing" } else { "" }, self.say(missing)));
         }
         text += &self.pairs(rows);
         let map = report.states.iter().flat_map(|state| {
             let leads = state.leads.iter().enumerate().map(|(index, lead)| {
-                let name = if index == 0 { state.name.clone() } else { String::new() };
+                let name = if index == 0 { self.say(&state.name) } else { String::new() };
                 let mark = if state.present && index == 0 { ">>" } else { "" };
-                vec![mark.to_owned(), name, lead.clone()]
+                vec![mark.to_owned(), name, self.say(lead)]
             });
             leads.collect::<Vec<_>>()
         });

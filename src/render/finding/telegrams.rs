@@ -36,7 +36,7 @@ impl Page {
     pub(super) fn telegrams(self, docs: &[TelegramDoc]) -> String {
         let rows = docs.iter().map(|doc| {
             let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
-            vec![at, direction(doc).to_owned(), doc.hex.clone(), doc.meaning.clone()]
+            vec![at, direction(doc).to_owned(), doc.hex.clone(), self.say(&doc.meaning)]
         });
         self.table(&[">ms", "", "telegram", "meaning"], rows.collect())
     }

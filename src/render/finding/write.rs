@@ -19,18 +19,19 @@ impl Page {
         let rows = values.iter().map(|row| {
             let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
             let mut remark = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
-            remark = remark.or_else(|| row.text.clone());
-            let mut remark = remark.into_iter().chain(row.note.clone()).collect::<Vec<_>>();
+            remark = remark.or_else(|| row.text.as_ref().map(|text| self.say(text)));
+            let note = row.note.as_ref().map(|note| self.say(note));
+            let mut remark = remark.into_iter().chain(note).collect::<Vec<_>>();
             if row.result == WriteResult::Planned {
                 remark.extend(row.telegram.clone());
-                remark.extend(row.meaning.clone());
+                remark.extend(row.meaning.as_ref().map(|meaning| self.say(meaning)));
             }
             vec![
                 row.address.to_string(),
                 row.param.to_string(),
                 set_name(row.data_set, row.store),
                 row.store.to_owned(),
-                row.name.clone(),
+                self.say(&row.name),
                 old,
                 shown(row.value, false),
                 row.unit.clone().unwrap_or_default(),

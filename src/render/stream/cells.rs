@@ -1,6 +1,6 @@
 //! What all forms for people, and CSV, have in common: columns over all drives, and values as text.
 
-use crate::outcome::{Column, Decimal, Sample, StreamStart, Value};
+use crate::outcome::{Bit, Column, Decimal, Sample, StreamStart, Value};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::words::word;
@@ -40,7 +40,7 @@ impl Board {
         };
         let own =
             short(column).filter(|own| self.columns.iter().filter(|other| short(other) == Some(*own)).count() == 1);
-        let name = own.map_or_else(|| column.name.clone(), |own| word(lang, own).to_owned());
+        let name = own.map_or_else(|| column.name.get(lang).to_owned(), |own| word(lang, own).to_owned());
         if column.data_set > 0 { format!("{name}@{}", column.data_set) } else { name }
     }
 }
@@ -65,9 +65,9 @@ pub(super) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> Strin
     let Some(value) = value else { return GAP.to_owned() };
     match (column.role, value.raw, &value.word, &value.text) {
         (Some("fault" | "warnings"), Some(0), ..) => word(lang, "none").to_owned(),
-        (Some("fault"), _, _, Some(text)) => text.split(' ').next().unwrap_or_default().to_owned(),
+        (Some("fault"), _, _, Some(text)) => text.get(lang).split(' ').next().unwrap_or_default().to_owned(),
         (_, _, Some(word), _) => word.hex.clone(),
-        (_, _, _, Some(text)) => text.clone(),
+        (_, _, _, Some(text)) => text.get(lang).to_owned(),
         (_, Some(raw), ..) if !column.scaled => format!("{} {raw}", word(lang, "raw")),
         _ => number(value),
     }
@@ -77,16 +77,18 @@ pub(super) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> Strin
 pub(super) fn long(column: &Column, value: &Value, lang: Lang) -> String {
     match (column.role, &value.word) {
         (Some("status-word"), Some(status)) => {
-            status.state.as_ref().map_or_else(String::new, |state| state.name.clone())
+            status.state.as_ref().map_or_else(String::new, |state| state.name.get(lang).to_owned())
         }
         (Some("fault"), None) if value.raw == Some(0) => word(lang, "none").to_owned(),
         (_, Some(bits)) if bits.raw == 0 => word(lang, "none").to_owned(),
         (_, Some(bits)) => {
             let set = bits.bits.iter().filter(|bit| bit.set);
-            let names: Vec<_> = set.map(|bit| bit.name.clone().unwrap_or_else(|| format!("bit {}", bit.bit))).collect();
+            let unnamed = |bit: &Bit| format!("{} {}", word(lang, "bit"), bit.bit);
+            let name = |bit: &Bit| bit.name.as_ref().map_or_else(|| unnamed(bit), |name| name.get(lang).to_owned());
+            let names: Vec<_> = set.map(|bit| name(bit)).collect();
             names.join(", ")
         }
-        (_, None) => value.text.clone().unwrap_or_default(),
+        (_, None) => value.text.as_ref().map_or_else(String::new, |text| text.get(lang).to_owned()),
     }
 }
 

@@ -42,7 +42,7 @@ impl<'a> Lines<'a> {
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         let state = match (&sample.state, &sample.error) {
-            (Some(state), _) => state.name.clone(),
+            (Some(state), _) => state.name.get(self.lang).to_owned(),
             (None, Some(_)) => word(self.lang, "gap").to_owned(),
             (None, None) => GAP.to_owned(),
         };

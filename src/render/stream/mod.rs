@@ -90,7 +90,7 @@ impl<'a> Stream<'a> {
             View::Ndjson => Box::new(ndjson::Ndjson::new(out, manner.lang)),
             View::Csv => Box::new(csv::Csv::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
-            View::Telegrams => Box::new(telegrams::Telegrams::new(out)),
+            View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner.lang)),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
             View::Live => Box::new(live::Live::new(live::Terminal::take(out)?, manner)?),
         };
@@ -119,7 +119,7 @@ impl<'a> Stream<'a> {
     fn tell(&mut self, event: Event) -> io::Result<()> {
         let text = match &event {
             Event::Note(text) => text.get(self.manner.lang).to_owned(),
-            Event::Telegram { direction, meaning, .. } => format!("{direction} {meaning}"),
+            Event::Telegram { direction, meaning, .. } => format!("{direction} {}", meaning.get(self.manner.lang)),
             Event::Found(_) | Event::Progress { .. } | Event::Search { .. } | Event::Record(_) => String::new(),
         };
         if !self.form.note(&text)? {

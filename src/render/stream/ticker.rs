@@ -33,7 +33,7 @@ impl<'a> Ticker<'a> {
 
     fn sample(&self, sample: &Sample) -> String {
         let mut parts = vec![match (&sample.state, &sample.error) {
-            (Some(state), _) => state.name.clone(),
+            (Some(state), _) => state.name.get(self.lang).to_owned(),
             (None, Some(error)) => format!("{GAP} {}", error.message.get(self.lang)),
             (None, None) => String::new(),
         }];

@@ -4,6 +4,7 @@ use crate::profile::Registry;
 use crate::profile::value::parse_decimal;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::LAST_STATION;
+use crate::text::{Text, both};
 use crate::tick::Span;
 use std::ops::Range;
 use toml::{Spanned, Value};
@@ -20,6 +21,14 @@ pub struct BenchError {
     pub column: usize,
     /// What is wrong, and what was expected.
     pub message: String,
+}
+
+impl BenchError {
+    /// In words for people; what is wrong with a file of this format is told in English.
+    pub fn text(&self) -> Text {
+        let BenchError { path, line, column, message } = self;
+        both!("{path}:{line}:{column}: {message}", "{path}:{line}:{column}: {message}", message = Text::quoted(message))
+    }
 }
 
 /// Parities that a file can name.

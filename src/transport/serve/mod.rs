@@ -20,6 +20,7 @@ mod tests;
 
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::Bench;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use backlog::Backlog;
 use std::future::Future;
@@ -80,6 +81,25 @@ pub enum ServeError {
         #[source]
         why: io::Error,
     },
+}
+
+impl ServeError {
+    /// In words for people.
+    pub fn text(&self) -> Text {
+        match self {
+            ServeError::Pty(why) => {
+                both!("{self}", "das Pseudoterminal lässt sich nicht anlegen: {why}")
+            }
+            ServeError::Link { path, why } => {
+                let path = path.display();
+                both!("{self}", "der Link {path} lässt sich nicht anlegen: {why}")
+            }
+            ServeError::NotLoopback(addr) => {
+                both!("{self}", "{addr} ist keine Adresse dieses Rechners; erwartet: 127.0.0.1:PORT oder [::1]:PORT")
+            }
+            ServeError::Tcp { addr, why } => both!("{self}", "tcp://{addr} lässt sich nicht öffnen: {why}"),
+        }
+    }
 }
 
 /// A port with a bench behind it.

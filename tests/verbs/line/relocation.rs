@@ -5,7 +5,7 @@ use antrieb::drive::relocate::{Wish, course};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::{Class, Failure};
 use antrieb::outcome::{Event, Relocation, RelocationResult, StepResult};
-use antrieb::profile::{Lang, Registry};
+use antrieb::profile::Registry;
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;
 use antrieb::protocol::modbus::Framing;
@@ -79,7 +79,7 @@ async fn one_move(
     let mut target = Target::new(address, registry.family("acu").unwrap());
     let course = course(session, &mut target, wish).await?;
     course.check_free(session, &mut target).await?;
-    Ok(course.go(session, &mut target, &permit(), Lang::En).await)
+    Ok(course.go(session, &mut target, &permit()).await)
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {
@@ -95,7 +95,7 @@ fn a_factory_fresh_drive_comes_to_modbus_and_moves_on_without_a_remark() {
     for (told, place) in left.told.iter().zip(["rtu 19200 8E1, address 1", "rtu 115200 8O1, address 5"]) {
         let (relocation, failure) = told.as_ref().unwrap();
         assert_eq!((relocation.result, failure), (RelocationResult::Moved, &None));
-        assert_eq!(relocation.now.as_ref().unwrap().text, place);
+        assert_eq!(relocation.now.as_ref().unwrap().text.en, place);
         assert!(relocation.steps.iter().all(|step| step.result == StepResult::Proven));
     }
     let (relocation, _) = left.told[1].as_ref().unwrap();
@@ -187,7 +187,7 @@ fn any_lost_reply_is_made_up_for() {
             let left = play(&bench, protocol, &[wish]);
             let (relocation, failure) = left.only();
             assert_eq!(relocation.result, RelocationResult::Moved, "{once} {wish:?} {failure:?}");
-            assert_eq!(relocation.now.as_ref().unwrap().text, left.drive);
+            assert_eq!(relocation.now.as_ref().unwrap().text.en, left.drive);
         }
     }
 }
@@ -209,9 +209,9 @@ fn wherever_the_cable_is_cut_the_last_word_tells_where_the_drive_is() {
             let drive = &left.drive;
             let text = |place: &antrieb::outcome::Place| place.text.clone();
             match &relocation.now {
-                Some(now) => assert_eq!(&now.text, drive, "{millis} {relocation:?}"),
+                Some(now) => assert_eq!(now.text.en, *drive, "{millis} {relocation:?}"),
                 None => assert!(
-                    relocation.perhaps.iter().any(|place| place.text == *drive),
+                    relocation.perhaps.iter().any(|place| place.text.en == *drive),
                     "{millis} ms: {drive}, told {relocation:?}"
                 ),
             }
@@ -233,7 +233,7 @@ fn a_cable_that_comes_back_leaves_the_drive_at_a_known_place() {
         let left = play(&modbus(&cut), RTU, &[line(115_200, Parity::Odd, 5)]);
         let Ok((relocation, _)) = &left.told[0] else { continue };
         if let Some(now) = &relocation.now {
-            assert_eq!(now.text, left.drive, "{millis} {relocation:?}");
+            assert_eq!(now.text.en, left.drive, "{millis} {relocation:?}");
         }
         if relocation.result == RelocationResult::Restored {
             assert_eq!(left.stored, [Some(4), Some(0)], "{millis}");

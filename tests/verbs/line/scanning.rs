@@ -59,7 +59,7 @@ fn drives(rows: &[(u8, &str)]) -> String {
 }
 
 fn whole_line() -> ScanPlan {
-    ScanPlan::new(1..=247, Lang::En)
+    ScanPlan::new(1..=247)
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn a_late_reply_that_meets_a_question_hides_nobody() {
     let hidden = (282..=320).step_by(2).filter(|&delay| play_late(42, delay, &whole_line()).addresses().len() < 3);
     let hidden: Vec<u64> = hidden.collect();
     assert_eq!(hidden, [290, 312]);
-    let plan = ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(40..=45, Lang::En) };
+    let plan = ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(40..=45) };
     assert_eq!(play_late(42, 290, &plan).addresses(), [42]);
 }
 
@@ -147,7 +147,7 @@ fn plan_again(plan: &ScanPlan) -> ScanPlan {
 
 #[test]
 fn by_the_book_the_judge_has_no_remark() {
-    let plan = ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(1..=30, Lang::En) };
+    let plan = ScanPlan { manner: Manner::Thorough, ..ScanPlan::new(1..=30) };
     let played = play(&drives(&[(1, ""), (17, "reply_delay = \"310ms\"")]), &plan);
     assert_eq!(played.addresses(), [1, 17]);
     assert_eq!(played.remarks, [""; 0]);
@@ -157,7 +157,7 @@ fn by_the_book_the_judge_has_no_remark() {
 #[test]
 fn fast_is_one_time_around() {
     let bench = drives(&[(1, ""), (17, "reply_delay = \"40ms\""), (30, "reply_delay = \"40ms\"")]);
-    let plan = ScanPlan { manner: Manner::Fast, ..ScanPlan::new(1..=30, Lang::En) };
+    let plan = ScanPlan { manner: Manner::Fast, ..ScanPlan::new(1..=30) };
     let played = play(&bench, &plan);
     assert_eq!(played.addresses(), [1, 17], "who is late is credited, but nobody waits for the last one");
     assert!(played.result.searched[0].is_complete());
@@ -173,7 +173,7 @@ fn two_drives_with_one_address_are_named() {
     assert!(played.took < Span::from_secs(11), "{}", played.took);
     // One answers behind the other: both are heard, and the status words differ.
     let other = "reply_delay = \"28ms\"\nset = { \"411\" = \"0x0021\" }";
-    let played = play(&drives(&[(1, ""), (17, ""), (17, other)]), &ScanPlan::new(15..=20, Lang::En));
+    let played = play(&drives(&[(1, ""), (17, ""), (17, other)]), &ScanPlan::new(15..=20));
     assert!(played.warnings().contains(&"scan.same_address"), "{:?}", played.warnings());
 }
 
@@ -181,7 +181,7 @@ fn two_drives_with_one_address_are_named() {
 fn whatever_the_line_does_nobody_is_hidden() {
     for kind in ["late\"\nby = \"150ms", "lost", "garbled", "truncated", "noise", "doubled", "foreign", "echo"] {
         let bench = drives(&[(1, ""), (5, ""), (9, "")]) + &format!("[[disturb]]\nevery = 3\nkind = \"{kind}\"\n");
-        let played = play(&bench, &ScanPlan::new(1..=40, Lang::En));
+        let played = play(&bench, &ScanPlan::new(1..=40));
         let mut found = played.addresses();
         found.sort_unstable();
         assert_eq!(found, [1, 5, 9], "{kind}: {:?}", played.result.warnings);
@@ -191,7 +191,7 @@ fn whatever_the_line_does_nobody_is_hidden() {
 #[test]
 fn an_echoing_line_with_a_late_drive_is_understood() {
     let bench = "[line]\necho = true\n".to_owned() + &drives(&[(1, ""), (5, "reply_delay = \"203ms\"")]);
-    let mut found = play(&bench, &ScanPlan::new(1..=40, Lang::En)).addresses();
+    let mut found = play(&bench, &ScanPlan::new(1..=40)).addresses();
     found.sort_unstable();
     assert_eq!(found, [1, 5]);
 }

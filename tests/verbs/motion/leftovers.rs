@@ -5,7 +5,6 @@ use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look, may_change_mode};
 use antrieb::drive::{Session, Target};
 use antrieb::gate::{Motion, Permit};
-use antrieb::profile::Lang;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
 use serde_json::json;
@@ -19,7 +18,7 @@ fn servo(readings: &str) -> String {
 /// Turns the shaft in the velocity profile at 600 1/min and leaves it so.
 async fn turn(session: &mut Session<'_>, target: &mut Target, permit: &Permit<Motion>) {
     let (mode, param) = (target.family.mode("velocity").unwrap().clone(), target.family.param(6_938).unwrap().clone());
-    let mut motor = Motor::new(session, target, permit, Lang::En, None);
+    let mut motor = Motor::new(session, target, permit, None);
     let ended = motor
         .run(false, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
             motor.prepare(&mode);
@@ -41,13 +40,13 @@ fn a_setpoint_that_stands_in_a_servo_does_not_start_it() {
             &servo(kept),
             async |session, target, permit| {
                 let family = target.family.clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.prepare(family.mode(mode).unwrap());
                 motor.enter().await.unwrap();
                 motor.set(family.param(setpoint).unwrap(), 900).await.unwrap();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.walk("operation-enabled").await.unwrap();
-                let told = motor.notes.join("\n");
+                let told = motor.notes.iter().map(|note| &*note.en).collect::<Vec<_>>().join("\n");
                 let label = family.param(setpoint).unwrap().label();
                 assert!(told.contains(&format!("{label} still stands at 900 1/min")), "{told}");
                 session.rest(Span::from_secs(2)).await.unwrap();
@@ -79,7 +78,7 @@ fn the_ramp_acts_on_the_mode_that_the_drive_shows() {
             async |session, target, permit| {
                 turn(session, target, permit).await;
                 let mode = target.family.mode(wanted).unwrap().clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 let ended = motor
                     .run(true, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
                         motor.walk("operation-enabled").await?;
@@ -110,7 +109,7 @@ fn behind_node_guarding_the_way_out_is_walked_and_everything_given_back() {
                 let (acceleration, param) =
                     (target.family.param(1_556).unwrap().clone(), target.family.param(6_938).unwrap().clone());
                 let mode = target.family.mode("velocity").unwrap().clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 let ended = motor
                     .run(true, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| {
                         motor.change("watchdog", 300).await?;
@@ -148,7 +147,7 @@ fn every_stop_leads_out_of_a_quick_stop_that_stays() {
             async |session, target, permit| {
                 turn(session, target, permit).await;
                 let control = target.family.param(6_914).unwrap().clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.set(&control, 2).await.unwrap();
                 motor.command(slug).await.unwrap();
             },
@@ -243,14 +242,14 @@ fn the_mode_of_a_shaft_that_somebody_else_turns_is_not_changed() {
         async |session, target, permit| {
             turn(session, target, permit).await;
             let family = target.family.clone();
-            let state = look(session, target, Lang::En).await.unwrap().state;
+            let state = look(session, target).await.unwrap().state;
             for mode in ["position", "homing", "current", "speed", "gear", "jog"] {
                 let mode = family.mode(mode).unwrap();
-                let refused = may_change_mode(session, target, &state, mode, Lang::En).await.unwrap_err();
+                let refused = may_change_mode(session, target, &state, mode).await.unwrap_err();
                 assert_eq!((refused.code.as_str(), refused.class.exit()), ("forbidden.turning", 8), "{}", mode.slug);
             }
             let same = family.mode("velocity").unwrap();
-            may_change_mode(session, target, &state, same, Lang::En).await.unwrap();
+            may_change_mode(session, target, &state, same).await.unwrap();
         },
         |bench| assert_eq!(bench.totals().turning, 1, "it is left alone"),
     );

@@ -6,7 +6,7 @@ use antrieb::drive::motion::{Motor, StopChoice, look};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::gate::{Motion, Permit};
 use antrieb::outcome::Event;
-use antrieb::profile::{Lang, Registry};
+use antrieb::profile::Registry;
 use antrieb::transport::Port;
 use serde_json::json;
 
@@ -237,7 +237,7 @@ fn motion_wears_no_eeprom_and_the_judge_has_no_remark() {
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
             for _ in 0..5 {
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 let ended = motor
                     .run(true, StopChoice::QuickStop, async |motor: &mut Motor<'_, '_>| {
                         motor.change("watchdog", 2).await?;
@@ -248,7 +248,7 @@ fn motion_wears_no_eeprom_and_the_judge_has_no_remark() {
                     .await;
                 ended.result.unwrap();
                 assert!(ended.stop.unwrap().acknowledged);
-                let watchdog = look(session, target, Lang::En).await.unwrap().watchdog_s.unwrap();
+                let watchdog = look(session, target).await.unwrap().watchdog_s.unwrap();
                 assert_eq!(watchdog.raw, 0);
             }
         },
@@ -267,7 +267,7 @@ fn a_panic_in_the_work_stops_the_shaft_too() {
         READY,
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             let ended = motor
                 .run(false, StopChoice::QuickStop, async |motor: &mut Motor<'_, '_>| {
                     motor.walk("operation-enabled").await?;
@@ -294,8 +294,8 @@ fn a_dead_line_is_reported_and_the_watchdog_named() {
         dies,
         async |session, target, permit| {
             let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
-            look(session, target, Lang::En).await.unwrap();
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            look(session, target).await.unwrap();
+            let mut motor = Motor::new(session, target, permit, None);
             let ended = motor
                 .run(true, StopChoice::QuickStop, async |motor: &mut Motor<'_, '_>| {
                     motor.walk("operation-enabled").await?;
@@ -305,7 +305,7 @@ fn a_dead_line_is_reported_and_the_watchdog_named() {
                 .await;
             let stop = ended.stop.unwrap();
             assert!(!stop.acknowledged);
-            assert!(stop.note.unwrap().contains("is 1 s: it trips"), "the watchdog is named");
+            assert!(stop.note.unwrap().en.contains("is 1 s: it trips"), "the watchdog is named");
         },
         |bench| assert_eq!(bench.totals().energised, 0, "the drive's own watchdog stopped it"),
     );

@@ -6,7 +6,7 @@ use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::failure::Failure;
 use antrieb::gate::Relief;
 use antrieb::outcome::Event;
-use antrieb::profile::{Lang, Registry};
+use antrieb::profile::Registry;
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
@@ -210,11 +210,11 @@ pub(super) fn held_of(
     // Any permit will do; what a motor does with it is the work's business.
     let permit = Relief::QuickStop.permit();
     let (ended, notes, took) = runtime.block_on(async {
-        let before = look(&mut session, &mut target, Lang::En).await.unwrap();
-        let mut motor = Motor::new(&mut session, &mut target, &permit, Lang::En, None);
+        let before = look(&mut session, &mut target).await.unwrap();
+        let mut motor = Motor::new(&mut session, &mut target, &permit, None);
         motor.controls(&before);
         let ended = motor.run(true, choice, work).await;
-        let notes = motor.notes.clone();
+        let notes = motor.notes.iter().map(|note| note.en.to_string()).collect();
         let took = session.now();
         session.rest(rest).await.unwrap();
         (ended, notes, took)
@@ -290,7 +290,7 @@ fn a_held_run_outlives_what_is_lost_late_or_garbled() {
             });
             assert!(came.ended.result.is_ok(), "{kind}, watchdog {watchdog}: {:?}", came.ended);
             // Looks that come late may miss the short time in which the standstill shows under power: then that is said.
-            let says = came.stop().note.as_ref().is_some_and(|note| note.starts_with("without power"));
+            let says = came.stop().note.as_ref().is_some_and(|note| note.en.starts_with("without power"));
             let proven = came.stop().acknowledged || (kind == "late" && says);
             assert!(proven, "{kind}, watchdog {watchdog}: {:?}", came.ended);
             assert_eq!((came.turning, came.energised), (0, 0));

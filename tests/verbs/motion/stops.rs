@@ -299,7 +299,7 @@ impl Case {
                 let left = [format!("({param}) may still stand"), format!("P.{param} may still stand")];
                 let told = dead
                     && (motion.changed.iter().any(|change| change.param == param && !change.restored)
-                        || motion.notes.iter().any(|note| left.iter().any(|left| note.contains(left))));
+                        || motion.notes.iter().any(|note| left.iter().any(|left| note.en.contains(left))));
                 if drive.ram(param, 0) != fresh.ram(param, 0) && !told {
                     sins.push(format!("{param} was {:?} and is {:?}", fresh.ram(param, 0), drive.ram(param, 0)));
                 }

@@ -5,7 +5,7 @@ use super::stopping::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, he
 use crate::run::antrieb;
 use antrieb::drive::motion::{Meant, Motor, StopChoice, look, may_change_mode, shout_zero};
 use antrieb::gate::Relief;
-use antrieb::profile::{Family, Lang, Mode, Registry};
+use antrieb::profile::{Family, Mode, Registry};
 use antrieb::tick::{Span, Tick};
 use serde_json::json;
 
@@ -109,7 +109,7 @@ fn the_note_of_a_stop_says_why_nothing_was_seen_only_where_that_was_promised() {
         let came = held(&blind(rest), &[], choice, Span::ZERO, async |motor| {
             run_at_20_hz(motor, Some(Span::from_secs(1))).await
         });
-        let note = came.stop().note.clone().unwrap();
+        let note = came.stop().note.clone().unwrap().en;
         assert!(note.starts_with(COASTS), "{choice:?}: {note}");
         assert_eq!(note.contains("P.392 = 0"), why, "{choice:?} {rest}: {note}");
         assert_eq!(note == COASTS, !why, "{choice:?} {rest}: {note}");
@@ -135,7 +135,7 @@ fn the_note_of_a_stop_that_nobody_heard_names_the_watchdog_of_the_run() {
             }
             run_at_20_hz(motor, None).await
         });
-        let note = came.stop().note.clone().unwrap();
+        let note = came.stop().note.clone().unwrap().en;
         assert!(note.contains(says), "{stored} {set:?}: {note}");
         assert_eq!(note.contains("MAY STILL TURN"), turns, "{stored} {set:?}: {note}");
     }
@@ -190,7 +190,7 @@ fn two_drives_at_one_address_are_not_enabled() {
                 differs |= target.read_set(session, &speed, 1).await.is_err();
             }
             assert!(differs);
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             let ended = motor
                 .run(false, StopChoice::Ramp, async |motor: &mut Motor<'_, '_>| motor.walk("operation-enabled").await)
                 .await;
@@ -209,7 +209,7 @@ fn a_quick_stop_walks_the_transitions_of_the_machine() {
         "acu",
         &active,
         async |session, target, permit| {
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             motor.command("quick-stop").await.unwrap();
             let steps: Vec<_> = motor.steps.iter().map(|step| step.transition.as_str()).collect();
             assert_eq!(steps, ["11", "12"]);
@@ -220,7 +220,7 @@ fn a_quick_stop_walks_the_transitions_of_the_machine() {
         "lxm05",
         "[[drive]]\nmodel = \"lxm05\"\n",
         async |session, target, permit| {
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             motor.walk("operation-enabled").await.unwrap();
             let up = motor.steps.len();
             motor.command("quick-stop").await.unwrap();
@@ -246,7 +246,7 @@ fn a_zero_goes_to_the_mode_that_the_drive_shows_and_to_no_other() {
             &servo("RAMPacc = 3000, RAMPdecel = 3000", &format!("readings = {{ {kept} }}")),
             async |session, target, permit| {
                 let family = target.family.clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.set(family.param(other).unwrap(), 700).await.unwrap();
                 motor.prepare(family.mode(slug).unwrap());
                 motor.enter().await.unwrap();
@@ -269,12 +269,12 @@ fn the_mode_of_a_shaft_that_stands_may_be_changed() {
         &servo("RAMPacc = 3000", ""),
         async |session, target, permit| {
             let family = target.family.clone();
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             motor.prepare(family.mode("velocity").unwrap());
             motor.walk("operation-enabled").await.unwrap();
             motor.enter().await.unwrap();
-            let state = look(session, target, Lang::En).await.unwrap().state;
-            may_change_mode(session, target, &state, family.mode("speed").unwrap(), Lang::En).await.unwrap();
+            let state = look(session, target).await.unwrap().state;
+            may_change_mode(session, target, &state, family.mode("speed").unwrap()).await.unwrap();
         },
         |_| {},
     );
@@ -360,7 +360,7 @@ fn a_drive_that_comes_back_after_it_was_given_up_gets_its_stop_and_its_settings(
         &drive(READY, dies).replace("115200", "19200"),
         async |session, target, permit| {
             let family = target.family.clone();
-            let mut motor = Motor::new(session, target, permit, Lang::En, None);
+            let mut motor = Motor::new(session, target, permit, None);
             let ended = motor
                 .run(true, StopChoice::QuickStop, async |motor: &mut Motor<'_, '_>| {
                     motor.change_param(family.param(434).unwrap(), 3).await?;

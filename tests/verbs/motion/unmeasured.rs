@@ -4,7 +4,6 @@ use super::runs::with_motor;
 use super::stopping::{READY, drive};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
-use antrieb::profile::Lang;
 use serde_json::json;
 
 /// An ACTIVE without power, and without an encoder.
@@ -91,15 +90,15 @@ fn an_encoder_shows_a_shaft_that_coasts_from_before() {
             &drive(&format!("{READY}, {set}"), "ramps = { up_right = 50, down_right = 50 }").replace("115200", "19200"),
             async |session, target, permit| {
                 let setpoint = target.family.role("setpoint-frequency").unwrap().clone();
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.walk("operation-enabled").await.unwrap();
                 motor.give(&setpoint, 2_000, "Hz").await.unwrap();
                 motor.until_reached().await.unwrap();
                 motor.command("disable-voltage").await.unwrap();
-                let before = look(session, target, Lang::En).await.unwrap();
+                let before = look(session, target).await.unwrap();
                 assert_eq!(before.state, "switch-on-disabled");
                 assert_eq!(session.bench().unwrap().totals().turning, 1, "it coasts");
-                let mut motor = Motor::new(session, target, permit, Lang::En, None);
+                let mut motor = Motor::new(session, target, permit, None);
                 motor.controls(&before);
                 let ended = motor.run(true, StopChoice::Ramp, async |_: &mut Motor<'_, '_>| Ok(())).await;
                 let stop = ended.stop.unwrap();

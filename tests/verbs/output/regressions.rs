@@ -2,7 +2,7 @@
 
 use crate::run::antrieb;
 use antrieb::drive::{AccessError, Interrupt, Opening, ScanPlan, Session, Target, recognise, scan};
-use antrieb::profile::{DataSets, Lang, Registry};
+use antrieb::profile::{DataSets, Registry};
 use antrieb::protocol::modbus::pdu::Request;
 use antrieb::transport::Port;
 use serde_json::Value;
@@ -129,7 +129,7 @@ fn cause_after(work: impl AsyncFnOnce(&mut Session<'_>, &Registry)) -> i64 {
 fn nothing_but_a_refusal_of_its_own_reads_the_cause_away() {
     assert_eq!(cause_after(async |_, _| {}), 1);
     let scanned = cause_after(async |session, registry| {
-        let plan = ScanPlan::new(vec![1, 2, 3], Lang::En);
+        let plan = ScanPlan::new(vec![1, 2, 3]);
         assert_eq!(scan(session, &plan, registry).await.drives.len(), 2);
     });
     assert_eq!(scanned, 1, "a scan leaves the register of an ACT alone");

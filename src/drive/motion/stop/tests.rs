@@ -4,6 +4,7 @@ use super::super::look::watchdog_seconds;
 use super::super::watchdog_words;
 use super::*;
 use crate::profile::Registry;
+use crate::text::Lang;
 
 #[test]
 fn every_stop_has_its_word_and_a_stronger_one() {
@@ -22,7 +23,9 @@ fn every_stop_has_its_word_and_a_stronger_one() {
 #[test]
 fn what_the_watchdog_does_is_said_with_its_time() {
     let family = Registry::open(&[]).unwrap().family("lxm05").unwrap();
-    let words = |raw: Option<i64>, lang| watchdog_words(&family, raw.map(|raw| watchdog_seconds(&family, raw)), lang);
+    let words = |raw: Option<i64>, lang: Lang| {
+        watchdog_words(&family, raw.map(|raw| watchdog_seconds(&family, raw))).get(lang).to_owned()
+    };
     assert!(words(Some(0), Lang::En).ends_with("is off"), "{}", words(Some(0), Lang::En));
     assert!(words(Some(0), Lang::De).ends_with("ist aus"), "{}", words(Some(0), Lang::De));
     assert!(words(Some(1_500), Lang::En).contains("is 1.500 s: it makes a quick stop"));

@@ -149,7 +149,7 @@ impl Screen {
                 slug if slug.starts_with("fault") => self.tint(Color::Red),
                 _ => Style::new(),
             };
-            spans.push(Span::styled(clean(&state.name), tint.add_modifier(Modifier::BOLD)));
+            spans.push(Span::styled(clean(state.name.get(self.lang)), tint.add_modifier(Modifier::BOLD)));
         }
         for (role, color) in [("fault", Color::Red), ("warnings", Color::Yellow)] {
             let column = drive.about.columns.iter().find(|column| column.role == Some(role));
@@ -190,7 +190,7 @@ impl Screen {
             let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
             Row::new([
                 Text::raw(format!("{}{set}", column.param)).right_aligned(),
-                Text::raw(clean(&column.name)),
+                Text::raw(clean(column.name.get(self.lang))),
                 Text::raw(clean(&shown)).right_aligned(),
                 Text::raw(unit.map_or_else(String::new, |unit| clean(unit))),
                 Text::raw(clean(&text)),

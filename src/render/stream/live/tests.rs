@@ -6,6 +6,7 @@ use super::screen::Screen;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Column, Decimal, ErrorDoc, Record, Sample, SampleValue, State, StreamStart, Value, WatchedDrive};
 use crate::profile::Lang;
+use crate::text::Text;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 
@@ -15,7 +16,7 @@ fn column(param: u32, name: &str, unit: Option<&str>, role: &'static str) -> Col
         data_set: 0,
         store: "ram",
         slug: role.to_owned(),
-        name: name.to_owned(),
+        name: Text::name(name),
         unit: unit.map(str::to_owned),
         role: Some(role),
         scaled: true,
@@ -40,7 +41,9 @@ fn at(second: i64) -> Decimal {
 fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
     let t = at(n as i64);
     let columns = watched(address).columns;
-    let error = raw.is_none().then(|| ErrorDoc::from(&Failure::new(Class::Silence, "silence.no_reply", "no reply")));
+    let error = raw
+        .is_none()
+        .then(|| ErrorDoc::from(&Failure::new(Class::Silence, "silence.no_reply", Text::name("no reply"))));
     let value = |column: Column| Value {
         address,
         node: 0,
@@ -68,7 +71,7 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
         n,
         address,
         drive: "act".to_owned(),
-        state: raw.map(|_| State { slug: "operation-enabled".to_owned(), name: "Operation enabled".to_owned() }),
+        state: raw.map(|_| State { slug: "operation-enabled".to_owned(), name: Text::name("Operation enabled") }),
         values: columns.into_iter().map(|column| SampleValue { t, value: value(column) }).collect(),
         error: error.clone(),
     })
