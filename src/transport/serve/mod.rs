@@ -62,12 +62,12 @@ pub enum ServeError {
     #[error("cannot make a pseudo terminal: {0}")]
     Pty(#[source] io::Error),
     /// The link cannot be made.
-    #[error("cannot make the link {}: {why}", path.display())]
+    #[error("cannot make the link {}: {}", path.display(), why.en)]
     Link {
         /// The link.
         path: PathBuf,
         /// What is in the way.
-        why: String,
+        why: Text,
     },
     /// The address can be reached from outside.
     #[error("{0} is no loopback address; expected 127.0.0.1:PORT or [::1]:PORT")]
@@ -92,7 +92,7 @@ impl ServeError {
             }
             ServeError::Link { path, why } => {
                 let path = path.display();
-                both!("{self}", "der Link {path} lässt sich nicht anlegen: {why}")
+                both!("cannot make the link {path}: {why}", "der Link {path} lässt sich nicht anlegen: {why}", why)
             }
             ServeError::NotLoopback(addr) => {
                 both!("{self}", "{addr} ist keine Adresse dieses Rechners; erwartet: 127.0.0.1:PORT oder [::1]:PORT")

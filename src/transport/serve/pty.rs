@@ -3,6 +3,7 @@
 
 use super::{CHUNK, Change, ServeError};
 use crate::protocol::line::{LineSetting, Parity};
+use crate::text::{Text, both};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -160,14 +161,27 @@ fn is_open(master: &OwnedFd) -> rustix::io::Result<bool> {
 }
 
 fn make_link(slave: &str, link: &Path) -> Result<(), ServeError> {
-    let failed = |why: String| ServeError::Link { path: link.to_owned(), why };
+    let failed = |why: Text| ServeError::Link { path: link.to_owned(), why };
+    // The number of a terminal is given again: one that leads to ours was left over.
+    let lives = std::fs::read_link(link).ok().filter(|target| target.exists() && target != Path::new(slave));
+    if let Some(target) = lives {
+        let target = target.display();
+        return Err(failed(both!(
+            "it leads to {target}, which is in use; another name, or remove it if nobody serves it any more",
+            "er führt zu {target}, und das ist in Gebrauch; einen anderen Namen nehmen, oder ihn löschen, wenn ihn niemand \
+             mehr bedient"
+        )));
+    }
     match std::fs::symlink_metadata(link) {
         Ok(found) if !found.file_type().is_symlink() => {
-            return Err(failed("a file that is no symbolic link is in its place".to_owned()));
+            return Err(failed(both!(
+                "a file that is no symbolic link is in its place",
+                "an seiner Stelle steht eine Datei, die kein symbolischer Link ist"
+            )));
         }
-        Ok(_) => std::fs::remove_file(link).map_err(|error| failed(error.to_string()))?,
+        Ok(_) => std::fs::remove_file(link).map_err(|error| failed(Text::name(error)))?,
         Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-        Err(error) => return Err(failed(error.to_string())),
+        Err(error) => return Err(failed(Text::name(error))),
     }
-    std::os::unix::fs::symlink(slave, link).map_err(|error| failed(error.to_string()))
+    std::os::unix::fs::symlink(slave, link).map_err(|error| failed(Text::name(error)))
 }

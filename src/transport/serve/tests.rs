@@ -111,6 +111,9 @@ fn a_link_names_the_port_and_goes_with_it() {
     let server = Server::open(Place::Pty { link: Some(link.clone()) }).unwrap();
     assert_eq!(server.name(), link.display().to_string());
     assert!(std::fs::read_link(&link).unwrap().exists());
+    let taken = Server::open(Place::Pty { link: Some(link.clone()) }).unwrap_err();
+    assert!(taken.to_string().contains("which is in use"), "{taken}");
+    assert!(std::fs::read_link(&link).unwrap().exists(), "and the link of the first is left alone");
     drop(server);
     assert!(std::fs::symlink_metadata(&link).is_err());
     std::fs::write(&link, "mine").unwrap();
