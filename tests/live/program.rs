@@ -190,11 +190,12 @@ impl Piped {
     }
 }
 
-/// A pipe that is full already, so that who writes to it and waits, waits until somebody reads.
+/// A pipe that is full, whatever it holds, so that who writes to it and waits, waits until the reader is gone.
 pub(crate) fn full_pipe() -> (std::io::PipeReader, std::io::PipeWriter) {
-    let (reader, mut writer) = std::io::pipe().unwrap();
-    // What a pipe holds (pipe(7)), unless somebody took so many that the system gives less: then this waits for ever.
-    writer.write_all(&[b'\n'; 65_536]).unwrap();
+    let (reader, writer) = std::io::pipe().unwrap();
+    let mut filler = writer.try_clone().unwrap();
+    thread::spawn(move || filler.write_all(&[b'\n'; 4 << 20]));
+    thread::sleep(Duration::from_millis(100));
     (reader, writer)
 }
 
