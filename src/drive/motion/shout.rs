@@ -118,22 +118,28 @@ async fn say_to(
             said = first;
         }
     }
-    Ok((said, repeat(session, meant, &words).await?))
+    Ok((said, repeat(session, meant, words.into_iter().map(|word| vec![word]).collect()).await?))
 }
 
-/// Says it until it is acknowledged, or has been said often enough; whether it was refused instead.
-async fn repeat(session: &mut Session<'_>, meant: &Meant, words: &[Question]) -> Result<bool, AccessError> {
+/// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.
+async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Question>>) -> Result<bool, AccessError> {
     let limits = session.limits();
     let mut refused = false;
     session.set_limits(Limits { reply_timeout: SHORT, ..limits });
     for _ in 0..TIMES {
-        for word in words {
-            session.end_at(Some(session.now() + BRIEF));
-            match session.blurt(meant.address, word.clone()).await {
-                Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => return Ok(false),
-                Ok(Answer::Reply { .. }) => refused = true,
-                Err(error) if error.is_fatal() => return Err(error),
-                _ => {}
+        for words in &mut wholes {
+            for word in std::mem::take(words) {
+                session.end_at(Some(session.now() + BRIEF));
+                match session.blurt(meant.address, word.clone()).await {
+                    Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => continue,
+                    Ok(Answer::Reply { .. }) => refused = true,
+                    Err(error) if error.is_fatal() => return Err(error),
+                    _ => {}
+                }
+                words.push(word);
+            }
+            if words.is_empty() {
+                return Ok(false);
             }
         }
     }
@@ -175,8 +181,10 @@ async fn say_zero(
         Some(family) => vec![family.clone()],
         None => presumed(session, registry, meant.address).await?,
     };
-    let mut zeros = Vec::new();
+    let mut wholes = Vec::new();
     for family in &families {
+        // Each acts in its own mode only, so one that is acknowledged is not enough.
+        let mut zeros = Vec::new();
         for mode in acting(session, meant, family, modes(family)).await? {
             if mode.source.is_none() || only_slows(session, meant, family).await? {
                 let param = family.param_or_unknown(mode.setpoint);
@@ -184,9 +192,11 @@ async fn say_zero(
                 zeros.extend(meant.questions(session.protocol(), session.node(), family, inquiry, false));
             }
         }
+        wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
     }
-    repeat(session, meant, &zeros).await?;
-    Ok(!zeros.is_empty())
+    let said = !wholes.is_empty();
+    repeat(session, meant, wholes).await?;
+    Ok(said)
 }
 
 /// Of these modes the one that the drive shows; all, where it shows none.
