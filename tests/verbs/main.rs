@@ -39,7 +39,9 @@ mod line {
 mod motion {
     mod asked_for;
     mod clock;
+    mod counted;
     mod held;
+    mod kept;
     mod leftovers;
     mod question;
     mod relief;

@@ -489,6 +489,8 @@ fn control_that_is_taken_away_ends_the_run_at_once() {
                 .any(|hex| hex.starts_with("01 65 01 E4 00 00 00 00 00 00") || hex.contains("01 E4 00 00 00 00")),
             "{told}"
         );
+        // Whoever has it decides how it is stopped: as contacts, of which those that start open first.
+        assert_eq!(came.sent.iter().any(|hex| hex.starts_with("01 06 01 9A 00 09")), mode == 2, "{told}");
         assert!(came.took < Tick::ZERO + Span::from_secs(16), "{told}");
         assert_eq!(came.turning, 0, "{told}");
     }
