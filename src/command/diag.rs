@@ -95,7 +95,14 @@ fn listed(drives: &[Diagnosis], which: impl Fn(&Diagnosis) -> bool) -> String {
 /// What `--check` says: a drive that does not answer hides no fault of another.
 fn checked(failure: Option<Failure>, faulted: &str, unknown: &str) -> Option<Failure> {
     if faulted.is_empty() {
-        return failure;
+        let untold = || {
+            let message = both!(
+                "nothing tells whether a fault is present at address {unknown}",
+                "nichts sagt, ob bei Adresse {unknown} eine Störung anliegt"
+            );
+            Failure::new(Class::Data, "data.fault_untold", message).with("unknown", unknown)
+        };
+        return failure.or_else(|| (!unknown.is_empty()).then(untold));
     }
     let message = both!("a fault is present at address {faulted}", "eine Störung liegt an bei Adresse {faulted}");
     Some(match failure {

@@ -85,6 +85,11 @@ fn every_other_verb_takes_it_as_it_is() {
     let told = hydra("diag").json().exits(0);
     assert_eq!(told.data("/drives/0/fault_code"), &json!(7));
     assert_eq!(hydra("monitor --duration 300ms").exits(0).err.matches("gaps").count(), 1);
+    // A check that could check nothing has not found that all is well.
+    let silent = PUMPS.replace("[roles]\nfault = 106\n", "");
+    let line = "--catalogue {dir}/silent.toml --drive hydra3 -a 5 diag --check";
+    let untold = antrieb(line).file("silent.toml", &silent).on(BENCH).exits(7);
+    assert!(untold.err.contains("nothing tells whether a fault is present at address 5"), "{}", untold.err);
     let faulted = hydra("diag --check").exits(1);
     assert!(faulted.err.contains("a fault is present at address 5"), "{}", faulted.err);
 }
