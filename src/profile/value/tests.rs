@@ -187,3 +187,8 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn zero_has_no_sign() {
+    assert_eq!([0, -1, 1].map(|raw| format_decimal(raw, 2)), ["0.00", "-0.01", "0.01"]);
+}
