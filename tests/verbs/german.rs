@@ -2,7 +2,7 @@
 //!
 //! Two nets. [`same`]: a text in one language stands alike in both outputs of the same command line, so every word that both
 //! have must be one that both languages have ([`ALIKE`]). [`check`]: no German output of any test has a word that only an English
-//! sentence has ([`ENGLISH`]); every [`Run`](crate::run::Run) with `--lang de` goes through it. Names of commands, options and
+//! sentence has ([`ENGLISH`]); every [`Run`](crate::run::Run) with `--lang de` that ends as it must goes through it. Names of commands, options and
 //! slugs, what a user typed, telegrams and numbers are no words.
 
 use crate::run::antrieb;
@@ -16,7 +16,7 @@ const ENGLISH: &str = "
     do does done down drive drives duplicate each either else empty enabled encoding end ends even every everybody
     everything expected fault faults few field file files finite first float for found frame from full function given
     gives goes gone got had has have he here hint how if illegal integer interrupted into invalid is it its itself
-    just keep keeps key known later least left length less like line literal long lost made make many map may maybe
+    just keeps key known later least left length less like line literal lost made make many map may maybe
     mean means missing mode more most much must named names neither never next no nobody none nor not nothing now
     number numbers of off on once one only open or other our out over own parse parsed part place please question
     questions range refused register registers replies reply row rows said same second seconds see seen sent sequence
@@ -24,7 +24,7 @@ const ENGLISH: &str = "
     stands still string such take taken telegrams tells than that the their them then there these they thing this
     those though three through time times to together told too took turns two unclosed unconfirmed under unexpected
     unit unknown unless unset until up upon used value values variant voltage warning we well were what when where
-    whether which while who whole whom whose why with without word would wrong yes yet you your
+    whether which while who whole whom whose why with without would wrong yes yet you your
 ";
 
 /// Words that both languages have, or that have no language: names, units, standards, words of the catalogue.
@@ -42,14 +42,19 @@ const NAMES: &[&str] =
 /// The words of a page that could be those of a language, in lower case.
 fn words(page: &str) -> BTreeSet<String> {
     let mut words = BTreeSet::new();
-    for line in page.lines().filter(|line| !line.starts_with("$ antrieb") && !line.starts_with("-----")) {
+    // The settings are told by the names that they have in a file.
+    let names = ["$ antrieb", "-----", "Anmerkung: Einstellungen:", "note: settings:"];
+    for line in page.lines().filter(|line| !names.iter().any(|name| line.starts_with(name))) {
         // What is to be typed goes to the end of its line.
         let mut line = line.split("antrieb -").next().unwrap_or_default().to_owned();
         NAMES.iter().for_each(|name| line = line.replace(name, " "));
         for (nth, part) in line.split(['`', '"']).enumerate() {
-            // What stands between backticks is to be typed; between quotation marks, what a device said.
+            // What stands between backticks is to be typed; between quotation marks, what a device or a library said; behind
+            // an option, its value.
             if nth % 2 == 0 {
-                words.extend(part.split(is_blank).filter_map(word));
+                let parts: Vec<&str> = part.split(is_blank).collect();
+                let is_value = |at: usize| at > 0 && parts.get(at - 1).is_some_and(|option| option.starts_with("--"));
+                words.extend((0..parts.len()).filter(|at| !is_value(*at)).filter_map(|at| word(parts[at])));
             }
         }
     }
@@ -145,17 +150,21 @@ const WRONG: &[(u8, &str)] = &[
     (2, "-p sim -a 1 sollwert 25bananas"),
     (2, "-p sim -a 1 sollwert Hz"),
     (2, "-p sim -a 1 sollwert 25Hz --ramp soon"),
-    (2, "-p sim -a 1 monitor --interval 1us 411"),
+    (2, "-p sim -a 1 monitor --interval soon 411"),
     (2, "-p sim -a 1 monitor --count 0 411"),
     (2, "-p sim -a 1 protocol set morse"),
     (2, "-p sim -a 1 protocol set"),
     (2, "-p sim -a 1 line set"),
+    (2, "-p sim -a 1 line"),
+    (2, "-p sim -a 1 protocol"),
+    (2, "-p sim -a 1 dataset"),
+    (2, "decode"),
     (2, "-p sim -a 1 line set --parity mark"),
     (2, "-p sim -a 1 dataset show 372@7"),
     (2, "-p sim -a 1 dataset copy 2 2 372"),
     (2, "-p sim -a 1 dataset copy 2 9 372"),
     (2, "-p sim -a 1 read 372@77"),
-    (2, "-p sim -a 1 read @nogroup"),
+    (7, "-p sim -a 1 read @nogroup"),
     (2, "-p sim -a 1 read 9-3"),
     (7, "-p sim -a 1 read nonsense"),
     (7, "-p sim -a 1 --yes write 480@1=1000"),
@@ -164,7 +173,7 @@ const WRONG: &[(u8, &str)] = &[
     (7, "-p sim -a 1 --yes write 480@1=5kg"),
     (2, "-p sim -a 1 --yes write 480@1"),
     (7, "-p sim -a 1 --yes write 412=nonsense"),
-    (7, "-p sim -a 1 --drive nobody read 411"),
+    (2, "-p sim -a 1 --drive nobody read 411"),
     (2, "decode telegram"),
     (2, "decode telegram xyz"),
     (5, "decode telegram 01"),
@@ -190,8 +199,8 @@ const WRONG: &[(u8, &str)] = &[
     (7, "-p sim -a 1 sollwert --profile {dir}/file --yes"),
     (7, "-p sim -a 1 sollwert --profile {dir}/ramp.csv --yes"),
     (7, "simulate {dir}/file"),
-    (2, "simulate --tcp 10.0.0.1:1"),
-    (7, "params --drive nobody"),
+    (3, "simulate --tcp 10.0.0.1:1"),
+    (2, "params --drive nobody"),
     (3, "-p /dev/antrieb-has-no-such-port scan"),
     (3, "-p tcp://127.0.0.1:1 scan"),
     (4, "-p sim -a 9 read 372"),
@@ -222,4 +231,21 @@ fn what_does_not_work_is_told_in_german_without_an_english_word() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_verb_that_needs_a_word_behind_it_says_which_there_are() {
+    for (line, en, de) in [
+        ("-a 1 line", "expected behind `line`: show, set", "erwartet hinter `line`: show, set"),
+        ("-a 1 protocol", "expected behind `protocol`: show, set", "erwartet hinter `protocol`: show, set"),
+        ("-a 1 dataset", "expected behind `dataset`: show, active", "erwartet hinter `dataset`: show, active"),
+    ] {
+        for (lang, told) in [("en", en), ("de", de)] {
+            let line = format!("-p sim --lang {lang} {line}");
+            let page = antrieb(&line).exits(2);
+            assert!(page.err.contains(told), "{}", page.err);
+            let document = antrieb(&line).json().exits(2);
+            assert!(document.error()["message"].as_str().unwrap().starts_with(told), "{:#}", document.value);
+        }
+    }
 }

@@ -186,7 +186,7 @@ const LEXIUM: &[(&str, Option<&str>, &str, &str)] = &[
         "90 04",
         Some("reply"),
         "refuses function code 16, exception 4 (slave device failure)",
-        "lehnt ab: Funktionscode 16, Ausnahme 4 (slave device failure)",
+        "lehnt ab: Funktionscode 16, Ausnahme 4 (Fehler im Slave)",
     ),
     (
         "AB 0E 03",
