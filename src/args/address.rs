@@ -19,11 +19,10 @@ pub(super) fn parse_node(drive: &str, node: &str) -> Result<u8, Failure> {
     let number = node.trim().parse().ok().filter(|node| (1..=LAST_NODE).contains(node));
     let one = drive.trim().parse::<u8>().is_ok();
     number.filter(|_| one).ok_or_else(|| {
-        let why = both!(
+        bad_setting("address", both!(
             "expected one drive and a node 1 to {LAST_NODE} behind it, such as 3.17; got '{drive}.{node}'",
             "erwartet: ein Antrieb und ein Knoten 1 bis {LAST_NODE} dahinter, etwa 3.17; angegeben: '{drive}.{node}'"
-        );
-        bad_setting("address", &why)
+        ))
     })
 }
 
@@ -37,12 +36,14 @@ pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
             true => Text::default(),
             false => both!(", or one of: {names}", ", oder einer von: {names}", names = names.join(", ")),
         };
-        let expected = both!(
-            "expected addresses such as 1 or 1,2,5-9{known}; got '{text}'",
-            "erwartet: Adressen wie 1 oder 1,2,5-9{known}; angegeben: '{text}'",
-            known
-        );
-        bad_setting("address", &expected)
+        bad_setting(
+            "address",
+            both!(
+                "expected addresses such as 1 or 1,2,5-9{known}; got '{text}'",
+                "erwartet: Adressen wie 1 oder 1,2,5-9{known}; angegeben: '{text}'",
+                known
+            ),
+        )
     };
     let mut list = Vec::new();
     for part in text.split(',').map(str::trim) {
@@ -66,11 +67,13 @@ pub fn parse_addresses(text: &str, names: &[&str]) -> Result<Vec<u8>, Failure> {
 
 fn check_address(address: u32, text: &str) -> Result<(), Failure> {
     if address > LAST_STATION.into() {
-        let why = both!(
-            "expected 0 to {LAST_STATION}, got {address} in '{text}'",
-            "erwartet: 0 bis {LAST_STATION}; angegeben: {address} in '{text}'"
-        );
-        return Err(bad_setting("address", &why));
+        return Err(bad_setting(
+            "address",
+            both!(
+                "expected 0 to {LAST_STATION}, got {address} in '{text}'",
+                "erwartet: 0 bis {LAST_STATION}; angegeben: {address} in '{text}'"
+            ),
+        ));
     }
     Ok(())
 }

@@ -203,7 +203,7 @@ impl<'a> Low<'a> {
             (None, Some((said, origin))) => {
                 let value = parse(said).map_err(|why| {
                     let why: Text = why.into();
-                    bad_setting(name, &both!("{why} ({whence})", "{why} ({whence})", why, whence = origin.name()))
+                    bad_setting(name, both!("{why} ({whence})", "{why} ({whence})", why, whence = origin.name()))
                 })?;
                 (value, origin)
             }

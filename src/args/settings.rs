@@ -93,11 +93,14 @@ impl Settings {
         let (protocol, is_unknown) = protocol(&mut low, &ports)?;
         let line = line(&mut low, protocol)?;
         if node != 0 && protocol != Protocol::Vabus {
-            let why = both!(
-                "a node of the system bus is reached only over VABus",
-                "ein Knoten des Systembusses ist nur über VABus erreichbar"
-            );
-            return Err(bad_setting("address", &why).hint(both!(
+            return Err(bad_setting(
+                "address",
+                both!(
+                    "a node of the system bus is reached only over VABus",
+                    "ein Knoten des Systembusses ist nur über VABus erreichbar"
+                ),
+            )
+            .hint(both!(
                 "add --protocol vabus, or name the drive alone",
                 "--protocol vabus angeben, oder nur den Antrieb nennen"
             )));
@@ -194,21 +197,27 @@ impl Settings {
         if self.ports.len() > 1 {
             let ports: Vec<String> = self.ports.iter().map(ToString::to_string).collect();
             let (count, ports) = (ports.len(), ports.join(", "));
-            let several = both!(
-                "expected one port, got {count}: {ports}",
-                "erwartet: ein Anschluss; angegeben: {count}: {ports}"
-            );
-            return Err(bad_setting("port", &several).hint(both!(
+            return Err(bad_setting(
+                "port",
+                both!(
+                    "expected one port, got {count}: {ports}",
+                    "erwartet: ein Anschluss; angegeben: {count}: {ports}"
+                ),
+            )
+            .hint(both!(
                 "only `scan` works on several ports at once",
                 "nur `scan` arbeitet an mehreren Anschlüssen zugleich"
             )));
         }
         if self.unknown != Unknown::default() {
-            let why = both!(
-                "auto is for `scan`; expected the settings of the line",
-                "auto ist für `scan`; erwartet: die Einstellungen der Leitung"
-            );
-            return Err(bad_setting("auto", &why).hint(both!(
+            return Err(bad_setting(
+                "auto",
+                both!(
+                    "auto is for `scan`; expected the settings of the line",
+                    "auto ist für `scan`; erwartet: die Einstellungen der Leitung"
+                ),
+            )
+            .hint(both!(
                 "`antrieb scan` with auto finds them, and says what to give here",
                 "`antrieb scan` mit auto findet sie und sagt, was hier anzugeben ist"
             )));
@@ -228,11 +237,13 @@ fn timeout(low: &mut Low<'_>) -> Result<Option<Span>, Failure> {
     let said = low.said(|_| None, |file| file.timeout.clone());
     let timeout = low.pick("timeout", low.flags.timeout, said, |text| parse_span(&text))?;
     if timeout.is_some_and(|timeout| timeout < Span::from_millis(1)) {
-        let why = both!(
-            "expected at least 1ms; drives answer not before 10 ms",
-            "erwartet: mindestens 1ms; Antriebe antworten nicht vor 10 ms"
-        );
-        return Err(bad_setting("timeout", &why));
+        return Err(bad_setting(
+            "timeout",
+            both!(
+                "expected at least 1ms; drives answer not before 10 ms",
+                "erwartet: mindestens 1ms; Antriebe antworten nicht vor 10 ms"
+            ),
+        ));
     }
     Ok(timeout)
 }
@@ -251,7 +262,7 @@ fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool), Failu
     let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok::<_, Text>)?;
     let text = text.as_deref();
     let named =
-        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: Wrong| protocol_failure(text, &why.0)));
+        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: Wrong| protocol_failure(text, why.0)));
     let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
     Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO)))
 }
@@ -277,8 +288,7 @@ fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
     line.data_bits = data_bits.unwrap_or(line.data_bits);
     line.stop_bits = stop_bits.unwrap_or(line.stop_bits);
     if protocol == Framing::Rtu.into() && line.data_bits != 8 {
-        let why = both!("RTU needs 8 data bits", "RTU braucht 8 Datenbits");
-        return Err(bad_setting("data_bits", &why)
+        return Err(bad_setting("data_bits", both!("RTU needs 8 data bits", "RTU braucht 8 Datenbits"))
             .hint(both!("7 data bits are for --protocol ascii", "7 Datenbits sind für --protocol ascii")));
     }
     Ok(line)
@@ -311,24 +321,22 @@ fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, 
     let has_gateway = ports.iter().any(|port| matches!(port, Port::Mbtcp(_)));
     let has_line = ports.iter().any(|port| matches!(port, Port::Serial(_) | Port::Rfc2217(_) | Port::Sim(_)));
     match (protocol == tcp, named) {
-        (false, true) if has_gateway => {
-            let why = both!(
+        (false, true) if has_gateway => Err(bad_setting(
+            "protocol",
+            both!(
                 "a gateway (mbtcp://) speaks {tcp}, got {protocol}",
                 "ein Gateway (mbtcp://) spricht {tcp}; angegeben: {protocol}"
-            );
-            Err(bad_setting("protocol", &why).hint(both!(
-                "a device server that passes bytes on as they are is tcp://HOST:PORT",
-                "ein Geräteserver, der Bytes unverändert weitergibt, ist tcp://RECHNER:PORT"
-            )))
-        }
-        (true, _) if has_line => {
-            let why = both!(
-                "{tcp} is not spoken on a serial line",
-                "{tcp} wird auf einer seriellen Leitung nicht gesprochen"
-            );
-            Err(bad_setting("protocol", &why)
-                .hint(both!("name the gateway with -p mbtcp://HOST", "das Gateway mit -p mbtcp://RECHNER nennen")))
-        }
+            ),
+        )
+        .hint(both!(
+            "a device server that passes bytes on as they are is tcp://HOST:PORT",
+            "ein Geräteserver, der Bytes unverändert weitergibt, ist tcp://RECHNER:PORT"
+        ))),
+        (true, _) if has_line => Err(bad_setting(
+            "protocol",
+            both!("{tcp} is not spoken on a serial line", "{tcp} wird auf einer seriellen Leitung nicht gesprochen"),
+        )
+        .hint(both!("name the gateway with -p mbtcp://HOST", "das Gateway mit -p mbtcp://RECHNER nennen"))),
         (false, false) if has_gateway => Ok(tcp),
         _ => Ok(protocol),
     }
@@ -344,8 +352,10 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
     let after = low.pick("rs485_after", low.flags.rs485_after, said, |text| parse_span(&text))?;
     let rs485 = Rs485 { mode, before: before.unwrap_or(Span::ZERO), after: after.unwrap_or(Span::ZERO) };
     if rs485.before.max(rs485.after) > LONGEST_RS485_DELAY {
-        let why = both!("expected at most 100ms", "erwartet: höchstens 100ms");
-        return Err(bad_setting("rs485_before, rs485_after", &why));
+        return Err(bad_setting(
+            "rs485_before, rs485_after",
+            both!("expected at most 100ms", "erwartet: höchstens 100ms"),
+        ));
     }
     Ok(rs485)
 }
@@ -393,7 +403,7 @@ fn replaces_rows(value: &toml::Value) -> bool {
     }
 }
 
-fn protocol_failure(text: &str, why: &Text) -> Failure {
+fn protocol_failure(text: &str, why: Text) -> Failure {
     let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
     let hint = || both!("{text} is not supported by this version", "{text} kann diese Version noch nicht");

@@ -7,7 +7,7 @@ use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
-use crate::text::{Lang, Text, Wrong};
+use crate::text::{Lang, Text, Wrong, both};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -113,7 +113,8 @@ pub(super) fn explain(
         let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
-    let failure = unfit(error, &text);
+    let lacking = lacks_command(error, &words);
+    let failure = lacking.clone().unwrap_or_else(|| unfit(error, &text));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let root = tree();
         let verb = words
@@ -128,7 +129,7 @@ pub(super) fn explain(
         } else {
             render::print(&outcome, verb, Format::Json, lang, None, out, &console)
         };
-    } else if lang == Lang::De {
+    } else if lang == Lang::De || lacking.is_some() {
         console.failure(&failure);
     } else {
         text.lines().for_each(|line| console.line(line));
@@ -137,6 +138,26 @@ pub(super) fn explain(
         }
     }
     Class::Usage.exit()
+}
+
+/// The failure of a verb that needs a word behind it: clap prints its help there, which says neither that it is an error nor
+/// what was expected. `antrieb` alone shows its help.
+fn lacks_command(error: &clap::Error, words: &[Cow<'_, str>]) -> Option<Failure> {
+    use clap::error::ErrorKind::{DisplayHelpOnMissingArgumentOrSubcommand, MissingSubcommand};
+    if !matches!(error.kind(), DisplayHelpOnMissingArgumentOrSubcommand | MissingSubcommand) {
+        return None;
+    }
+    let root = tree();
+    let (path, command) = words.iter().skip(1).fold((String::new(), &root), |(path, command), word| {
+        let inner = command.find_subcommand(word.as_ref());
+        inner.map_or((path.clone(), command), |inner| (format!("{path}{} ", inner.get_name()), inner))
+    });
+    let known: Vec<_> = command.get_subcommands().map(clap::Command::get_name).filter(|name| *name != "help").collect();
+    (!path.is_empty() && !known.is_empty()).then(|| {
+        let (verb, known) = (path.trim_end(), known.join(", "));
+        let message = both!("expected behind `{verb}`: {known}", "erwartet hinter `{verb}`: {known}");
+        Failure::new(Class::Usage, "usage.arguments", message).hint(Text::name(format_args!("antrieb {verb} --help")))
+    })
 }
 
 /// A usage error. clap speaks English; its usual errors are told in German too, the rest as clap tells them.
@@ -182,13 +203,14 @@ fn german(error: &clap::Error) -> Option<String> {
     })
 }
 
-/// Why a value does not do: in our words, or in those of a number that does not do.
+/// Why a value does not do: in our words, in those of a number, or as it was said.
 fn unfit_value(why: &(dyn std::error::Error + 'static)) -> String {
     let told = why.to_string();
     match (why.downcast_ref::<Wrong>(), told.split_once(" is not in ")) {
         (Some(ours), _) => format!(": {}", ours.0.de),
         (None, Some((_, range))) => format!(": erwartet wird eine ganze Zahl in {range}"),
-        (None, None) => ": erwartet wird eine ganze Zahl".to_owned(),
+        (None, None) if why.is::<std::num::ParseIntError>() => ": erwartet wird eine ganze Zahl".to_owned(),
+        (None, None) => format!(": {}", Text::quoted(told).de),
     }
 }
 

@@ -118,9 +118,12 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         let orders = relocate::orders(&wish, context.settings.protocol, &family);
         let mut outcome = plan(context, &family, &orders)?;
         if let Some(Data::Plan(plan)) = &mut outcome.data {
-            plan.notes.push(both!("before them the stored settings are read, and whether somebody answers at the new place already; after \
-                 each the drive is looked for where it can be. What stands there already is not written", "davor werden die gespeicherten Einstellungen gelesen, und ob am neuen Ort schon jemand antwortet; nach \
-                 jedem wird der Antrieb gesucht, wo er sein kann. Was schon so steht, wird nicht geschrieben"));
+            plan.notes.push(both!(
+                "before them the stored settings are read, and whether somebody answers at the new place already; \
+                 after each the drive is looked for where it can be. What stands there already is not written",
+                "davor werden die gespeicherten Einstellungen gelesen, und ob am neuen Ort schon jemand antwortet; \
+                 nach jedem wird der Antrieb gesucht, wo er sein kann. Was schon so steht, wird nicht geschrieben"
+            ));
         }
         return Ok(outcome);
     }
@@ -143,8 +146,11 @@ fn question(course: &Course) -> Question {
     hazards.extend(course.restarts().then_some(Hazard::Reset));
     let title = both!("move the drive to other line settings", "die Leitung des Antriebs umstellen");
     let mut details = course.details();
-    details.push(
-        both!("LINE: the line follows the drive; if it does not answer there, everything is put back as far as it answers here", "LEITUNG: die Leitung folgt dem Antrieb; antwortet er dort nicht, wird alles zurückgestellt, solange er hier antwortet"),
-    );
+    details.push(both!(
+        "LINE: the line follows the drive; if it does not answer there, everything is put back as far as it \
+             answers here",
+        "LEITUNG: die Leitung folgt dem Antrieb; antwortet er dort nicht, wird alles zurückgestellt, solange er \
+             hier antwortet"
+    ));
     Question { hazards, title, details }
 }

@@ -40,7 +40,13 @@ impl<'r> Rehearsal<'r> {
             family.role("control-word").into_iter().for_each(|param| told.read(param, 0));
             if let Some(param) = family.role("control-mode") {
                 let (label, contacts) = (param.label(), control.contacts);
-                told.note(both!("where that word lacks a bit of disable {label} decides: with {contacts} only the start contacts open; where neither is told in time the quick stop goes out in place of disable", "fehlt diesem Wort ein Bit des Sperrens, entscheidet {label}: bei {contacts} öffnen nur die Startkontakte; wird beides nicht rechtzeitig gesagt, geht der Schnellhalt statt des Sperrens hinaus"));
+                told.note(both!(
+                    "where that word lacks a bit of disable {label} decides: with {contacts} only the start contacts \
+                     open; where neither is told in time the quick stop goes out in place of disable",
+                    "fehlt diesem Wort ein Bit des Sperrens, entscheidet {label}: bei {contacts} öffnen nur die \
+                     Startkontakte; wird beides nicht rechtzeitig gesagt, geht der Schnellhalt statt des Sperrens \
+                     hinaus"
+                ));
             }
         }
         if let (Some(command), Some(param)) = (family.machine.command(slug), family.role("control-word")) {
@@ -57,7 +63,12 @@ impl<'r> Rehearsal<'r> {
         let roles = if is_added { ["setpoint-internal", "setpoint-bus"] } else { ["mode-active", ""] };
         roles.into_iter().filter_map(|role| family.role(role)).for_each(|param| told.read(param, 0));
         if is_added {
-            told.note(both!("it goes out at once unless the internal setpoint has the other sign, which would then be left alone; with none, only the first is read", "sie geht sofort hinaus, außer der interne Sollwert hat das andere Vorzeichen und bliebe dann allein übrig; ist er 0, wird nur er gelesen"));
+            told.note(both!(
+                "it goes out at once unless the internal setpoint has the other sign, which would then be left \
+                 alone; with none, only the first is read",
+                "sie geht sofort hinaus, außer der interne Sollwert hat das andere Vorzeichen und bliebe dann allein \
+                 übrig; ist er 0, wird nur er gelesen"
+            ));
         }
         told.write(zero, 0, 0);
         told.goes_first();
@@ -66,7 +77,12 @@ impl<'r> Rehearsal<'r> {
     }
 
     fn goes_first(&mut self) {
-        self.note(both!("what takes motion away goes out first, up to five times until it is acknowledged; then the drive is looked at and the word goes out that fits its state", "was Bewegung wegnimmt, geht zuerst hinaus, bis zu fünfmal, bis es bestätigt ist; dann wird der Antrieb angesehen, und das Wort geht hinaus, das zu seinem Zustand passt"));
+        self.note(both!(
+            "what takes motion away goes out first, up to five times until it is acknowledged; then the drive is \
+             looked at and the word goes out that fits its state",
+            "was Bewegung wegnimmt, geht zuerst hinaus, bis zu fünfmal, bis es bestätigt ist; dann wird der Antrieb \
+             angesehen, und das Wort geht hinaus, das zu seinem Zustand passt"
+        ));
         if self.family.role("word-order").is_some() {
             self.note(both!(
                 "where nobody names the word order, a word that is not 0 goes out in both",
@@ -116,7 +132,12 @@ impl<'r> Rehearsal<'r> {
                 told.read(param, set);
             }
         }
-        told.note(both!("a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may part old from new replies", "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler 11) alte von neuen Antworten"));
+        told.note(both!(
+            "a reply that does not come is asked for again; behind it a harmless question (code 8, counter 11) may \
+             part old from new replies",
+            "bleibt eine Antwort aus, wird noch einmal gefragt; danach trennt eine harmlose Frage (Code 8, Zähler \
+             11) alte von neuen Antworten"
+        ));
     }
 
     fn note(&mut self, text: Text) {

@@ -1,18 +1,18 @@
 //! `scan`: who is on the line?
 
+mod resume;
+
 use super::Context;
 use super::verb::{Verb, Working};
-use crate::args::{Addresses, Settings, parse_addresses};
-use crate::drive::{Asked, First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, Upper, open_port, scan};
+use crate::args::{Addresses, Settings};
+use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
-use crate::files;
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
-use serde::Deserialize;
+use resume::{asked_before, earlier, ranges};
 use std::cell::RefCell;
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::pin::pin;
 use std::task::Poll;
 
@@ -119,7 +119,8 @@ fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> 
     let (line, spoken) = (settings.line, settings.protocol);
     let mut notes = vec![both!(
         "{count} address(es) on {ports} port(s) are asked for their status word, at {line} {spoken} first",
-        "{count} Adresse(n) an {ports} Anschluss/Anschlüssen werden nach dem Statuswort gefragt, zuerst mit {line} {spoken}"
+        "{count} Adresse(n) an {ports} Anschluss/Anschlüssen werden nach dem Statuswort gefragt, zuerst mit {line} \
+         {spoken}"
     )];
     if !sought.is_empty() {
         let sought = sought.join(", ");
@@ -128,7 +129,11 @@ fn dry_run(context: &Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> 
             "danach mit jeder weiteren wahrscheinlichen Einstellung: {sought} = auto"
         ));
     }
-    notes.push(both!("whoever answers is asked on what it is (code 100, P.484, P.11, code 43); whoever was garbled is asked again", "wer antwortet, wird gefragt, was er ist (Code 100, P.484, P.11, Code 43); wer gestört kam, wird noch einmal gefragt"));
+    notes.push(both!(
+        "whoever answers is asked on what it is (code 100, P.484, P.11, code 43); whoever was garbled is asked again",
+        "wer antwortet, wird gefragt, was er ist (Code 100, P.484, P.11, Code 43); wer gestört kam, wird noch einmal \
+         gefragt"
+    ));
     Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })))
 }
 
@@ -353,107 +358,4 @@ fn nobody(settings: &Settings) -> Failure {
         )
     };
     Failure::new(Class::No, "no.drive_found", both!("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
-}
-
-/// Writes `1-10,17`.
-fn ranges(addresses: &BTreeSet<u8>) -> String {
-    let mut runs: Vec<(u8, u8)> = Vec::new();
-    for &address in addresses {
-        match runs.last_mut() {
-            Some((_, last)) if last.checked_add(1) == Some(address) => *last = address,
-            _ => runs.push((address, address)),
-        }
-    }
-    let shown =
-        runs.iter().map(|(first, last)| if first == last { first.to_string() } else { format!("{first}-{last}") });
-    shown.collect::<Vec<_>>().join(",")
-}
-
-/// The document of an earlier scan, as far as it matters here.
-#[derive(Deserialize)]
-struct Saved {
-    schema: u32,
-    command: String,
-    data: Option<Scan>,
-}
-
-/// Reads the result of an earlier scan of these ports.
-fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
-    let shown = path.display();
-    let bad = |why: Text| {
-        Failure::new(Class::Data, "data.resume", both!("{shown}: {why}", "{shown}: {why}", why)).hint(both!(
-            "expected what `antrieb scan --json > RESULT.json` has written",
-            "erwartet wird, was `antrieb scan --json > RESULT.json` geschrieben hat"
-        ))
-    };
-    let text = files::read(path, files::TEXT).map_err(|error| bad(error.text()))?;
-    let document: Saved = serde_json::from_str(&text)
-        .map_err(|error| bad(both!("no result of a scan: {error}", "kein Ergebnis einer Suche: {error}")))?;
-    let version = crate::outcome::SCHEMA_VERSION;
-    if document.schema != version {
-        return Err(bad(both!(
-            "schema {got}; expected {version}",
-            "Schema {got}; erwartet: {version}",
-            got = document.schema
-        )));
-    }
-    if document.command != "scan" {
-        return Err(bad(both!(
-            "the result of `{verb}`; expected that of `scan`",
-            "das Ergebnis von `{verb}`; erwartet: das von `scan`",
-            verb = document.command
-        )));
-    }
-    let scan = document.data.ok_or_else(|| {
-        bad(both!("it holds no data; nothing was asked", "es enthält keine Daten; es wurde nichts gefragt"))
-    })?;
-    let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
-    if !scan.searches.iter().any(|search| names.contains(&search.port)) {
-        return Err(bad(both!(
-            "a search of {port}; expected one of {ports}",
-            "eine Suche an {port}; erwartet: eine an {ports}",
-            port = scan.port,
-            ports = names.join(", ")
-        )));
-    }
-    for search in &scan.searches {
-        asked_at(search).map_err(|failure| bad(failure.message))?;
-    }
-    Ok(scan)
-}
-
-/// What was asked of a port before.
-fn asked_before(scan: &Scan, port: &str) -> Result<Vec<Asked>, Failure> {
-    let of_port = scan.searches.iter().filter(|search| search.port == port);
-    let asked = of_port.map(|search| {
-        let place = (&search.port, &search.line, &search.protocol);
-        Ok(Asked {
-            line: search.line.clone(),
-            protocol: search.protocol.clone(),
-            addresses: asked_at(search)?,
-            found: scan.drives.iter().any(|drive| (&drive.port, &drive.line, &drive.protocol) == place),
-        })
-    });
-    asked.collect()
-}
-
-fn asked_at(search: &Search) -> Result<BTreeSet<u8>, Failure> {
-    if search.asked.is_empty() {
-        return Ok(BTreeSet::new());
-    }
-    Ok(parse_addresses(&search.asked, &[])?.into_iter().collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn addresses_are_written_as_they_are_read() {
-        let set: BTreeSet<u8> = [1, 2, 3, 17, 246, 247, 255].into();
-        assert_eq!(ranges(&set), "1-3,17,246-247,255");
-        assert_eq!(ranges(&BTreeSet::new()), "");
-        let few: BTreeSet<u8> = [1, 2, 9].into();
-        assert_eq!(parse_addresses(&ranges(&few), &[]).unwrap(), [1, 2, 9]);
-    }
 }

@@ -79,17 +79,30 @@ fn unheard(sniff: &Sniff) -> Option<Failure> {
         (0, _) => Failure::new(
             Class::Silence,
             "silence.nothing_heard",
-            both!("nothing was heard on {port} at {line}", "auf {port} war bei {line} nichts zu hören", port = summary.port),
+            both!(
+                "nothing was heard on {port} at {line}",
+                "auf {port} war bei {line} nichts zu hören",
+                port = summary.port
+            ),
         )
-        .hint(both!("sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and `antrieb \
-             decode trace FILE` reads a recording with what was sent", "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
-             `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde")),
+        .hint(both!(
+            "sniff never sends: is a master asking on this line? Check A and B; `antrieb scan` asks itself, and \
+             `antrieb decode trace FILE` reads a recording with what was sent",
+            "sniff sendet nie: Fragt ein Master auf dieser Leitung? A und B prüfen; `antrieb scan` fragt selbst, und \
+             `antrieb decode trace DATEI` liest eine Aufzeichnung mit dem, was gesendet wurde"
+        )),
         (_, 0) => Failure::new(
             Class::Garbled,
             "garbled.nothing_valid",
-            both!("nothing that was heard is a telegram of {protocol} at {line}", "nichts des Gehörten ist ein Telegramm von {protocol} bei {line}"),
+            both!(
+                "nothing that was heard is a telegram of {protocol} at {line}",
+                "nichts des Gehörten ist ein Telegramm von {protocol} bei {line}"
+            ),
         )
-        .hint(both!("try other settings: --protocol rtu, ascii or vabus, --baud, --parity", "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity")),
+        .hint(both!(
+            "try other settings: --protocol rtu, ascii or vabus, --baud, --parity",
+            "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity"
+        )),
         _ => return None,
     };
     Some(failure)

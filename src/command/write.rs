@@ -154,7 +154,11 @@ fn cutting_last(mut steps: Vec<Step>) -> Result<Vec<Step>, Failure> {
         "{other} and {last} both cut the line or restart the drive at once; write them one by one",
         "{other} und {last} kappen beide sofort die Leitung oder starten den Antrieb neu"
     );
-    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(both!("behind the first the drive is reached with its new setting only; `line set` changes several and follows", "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und folgt")))
+    Err(Failure::new(Class::Usage, "usage.cuts", message).hint(both!(
+        "behind the first the drive is reached with its new setting only; `line set` changes several and follows",
+        "nach dem ersten ist der Antrieb nur mit der neuen Einstellung erreichbar; `line set` stellt mehrere um und \
+         folgt"
+    )))
 }
 
 /// The raw value, if everything that the catalogue knows allows it.
@@ -223,8 +227,10 @@ pub(super) fn plan_only(
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
     let proves = both!(
-        "before the first of these every old value is read, after each the new one; what the drive has already is not sent",
-        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht gesendet"
+        "before the first of these every old value is read, after each the new one; what the drive has already is \
+         not sent",
+        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht \
+         gesendet"
     );
     outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves });
     if terms.named.is_none() {

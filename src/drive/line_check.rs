@@ -132,7 +132,8 @@ fn advice(check: &LineCheck) -> Vec<Advice> {
             "frame_errors",
             both!(
                 "characters without a stop bit: another baud rate or format on the line, or no bias resistors",
-                "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende Ruhepegelwiderstände"
+                "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende \
+                 Ruhepegelwiderstände"
             ),
         ),
         (
@@ -176,7 +177,8 @@ fn advice(check: &LineCheck) -> Vec<Advice> {
             "lost_replies",
             both!(
                 "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
-                "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über 500 ms)"
+                "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über \
+                 500 ms)"
             ),
         ),
         (

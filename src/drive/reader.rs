@@ -141,7 +141,8 @@ impl<'t, 'o> Reader<'t, 'o> {
                         code: "catalogue.width".to_owned(),
                         message: both!(
                             "parameter {param}: the catalogue says {told} (unconfirmed), drive {address} uses {used}",
-                            "Parameter {param}: der Katalog nennt {told} (unbestätigt), Antrieb {address} benutzt {used}",
+                            "Parameter {param}: der Katalog nennt {told} (unbestätigt), Antrieb {address} benutzt \
+                             {used}",
                             param = param.id,
                             told = param.kind.map_or("-", |kind| kind.name()),
                             used = reading.kind.name()

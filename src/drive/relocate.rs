@@ -20,7 +20,7 @@ use crate::profile::{Family, Param, Type};
 use crate::protocol::Protocol;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::{Framing, LAST_STATION};
-use crate::text::{Text, both};
+use crate::text::{Text, Wrong, both};
 use journey::{Journey, Setback, follow, is_taken};
 use said::{left, lost, occupied, out_of_range};
 use std::rc::Rc;
@@ -129,9 +129,14 @@ impl Place {
 
 impl Wish {
     /// Reads the name of a protocol that a drive can be set to: `rtu`, `ascii`, `vabus`.
-    pub fn to_protocol(text: &str) -> Result<Self, String> {
+    pub fn to_protocol(text: &str) -> Result<Self, Wrong> {
         let found = text.trim().to_ascii_lowercase().parse().ok().filter(|found| *found != Framing::Tcp.into());
-        let protocol = found.ok_or_else(|| format!("expected rtu, ascii or vabus, got '{text}'"))?;
+        let protocol = found.ok_or_else(|| {
+            Wrong(both!(
+                "expected rtu, ascii or vabus, got '{text}'",
+                "erwartet: rtu, ascii oder vabus; angegeben: '{text}'"
+            ))
+        })?;
         Ok(Wish { protocol: Some(protocol), ..Wish::default() })
     }
 
@@ -201,8 +206,10 @@ impl Course {
                 Then::At(_) => both!("holds at once", "gilt sofort"),
                 Then::Perhaps(Change::Line(_)) => self.after_reset.clone(),
                 Then::Perhaps(Change::Address(_)) => both!(
-                    "holds at once or when the drive is switched on the next time: its manual does not say; both are looked at",
-                    "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird nachgesehen"
+                    "holds at once or when the drive is switched on the next time: its manual does not say; both are \
+                     looked at",
+                    "gilt sofort oder ab dem nächsten Einschalten: die Anleitung sagt es nicht; unter beiden wird \
+                     nachgesehen"
                 ),
                 Then::Restart(_) => both!("restarts the drive", "startet den Antrieb neu"),
             };

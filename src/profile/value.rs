@@ -12,7 +12,7 @@ pub enum ValueError {
         /// What came.
         text: String,
         /// Texts that would be right.
-        choices: Vec<String>,
+        choices: Vec<Text>,
     },
     /// The unit is another one than the parameter's.
     #[error("{}", self.text().en)]
@@ -101,10 +101,10 @@ impl ValueError {
     }
 }
 
-fn list(choices: &[String]) -> Text {
+fn list(choices: &[Text]) -> Text {
     match choices.is_empty() {
         true => Text::default(),
-        false => both!(" (expected: {choices})", " (erwartet: {choices})", choices = choices.join(", ")),
+        false => both!(" (expected: {choices})", " (erwartet: {choices})", choices = Text::join(choices, ", ")),
     }
 }
 
@@ -214,7 +214,11 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     let by_text = || choice(text, choices);
     let (number, unit) = split_unit(text);
     if number.is_empty() {
-        let names = choices.iter().take(8).map(|(raw, names)| format!("{raw} = {}", names[0])).collect();
+        let names = choices
+            .iter()
+            .take(8)
+            .map(|(raw, [en, de])| Text::by(|lang| format!("{raw} = {}", lang.pick(en, de))))
+            .collect();
         return by_text().ok_or(ValueError::NotANumber { text: text.to_owned(), choices: names });
     }
     let power = match unit {

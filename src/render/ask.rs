@@ -1,15 +1,12 @@
 //! Puts the safety question on the terminal.
 
+use super::console::Input;
 use super::{Console, clean};
 use crate::gate::{Answer, Ask, Question, Reply};
 use crate::profile::Lang;
-use std::io::BufRead;
 use std::thread;
 use std::time::Duration;
 use tokio::sync::oneshot;
-
-/// Where answers are typed.
-pub type Input = Box<dyn BufRead + Send>;
 
 /// Somebody at the terminal, or `--yes`.
 pub struct Terminal {

@@ -8,13 +8,16 @@ use crate::text::{Lang, Text};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::io::{BufRead, Write};
 use std::rc::Rc;
 
 const NOTE: &Text = &Text::new("note", "Anmerkung");
 const WARNING: &Text = &Text::new("warning", "Warnung");
 const ERROR: &Text = &Text::new("error", "Fehler");
 const HINT: &Text = &Text::new("hint", "Hinweis");
+
+/// Where answers are typed.
+pub type Input = Box<dyn BufRead + Send>;
 
 /// Where a run reads and writes; real for the program, made up for tests.
 pub struct Streams {
@@ -23,7 +26,7 @@ pub struct Streams {
     /// Everything else.
     pub err: Box<dyn Write>,
     /// Answers to questions.
-    pub input: super::Input,
+    pub input: Input,
     /// stdout is a terminal.
     pub out_is_terminal: bool,
     /// stderr is a terminal.

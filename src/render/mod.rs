@@ -9,8 +9,8 @@ mod spoken;
 mod stream;
 mod words;
 
-pub use ask::{Input, Terminal};
-pub use console::{Console, Streams};
+pub use ask::Terminal;
+pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
 pub use outlet::Outlet;
 pub use stream::{Key, Keys, Manner, Stream, View};

@@ -2,10 +2,11 @@
 //!
 //! Two nets. [`same`]: a text in one language stands alike in both outputs of the same command line, so every word that both
 //! have must be one that both languages have ([`ALIKE`]). [`check`]: no German output of any test has a word that only an English
-//! sentence has ([`ENGLISH`]); every [`Run`](crate::run::Run) with `--lang de` goes through it. Names of commands, options and
+//! sentence has ([`ENGLISH`]); every [`Run`](crate::run::Run) with `--lang de` that ends as it must goes through it. Names of commands, options and
 //! slugs, what a user typed, telegrams and numbers are no words.
 
 use crate::run::antrieb;
+use antrieb::command::VERBS;
 use std::collections::BTreeSet;
 
 /// Words that no English sentence does without, and words of ours, in lower case; none of them is German.
@@ -16,7 +17,7 @@ const ENGLISH: &str = "
     do does done down drive drives duplicate each either else empty enabled encoding end ends even every everybody
     everything expected fault faults few field file files finite first float for found frame from full function given
     gives goes gone got had has have he here hint how if illegal integer interrupted into invalid is it its itself
-    just keep keeps key known later least left length less like line literal long lost made make many map may maybe
+    just keeps key known later least left length less like line literal lost made make many map may maybe
     mean means missing mode more most much must named names neither never next no nobody none nor not nothing now
     number numbers of off on once one only open or other our out over own parse parsed part place please question
     questions range refused register registers replies reply row rows said same second seconds see seen sent sequence
@@ -24,15 +25,15 @@ const ENGLISH: &str = "
     stands still string such take taken telegrams tells than that the their them then there these they thing this
     those though three through time times to together told too took turns two unclosed unconfirmed under unexpected
     unit unknown unless unset until up upon used value values variant voltage warning we well were what when where
-    whether which while who whole whom whose why with without word would wrong yes yet you your
+    whether which while who whole whom whose why with without would wrong yes yet you your
 ";
 
 /// Words that both languages have, or that have no language: names, units, standards, words of the catalogue.
 const ALIKE: &str = "
     act active acu adapter antrieb ascii auto baud bd bit broadcasts bus bytes disable enable last shutdown sniff clients cm code crc cube dir echo eeprom em
-    exceptions exit fmax halt hz in ixt kw lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
+    exceptions exit fmax format gateway halt hz in ixt kw lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
     nodeid oder ok param parameter port ram remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
-    tk type udc uint vabus war was watchdog
+    tk type udc uint vabus version war was watchdog
 ";
 
 /// What stands in a German page as it is called everywhere: sources of the catalogue, and names it gives in English.
@@ -42,23 +43,39 @@ const NAMES: &[&str] =
 /// The words of a page that could be those of a language, in lower case.
 fn words(page: &str) -> BTreeSet<String> {
     let mut words = BTreeSet::new();
-    for line in page.lines().filter(|line| !line.starts_with("$ antrieb") && !line.starts_with("-----")) {
+    // The settings are told by the names that they have in a file.
+    let names = ["$ antrieb", "-----", "Anmerkung: Einstellungen:", "note: settings:"];
+    for line in page.lines().filter(|line| !names.iter().any(|name| line.starts_with(name))) {
         // What is to be typed goes to the end of its line.
-        let mut line = line.split("antrieb -").next().unwrap_or_default().to_owned();
+        let mut line = line.split("antrieb ").next().unwrap_or_default().to_owned();
         NAMES.iter().for_each(|name| line = line.replace(name, " "));
-        for (nth, part) in line.split(['`', '"']).enumerate() {
-            // What stands between backticks is to be typed; between quotation marks, what a device said.
+        // What a device or a library said, and what stands for something to be typed.
+        line = outside(&outside(&line, '"', '"'), '<', '>');
+        for (nth, part) in line.split('`').enumerate() {
+            // What stands between backticks is to be typed; what stands behind an option is its value.
             if nth % 2 == 0 {
-                words.extend(part.split(is_blank).filter_map(word));
+                let parts: Vec<&str> = part.split(is_blank).collect();
+                let is_value = |at: usize| at > 0 && parts.get(at - 1).is_some_and(|option| option.starts_with("--"));
+                words.extend((0..parts.len()).filter(|at| !is_value(*at)).filter_map(|at| word(parts[at])));
             }
         }
     }
     words
 }
 
+/// A line without what stands between these two.
+fn outside(line: &str, open: char, close: char) -> String {
+    let mut rest = line;
+    let mut kept = String::new();
+    while let Some((before, inside)) = rest.split_once(open) {
+        kept.push_str(before);
+        rest = inside.split_once(close).map_or("", |(_, behind)| behind);
+    }
+    kept + rest
+}
+
 fn is_blank(letter: char) -> bool {
-    letter.is_whitespace()
-        || matches!(letter, '(' | ')' | ',' | ';' | '!' | '?' | '…' | '„' | '“' | '<' | '>' | '[' | ']' | '|')
+    letter.is_whitespace() || matches!(letter, '(' | ')' | ',' | ';' | '!' | '?' | '…' | '„' | '“' | '[' | ']' | '|')
 }
 
 /// One that has letters only. `--drive`, `operation-enabled`, `P.412`, `'typed'` and `quick_stop` are names, `CE` is a byte.
@@ -132,7 +149,7 @@ const WRONG: &[(u8, &str)] = &[
     (2, "-p sim -a 5-2 read 372"),
     (2, "-p sim -a nobody read 372"),
     (2, "-p sim -a 3.17 read 372"),
-    (2, "-p sim -a 3.99 --protocol vabus read 372"),
+    (2, "-p sim -a 3.99 --protocol vabus version read 372"),
     (2, "-p sim -a 0 read 372"),
     (2, "-p sim write 480=1"),
     (2, "-p sim -a 1,2 statemachine enable"),
@@ -145,17 +162,21 @@ const WRONG: &[(u8, &str)] = &[
     (2, "-p sim -a 1 sollwert 25bananas"),
     (2, "-p sim -a 1 sollwert Hz"),
     (2, "-p sim -a 1 sollwert 25Hz --ramp soon"),
-    (2, "-p sim -a 1 monitor --interval 1us 411"),
+    (2, "-p sim -a 1 monitor --interval soon 411"),
     (2, "-p sim -a 1 monitor --count 0 411"),
     (2, "-p sim -a 1 protocol set morse"),
     (2, "-p sim -a 1 protocol set"),
     (2, "-p sim -a 1 line set"),
+    (2, "-p sim -a 1 line"),
+    (2, "-p sim -a 1 protocol"),
+    (2, "-p sim -a 1 dataset"),
+    (2, "decode"),
     (2, "-p sim -a 1 line set --parity mark"),
     (2, "-p sim -a 1 dataset show 372@7"),
     (2, "-p sim -a 1 dataset copy 2 2 372"),
     (2, "-p sim -a 1 dataset copy 2 9 372"),
     (2, "-p sim -a 1 read 372@77"),
-    (2, "-p sim -a 1 read @nogroup"),
+    (7, "-p sim -a 1 read @nogroup"),
     (2, "-p sim -a 1 read 9-3"),
     (7, "-p sim -a 1 read nonsense"),
     (7, "-p sim -a 1 --yes write 480@1=1000"),
@@ -164,7 +185,7 @@ const WRONG: &[(u8, &str)] = &[
     (7, "-p sim -a 1 --yes write 480@1=5kg"),
     (2, "-p sim -a 1 --yes write 480@1"),
     (7, "-p sim -a 1 --yes write 412=nonsense"),
-    (7, "-p sim -a 1 --drive nobody read 411"),
+    (2, "-p sim -a 1 --drive nobody read 411"),
     (2, "decode telegram"),
     (2, "decode telegram xyz"),
     (5, "decode telegram 01"),
@@ -190,8 +211,8 @@ const WRONG: &[(u8, &str)] = &[
     (7, "-p sim -a 1 sollwert --profile {dir}/file --yes"),
     (7, "-p sim -a 1 sollwert --profile {dir}/ramp.csv --yes"),
     (7, "simulate {dir}/file"),
-    (2, "simulate --tcp 10.0.0.1:1"),
-    (7, "params --drive nobody"),
+    (3, "simulate --tcp 10.0.0.1:1"),
+    (2, "params --drive nobody"),
     (3, "-p /dev/antrieb-has-no-such-port scan"),
     (3, "-p tcp://127.0.0.1:1 scan"),
     (4, "-p sim -a 9 read 372"),
@@ -199,6 +220,41 @@ const WRONG: &[(u8, &str)] = &[
     (8, "-p sim -a 1 write 480@1=6"),
     (8, "-p sim -a 1 statemachine enable"),
 ];
+
+/// Names of settings, modes and values.
+const NAMED: &[&str] = &[
+    "address",
+    "all",
+    "allram",
+    "always",
+    "csv",
+    "even",
+    "frequency",
+    "high",
+    "int",
+    "json",
+    "kernel",
+    "long",
+    "low",
+    "never",
+    "none",
+    "odd",
+    "percent",
+    "profibus",
+    "protocol",
+    "rts",
+    "setpoint",
+    "state",
+    "table",
+    "timeout",
+    "word",
+];
+
+/// Whether a verb, or what stands behind one, is called so.
+fn is_command(word: &str) -> bool {
+    let command = |verb: &antrieb::command::Entry| (verb.command)();
+    VERBS.iter().map(command).any(|verb| verb.get_name() == word || verb.find_subcommand(word).is_some())
+}
 
 #[test]
 fn what_does_not_work_is_told_in_german_without_an_english_word() {
@@ -216,10 +272,30 @@ fn what_does_not_work_is_told_in_german_without_an_english_word() {
             files.iter().fold(run, |run, (name, text)| run.file(name, text)).run()
         });
         let told = |page: &str| page.lines().filter(|line| !line.contains("antrieb --")).collect::<Vec<_>>().join("\n");
-        let found = alike(&told(&english.err), &told(&german.err));
+        // Words of options and commands, of which a message lists those that would be right.
+        let listed = |word: &String| NAMED.contains(&&**word) || is_command(word);
+        let found: Vec<_> =
+            alike(&told(&english.err), &told(&german.err)).into_iter().filter(|word| !listed(word)).collect();
         if (german.exit, found.is_empty()) != (*code, true) {
             wrong.push(format!("{line}: exit {} {found:?}\n{}", german.exit, german.err));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_verb_that_needs_a_word_behind_it_says_which_there_are() {
+    for (line, en, de) in [
+        ("-a 1 line", "expected behind `line`: show, set", "erwartet hinter `line`: show, set"),
+        ("-a 1 protocol", "expected behind `protocol`: show, set", "erwartet hinter `protocol`: show, set"),
+        ("-a 1 dataset", "expected behind `dataset`: show, active", "erwartet hinter `dataset`: show, active"),
+    ] {
+        for (lang, told) in [("en", en), ("de", de)] {
+            let line = format!("-p sim --lang {lang} {line}");
+            let page = antrieb(&line).exits(2);
+            assert!(page.err.contains(told), "{}", page.err);
+            let document = antrieb(&line).json().exits(2);
+            assert!(document.error()["message"].as_str().unwrap().starts_with(told), "{:#}", document.value);
+        }
+    }
 }

@@ -90,7 +90,7 @@ fn came_of(stop: &Stop, idle: bool) -> Text {
             both!("without power, but the shaft still turns", "ohne Strom, aber die Welle dreht noch")
         }
         (_, None) if is_off(stop) && !idle => {
-            both!("without power; whether the shaft stands is not told", "ohne Strom; ob die Welle steht, zeigt nichts",)
+            both!("without power; whether the shaft stands is not told", "ohne Strom; ob die Welle steht, zeigt nichts")
         }
         (true, _) => both!("the stop was acknowledged", "der Halt wurde bestätigt"),
         (false, _) => both!("the stop was NOT acknowledged", "der Halt wurde NICHT bestätigt"),

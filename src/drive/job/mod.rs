@@ -298,7 +298,8 @@ pub fn done(jobs: Vec<Job>, failures: Vec<Failure>, terms: &Terms<'_>) -> Outcom
     let values: Vec<Written> = jobs.into_iter().flat_map(|job| job.rows).collect();
     if values.iter().any(|row| row.address == 0 && row.result == WriteResult::Broadcast) {
         let message = both!(
-            "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by drive",
+            "sent to everybody: no drive confirms it, so nobody knows whether it was taken; read it back drive by \
+             drive",
             "an alle gesendet: kein Antrieb bestätigt das, ob es angenommen wurde, weiß niemand; einzeln zurücklesen"
         );
         warnings.push(Warning { code: "write.broadcast".to_owned(), message });

@@ -144,7 +144,8 @@ impl Motor<'_, '_> {
         let label = family.role_label("control-mode");
         let (now, would) = (control.obeys, control.terminals);
         self.notes.push(both!(
-            "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {would}",
+            "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = \
+             {would}",
             "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
              {would} starten"
         ));

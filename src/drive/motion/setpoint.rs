@@ -41,8 +41,10 @@ impl Motor<'_, '_> {
             };
             if left.is_some_and(|left| left != 0) {
                 let text = both!(
-                    "what stands in the drive would turn the shaft as soon as it is enabled, and cannot be set to 0: {label}",
-                    "was im Antrieb steht, würde die Welle mit der Freigabe drehen und lässt sich nicht auf 0 setzen: {label}",
+                    "what stands in the drive would turn the shaft as soon as it is enabled, and cannot be set to 0: \
+                     {label}",
+                    "was im Antrieb steht, würde die Welle mit der Freigabe drehen und lässt sich nicht auf 0 \
+                     setzen: {label}",
                     label = param.label()
                 );
                 let failure = Failure::new(Class::Forbidden, "forbidden.standing_setpoint", text);

@@ -95,7 +95,7 @@ impl ServeError {
                 both!("cannot make the link {path}: {why}", "der Link {path} lässt sich nicht anlegen: {why}", why)
             }
             ServeError::NotLoopback(addr) => {
-                both!("{self}", "{addr} ist keine Adresse dieses Rechners; erwartet: 127.0.0.1:PORT oder [::1]:PORT")
+                both!("{self}", "{addr} ist keine Loopback-Adresse; erwartet: 127.0.0.1:PORT oder [::1]:PORT")
             }
             ServeError::Tcp { addr, why } => both!("{self}", "tcp://{addr} lässt sich nicht öffnen: {why}"),
         }

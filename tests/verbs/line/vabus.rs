@@ -103,7 +103,7 @@ fn what_cannot_be_set_is_refused_before_anything_is_opened() {
 fn the_question_names_every_step() {
     let asked = antrieb("-p sim -a 1 --yes --lang de line set --baud 115200").exits(0).err;
     assert!(asked.contains("P.10 Baudrate: 4 -> 6, gilt nach dem Neustart"), "{asked}");
-    assert!(asked.contains("rtu 19200 8E1, address 1 -> rtu 115200 8E1, address 1"), "{asked}");
+    assert!(asked.contains("rtu 19200 8E1, Adresse 1 -> rtu 115200 8E1, Adresse 1"), "{asked}");
 }
 
 #[test]

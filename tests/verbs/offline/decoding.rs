@@ -186,19 +186,19 @@ const LEXIUM: &[(&str, Option<&str>, &str, &str)] = &[
         "90 04",
         Some("reply"),
         "refuses function code 16, exception 4 (slave device failure)",
-        "lehnt ab: Funktionscode 16, Ausnahme 4 (slave device failure)",
+        "lehnt ab: Funktionscode 16, Ausnahme 4 (Fehler im Slave)",
     ),
     (
         "AB 0E 03",
         Some("reply"),
         "refuses function code 43, exception 3 (illegal data value)",
-        "lehnt ab: Funktionscode 43, Ausnahme 3 (illegal data value)",
+        "lehnt ab: Funktionscode 43, Ausnahme 3 (Datenwert unzulässig)",
     ),
     (
         "AB 03",
         Some("reply"),
         "refuses function code 43, exception 3 (illegal data value)",
-        "lehnt ab: Funktionscode 43, Ausnahme 3 (illegal data value)",
+        "lehnt ab: Funktionscode 43, Ausnahme 3 (Datenwert unzulässig)",
     ),
     // What is no whole parameter, and what no catalogue knows.
     ("03 1E 14 00 01", Some("request"), "read register 7700", "lesen Register 7700"),
@@ -217,7 +217,7 @@ const LEXIUM: &[(&str, Option<&str>, &str, &str)] = &[
     ),
     ("06 1B 03 00 06", None, "write register 6915 = 6 (0x0006)", "schreiben Register 6915 = 6 (0x0006)"),
     // A number of the ACTIVE family is none of this family's, whatever it is called there.
-    ("64 05 04", Some("request"), "read P.1284@0, 32 bit", "lesen P.1284@0, 32 bit"),
+    ("64 05 04", Some("request"), "read P.1284@0, 32 bit", "lesen P.1284@0, 32 Bit"),
 ];
 
 /// A PDU of station 1 as an ASCII telegram, which a person can check.

@@ -53,6 +53,7 @@ impl Motor<'_, '_> {
 pub(super) fn started_by_others() -> Text {
     both!(
         "its contacts or its keypad start and stop it, and only they take its power: a setpoint of 0 does not",
-        "seine Kontakte oder seine Bedieneinheit starten und halten ihn, nur sie nehmen ihm den Strom; ein Sollwert 0 nicht"
+        "seine Kontakte oder seine Bedieneinheit starten und halten ihn, nur sie nehmen ihm den Strom; ein Sollwert \
+         0 nicht"
     )
 }

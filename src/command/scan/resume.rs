@@ -1,0 +1,114 @@
+//! What a search has asked, as it is written, and going on from there.
+
+use crate::args::parse_addresses;
+use crate::drive::{Asked, Port};
+use crate::failure::{Class, Failure};
+use crate::files;
+use crate::outcome::{Scan, Search};
+use crate::text::{Text, both};
+use serde::Deserialize;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Writes `1-10,17`.
+pub(super) fn ranges(addresses: &BTreeSet<u8>) -> String {
+    let mut runs: Vec<(u8, u8)> = Vec::new();
+    for &address in addresses {
+        match runs.last_mut() {
+            Some((_, last)) if last.checked_add(1) == Some(address) => *last = address,
+            _ => runs.push((address, address)),
+        }
+    }
+    let shown =
+        runs.iter().map(|(first, last)| if first == last { first.to_string() } else { format!("{first}-{last}") });
+    shown.collect::<Vec<_>>().join(",")
+}
+
+/// The document of an earlier scan, as far as it matters here.
+#[derive(Deserialize)]
+struct Saved {
+    schema: u32,
+    command: String,
+    data: Option<Scan>,
+}
+
+/// Reads the result of an earlier scan of these ports.
+pub(super) fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
+    let shown = path.display();
+    let bad = |why: Text| {
+        Failure::new(Class::Data, "data.resume", both!("{shown}: {why}", "{shown}: {why}", why)).hint(both!(
+            "expected what `antrieb scan --json > RESULT.json` has written",
+            "erwartet wird, was `antrieb scan --json > RESULT.json` geschrieben hat"
+        ))
+    };
+    let text = files::read(path, files::TEXT).map_err(|error| bad(error.text()))?;
+    let document: Saved = serde_json::from_str(&text)
+        .map_err(|error| bad(both!("no result of a scan: {error}", "kein Ergebnis einer Suche: \"{error}\"")))?;
+    let version = crate::outcome::SCHEMA_VERSION;
+    if document.schema != version {
+        return Err(bad(both!(
+            "schema {got}; expected {version}",
+            "Schema {got}; erwartet: {version}",
+            got = document.schema
+        )));
+    }
+    if document.command != "scan" {
+        return Err(bad(both!(
+            "the result of `{verb}`; expected that of `scan`",
+            "das Ergebnis von `{verb}`; erwartet: das von `scan`",
+            verb = document.command
+        )));
+    }
+    let scan = document.data.ok_or_else(|| {
+        bad(both!("it holds no data; nothing was asked", "es enthält keine Daten; es wurde nichts gefragt"))
+    })?;
+    let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
+    if !scan.searches.iter().any(|search| names.contains(&search.port)) {
+        return Err(bad(both!(
+            "a search of {port}; expected one of {ports}",
+            "eine Suche an {port}; erwartet: eine an {ports}",
+            port = scan.port,
+            ports = names.join(", ")
+        )));
+    }
+    for search in &scan.searches {
+        asked_at(search).map_err(|failure| bad(failure.message))?;
+    }
+    Ok(scan)
+}
+
+/// What was asked of a port before.
+pub(super) fn asked_before(scan: &Scan, port: &str) -> Result<Vec<Asked>, Failure> {
+    let of_port = scan.searches.iter().filter(|search| search.port == port);
+    let asked = of_port.map(|search| {
+        let place = (&search.port, &search.line, &search.protocol);
+        Ok(Asked {
+            line: search.line.clone(),
+            protocol: search.protocol.clone(),
+            addresses: asked_at(search)?,
+            found: scan.drives.iter().any(|drive| (&drive.port, &drive.line, &drive.protocol) == place),
+        })
+    });
+    asked.collect()
+}
+
+fn asked_at(search: &Search) -> Result<BTreeSet<u8>, Failure> {
+    if search.asked.is_empty() {
+        return Ok(BTreeSet::new());
+    }
+    Ok(parse_addresses(&search.asked, &[])?.into_iter().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_are_written_as_they_are_read() {
+        let set: BTreeSet<u8> = [1, 2, 3, 17, 246, 247, 255].into();
+        assert_eq!(ranges(&set), "1-3,17,246-247,255");
+        assert_eq!(ranges(&BTreeSet::new()), "");
+        let few: BTreeSet<u8> = [1, 2, 9].into();
+        assert_eq!(parse_addresses(&ranges(&few), &[]).unwrap(), [1, 2, 9]);
+    }
+}

@@ -1,0 +1,164 @@
+//! What to do next, by the code of a failure.
+
+use crate::failure::{Class, Failure};
+use crate::text::Text;
+
+/// A failure with what is to be done about it.
+pub(super) fn advised(class: Class, code: &str, message: Text) -> Failure {
+    let failure = Failure::new(class, code, message);
+    match ADVICE.into_iter().find(|row| row.0 == code) {
+        Some((_, hint)) => failure.hint(hint),
+        None => failure,
+    }
+}
+
+const WHO_ANSWERS: Text = Text::new(
+    "-v shows the telegrams; is it a drive of this family, or is another master on the bus?",
+    "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
+);
+
+const ADVICE: [(&str, Text); 22] = [
+    (
+        "silence.no_reply",
+        Text::new(
+            "check address, baud rate, parity and protocol (P.395; a drive leaves the factory speaking VABus, not Modbus), \
+             whether A and B are swapped, termination, and whether another master is on the bus; `antrieb scan` asks every \
+             address",
+            "Adresse, Baudrate, Parität und Protokoll prüfen (P.395; ab Werk spricht der Antrieb VABus, nicht Modbus), \
+             ferner vertauschte Adern A und B, Abschluss und ob ein zweiter Master am Bus ist; `antrieb scan` fragt alle \
+             Adressen",
+        ),
+    ),
+    (
+        "silence.gateway",
+        Text::new(
+            "check the address, and the serial setting of the gateway",
+            "Adresse und serielle Einstellung des Gateways prüfen",
+        ),
+    ),
+    (
+        "garbled.no_valid_reply",
+        Text::new(
+            "check baud rate and parity, two drives with the same address, termination and shielding",
+            "Baudrate und Parität, doppelt vergebene Adressen, Abschluss und Schirmung prüfen",
+        ),
+    ),
+    ("garbled.wrong_answer", WHO_ANSWERS),
+    ("garbled.wrong_responder", WHO_ANSWERS),
+    (
+        "garbled.never_silent",
+        Text::new(
+            "another master, two drives at one address, or a wrong baud rate? `antrieb sniff` shows what is said",
+            "ein zweiter Master, zwei Antriebe mit einer Adresse oder eine falsche Baudrate? `antrieb sniff` zeigt, was \
+             gesprochen wird",
+        ),
+    ),
+    (
+        "garbled.unproven",
+        Text::new(
+            "replies come late, twice or from somebody else: a longer --timeout, and look for a second master, a repeater \
+             or two drives with one address",
+            "Antworten kommen spät, doppelt oder von anderen: --timeout verlängern und nach einem zweiten Master, einem \
+             Repeater oder zwei Antrieben mit einer Adresse suchen",
+        ),
+    ),
+    (
+        "garbled.two_answers",
+        Text::new(
+            "two drives answer at this address, or another master asks the same drive: leave one drive on the line and \
+             give it another address",
+            "zwei Antriebe antworten unter dieser Adresse, oder ein zweiter Master fragt denselben: nur einen Antrieb am \
+             Bus lassen und ihm eine andere Adresse geben",
+        ),
+    ),
+    ("usage.broadcast_read", Text::new("name one drive to read from", "zum Lesen einen Antrieb nennen")),
+    (
+        "port.busy",
+        Text::new(
+            "close the other program; ModemManager and brltty grab adapters on Linux (`fuser -v PORT`)",
+            "das andere Programm schließen; unter Linux greifen ModemManager und brltty nach Adaptern (`fuser -v \
+             PORT`)",
+        ),
+    ),
+    (
+        "port.permission",
+        Text::new(
+            "join the group that owns the port, usually `sudo usermod -aG dialout $USER`, and log in again",
+            "der Gruppe des Anschlusses beitreten, meist `sudo usermod -aG dialout $USER`, und neu anmelden",
+        ),
+    ),
+    (
+        "port.setting",
+        Text::new(
+            "is it a serial port, and can it do this speed?",
+            "ist es ein serieller Anschluss, und kann er diese Geschwindigkeit?",
+        ),
+    ),
+    (
+        "port.rs485",
+        Text::new(
+            "--rs485 adapter leaves the direction to the adapter, as most USB adapters want it",
+            "--rs485 adapter überlässt die Richtung dem Adapter, wie es die meisten USB-Adapter wollen",
+        ),
+    ),
+    (
+        "port.fixed_line",
+        Text::new(
+            "set speed and parity at the device server, or use rfc2217:// where it offers that",
+            "Geschwindigkeit und Parität am Geräteserver einstellen, oder rfc2217:// verwenden, wo er es anbietet",
+        ),
+    ),
+    (
+        "port.no_rfc2217",
+        Text::new(
+            "is it the raw port of the device server? Then it is tcp://HOST:PORT",
+            "ist es der rohe Port des Geräteservers? Dann heißt er tcp://RECHNER:PORT",
+        ),
+    ),
+    (
+        "port.unreachable",
+        Text::new(
+            "check host and TCP port; many device servers accept one connection at a time",
+            "Rechner und TCP-Port prüfen; viele Geräteserver nehmen nur eine Verbindung zugleich an",
+        ),
+    ),
+    (
+        "data.recording",
+        Text::new("`--trace FILE` writes such a recording", "`--trace DATEI` schreibt eine solche Aufzeichnung"),
+    ),
+    (
+        "port.recording",
+        Text::new(
+            "play it back with the command, the options and the version that recorded it",
+            "mit dem Befehl, den Optionen und der Version abspielen, mit denen aufgezeichnet wurde",
+        ),
+    ),
+    (
+        "port.stuck",
+        Text::new(
+            "plug the adapter in again; if it is a device server, is its serial side stopped by a handshake?",
+            "den Adapter neu einstecken; bei einem Geräteserver: hält ein Handshake seine serielle Seite an?",
+        ),
+    ),
+    (
+        "port.stranger",
+        Text::new(
+            "plug the first adapter in again, or start anew with -p; /dev/serial/by-id names an adapter for good",
+            "den ersten Adapter wieder einstecken oder mit -p neu beginnen; /dev/serial/by-id benennt ihn für immer",
+        ),
+    ),
+    (
+        "port.lost_server",
+        Text::new(
+            "is the server still there? Many device servers accept one connection at a time, and drop an idle one",
+            "ist der Server noch da? Viele Geräteserver nehmen nur eine Verbindung zugleich an und trennen eine stille",
+        ),
+    ),
+    (
+        "port.lost",
+        Text::new(
+            "plug the adapter in again; under /dev/serial/by-id it keeps its name",
+            "den Adapter wieder einstecken; unter /dev/serial/by-id behält er seinen Namen",
+        ),
+    ),
+];

@@ -1,0 +1,84 @@
+//! A port that cannot be used: what is wrong with it, and its code.
+
+use super::advice::advised;
+use crate::failure::{Class, Failure};
+use crate::protocol::modbus::Hex;
+use crate::text::{Text, both};
+use crate::transport::{LinkError, list_ports};
+
+/// The failure to show when a port cannot be used.
+pub(in crate::drive) fn link(error: &LinkError) -> Failure {
+    let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
+    match error {
+        LinkError::NotFound(_) => Failure::new(class, "port.not_found", said(error)).hint(found_ports()),
+        // A server that hung up is another matter than an adapter that was unplugged, but the same failure.
+        LinkError::Lost(port) if port.contains("://") => {
+            Failure { code: "port.lost".to_owned(), ..advised(class, "port.lost_server", said(error)) }
+        }
+        error => advised(class, code(error), said(error)),
+    }
+}
+
+fn code(error: &LinkError) -> &'static str {
+    match error {
+        LinkError::NotFound(_) => "port.not_found",
+        LinkError::Busy(_) => "port.busy",
+        LinkError::Permission(_) => "port.permission",
+        LinkError::Setting { .. } => "port.setting",
+        LinkError::Direction { .. } => "port.rs485",
+        LinkError::Fixed(_) => "port.fixed_line",
+        LinkError::NoRfc2217(_) => "port.no_rfc2217",
+        LinkError::Unreachable { .. } => "port.unreachable",
+        LinkError::Recording { .. } => "data.recording",
+        LinkError::OffTape { .. } => "port.recording",
+        LinkError::Stuck(_) => "port.stuck",
+        LinkError::Stranger { .. } => "port.stranger",
+        LinkError::Lost(_) => "port.lost",
+    }
+}
+
+/// The error in both languages; what the system or a driver said of it is quoted.
+fn said(error: &LinkError) -> Text {
+    match error {
+        LinkError::NotFound(port) => both!("{error}", "es gibt keinen Anschluss '{port}'"),
+        LinkError::Busy(port) => both!("{error}", "Anschluss '{port}' wird von einem anderen Programm benutzt"),
+        LinkError::Permission(port) => both!("{error}", "keine Berechtigung, Anschluss '{port}' zu öffnen"),
+        LinkError::Setting { port, message } => both!("{error}", "Anschluss '{port}': \"{message}\""),
+        LinkError::Direction { port, mode, message } => {
+            let mode = mode.name();
+            both!("{error}", "Anschluss '{port}' bietet --rs485 {mode} nicht: \"{message}\"")
+        }
+        LinkError::Fixed(port) => {
+            both!("{error}", "die serielle Leitung hinter '{port}' ist von hier nicht einstellbar")
+        }
+        LinkError::NoRfc2217(port) => both!("{error}", "'{port}' spricht kein RFC 2217"),
+        LinkError::Unreachable { port, message } => both!("{error}", "keine Verbindung zu '{port}': \"{message}\""),
+        LinkError::Lost(port) => {
+            both!("{error}", "Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
+        }
+        LinkError::Stuck(port) => {
+            both!("{error}", "Anschluss '{port}' nimmt keine Bytes an: niemand holt sie dort ab")
+        }
+        LinkError::Stranger { port, found } => {
+            both!("{error}", "Anschluss '{port}' ist jetzt ein anderer Adapter: {found}")
+        }
+        LinkError::Recording { file, message } => {
+            let (file, german) = (file.display(), &message.de);
+            both!("{error}", "Aufzeichnung {file}: {german}")
+        }
+        LinkError::OffTape { file, line, expected, sent } => {
+            let (file, expected, sent) = (file.display(), Hex(expected), Hex(sent));
+            both!("{error}", "Aufzeichnung {file}, Zeile {line}: aufgezeichnet ist {expected}, gesendet wurde {sent}")
+        }
+    }
+}
+
+/// What ports there are, for a hint.
+pub(in crate::drive) fn found_ports() -> Text {
+    let ports: Vec<String> = list_ports().iter().map(ToString::to_string).collect();
+    let found = match ports.is_empty() {
+        true => both!("no serial port was found", "es wurde kein serieller Anschluss gefunden"),
+        false => both!("found: {ports}", "gefunden: {ports}", ports = ports.join(", ")),
+    };
+    both!("{found}; `--port sim` is the built-in bench", "{found}; `--port sim` ist der eingebaute Prüfstand", found)
+}
