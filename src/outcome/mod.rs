@@ -152,7 +152,7 @@ pub enum Event {
         what: Text,
     },
     /// A drive was found.
-    Found(FoundDrive),
+    Found(Box<FoundDrive>),
     /// For people, on the way.
     Note(Text),
     /// A line of a stream: data, as it comes.

@@ -130,7 +130,7 @@ impl Console {
             Event::Search { port, done, total, what } => inner.progress(port, done, total, &what),
             Event::Found(drive) => {
                 if !inner.quiet {
-                    let FoundDrive { drive, address, title, port, line, protocol, .. } = drive;
+                    let FoundDrive { drive, address, title, port, line, protocol, .. } = *drive;
                     let found = inner.lang.pick("found", "gefunden:");
                     let drive = if drive == "unknown" { word(inner.lang, "unknown").to_owned() } else { drive };
                     let (at, title) = (inner.lang.pick("at", "unter"), title.get(inner.lang));

@@ -207,7 +207,7 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
     let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
     let must_stop = matches!(plan.relief, Some(act) if act != Relief::Zero);
     // A run that was to end must have ended, whatever was acknowledged on the way.
-    ((must_stand || must_stop) && running != Some(false)).then(|| still_running()).or_else(|| {
+    ((must_stand || must_stop) && running != Some(false)).then(still_running).or_else(|| {
         let must_run = plan.runs && !must_stand;
         (must_run && running == Some(false)).then(|| {
             let text = both!("the drive does not run any more", "der Antrieb läuft nicht mehr");

@@ -374,7 +374,7 @@ impl<'a, 's> Motor<'a, 's> {
 
     fn control_word(&self) -> Result<Param, Failure> {
         let param = self.target.family.role("control-word").cloned();
-        param.ok_or_else(|| no_control_word())
+        param.ok_or_else(no_control_word)
     }
 
     /// Writes to RAM, where nothing wears out. What is not echoed is written again, which changes nothing, as long as

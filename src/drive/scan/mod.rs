@@ -355,7 +355,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                     first.0.set(true);
                 }
                 self.warnings.extend(remark);
-                self.session.tell(Event::Found((*drive).clone()));
+                self.session.tell(Event::Found(drive.clone()));
                 self.drives.push(*drive);
             }
             Sight::Garbled => _ = searched.garbled.insert(sign.station),

@@ -85,7 +85,7 @@ pub(super) fn long(column: &Column, value: &Value, lang: Lang) -> String {
             let set = bits.bits.iter().filter(|bit| bit.set);
             let unnamed = |bit: &Bit| format!("{} {}", word(lang, "bit"), bit.bit);
             let name = |bit: &Bit| bit.name.as_ref().map_or_else(|| unnamed(bit), |name| name.get(lang).to_owned());
-            let names: Vec<_> = set.map(|bit| name(bit)).collect();
+            let names: Vec<_> = set.map(name).collect();
             names.join(", ")
         }
         (_, None) => value.text.as_ref().map_or_else(String::new, |text| text.get(lang).to_owned()),

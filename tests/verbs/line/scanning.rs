@@ -40,7 +40,7 @@ fn play(bench: &str, plan: &ScanPlan) -> Played {
     let mut now = 0;
     let mut observe = |event| match event {
         Event::Telegram { at_us, .. } => now = at_us,
-        Event::Found(drive) => found.push((Span::from_micros(now), drive)),
+        Event::Found(drive) => found.push((Span::from_micros(now), *drive)),
         _ => {}
     };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
