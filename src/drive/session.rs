@@ -28,6 +28,10 @@ const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 /// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
 const GATEWAY_REPEATS: u8 = 0;
 
+/// So long a second answer is listened for where a station is asked for the first time: two drives that answer after 10 ms
+/// each (docs/sources.md A2) are heard within it, whatever their adapters hold back. A choice: longer would be felt.
+const LISTEN: Span = Span::from_millis(60);
+
 /// Strange telegrams that are kept until somebody asks for them.
 const MOST_OVERHEARD: usize = 4_096;
 
@@ -45,6 +49,8 @@ pub struct Session<'a> {
     ends_at: Option<Tick>,
     /// No answer is believed that may be one to the same question from before.
     since: Option<Tick>,
+    /// Behind the next answer a second one is listened for.
+    listens: bool,
     /// Why the last question brought no answer.
     unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
@@ -99,6 +105,7 @@ impl<'a> Session<'a> {
             insists: false,
             ends_at: None,
             since: None,
+            listens: false,
             unanswered: None,
             overheard: None,
             account: Account::new(observe, verbose),
@@ -176,9 +183,15 @@ impl<'a> Session<'a> {
         self.put(station, question, self.limits()).await
     }
 
-    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.
+    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there, and of
+    /// how many.
     pub(super) async fn hail(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.put(station, question, Limits { retries: 0, ..self.limits() }).await
+        self.put(station, question, Limits { retries: 0, listen: LISTEN, ..self.limits() }).await
+    }
+
+    /// Behind the next answer a second one is listened for: two drives may be there, and nobody was hailed.
+    pub(super) fn listen(&mut self) {
+        self.listens = true;
     }
 
     async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
@@ -186,7 +199,8 @@ impl<'a> Session<'a> {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..limits };
+        let listen = if std::mem::take(&mut self.listens) { LISTEN } else { limits.listen };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         if let Some(error) = self.link.take_trace_error() {

@@ -101,15 +101,20 @@ impl Target {
 
     /// Asks a drive that somebody named, and that was not recognised, for a counter, once: it touches nothing in the drive,
     /// and its answer cannot be mistaken. Where two drives answer at the address, the second answer is the sign of it,
-    /// before any value is believed. Whoever does not know counters is asked for the value all the same. A stop greets
-    /// nobody, and behind a gateway every answer names its question.
+    /// before any value is believed; it is listened for. Whoever does not know counters is asked for the value all the same,
+    /// and over VABus, which has none, it is listened behind the first value. A stop greets nobody, and behind a gateway
+    /// every answer names its question.
     async fn greet(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
         if self.introduced || session.is_insisting() {
             return Ok(());
         }
         self.introduced = true;
-        let counter = self.family.counters.first().filter(|_| route.protocol != Framing::Tcp.into());
+        if route.protocol == Framing::Tcp.into() {
+            return Ok(());
+        }
+        let counter = self.family.counters.first();
         let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) else {
+            session.listen();
             return Ok(());
         };
         match session.hail(self.address, question).await {
