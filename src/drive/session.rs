@@ -28,7 +28,9 @@ const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 /// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
 const GATEWAY_REPEATS: u8 = 0;
 
-/// So long a second answer is listened for where a station is asked for the first time: two drives that answer after 10 ms
+/// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
+const SOUNDINGS: u8 = 2;
+/// So long a second answer is listened for where a station is asked for its first value: two drives that answer after 10 ms
 /// each (docs/sources.md A2) are heard within it, whatever their adapters hold back. A choice: longer would be felt.
 const LISTEN: Span = Span::from_millis(60);
 
@@ -171,8 +173,10 @@ impl<'a> Session<'a> {
         limits: Limits,
     ) -> Result<Answer, AccessError> {
         let question = question.into();
-        if self.master.needs_sounding(station, &question) {
-            self.put(station, sounding().into(), limits).await?;
+        for _ in 0..SOUNDINGS {
+            if self.master.needs_sounding(station, &question) {
+                self.put(station, sounding().into(), limits).await?;
+            }
         }
         self.put(station, question, limits).await
     }
@@ -183,13 +187,12 @@ impl<'a> Session<'a> {
         self.put(station, question, self.limits()).await
     }
 
-    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there, and of
-    /// how many.
+    /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.
     pub(super) async fn hail(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.put(station, question, Limits { retries: 0, listen: LISTEN, ..self.limits() }).await
+        self.put(station, question, Limits { retries: 0, ..self.limits() }).await
     }
 
-    /// Behind the next answer a second one is listened for: two drives may be there, and nobody was hailed.
+    /// Behind the next answer a second one is listened for: what a second drive said before may have met our question.
     pub(super) fn listen(&mut self) {
         self.listens = true;
     }
@@ -199,7 +202,9 @@ impl<'a> Session<'a> {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let listen = if std::mem::take(&mut self.listens) { LISTEN } else { limits.listen };
+        // What must not wait, and what ends by the clock, listens for nobody.
+        let hurries = self.insists || self.ends_at.is_some();
+        let listen = if std::mem::take(&mut self.listens) && !hurries { LISTEN } else { Span::ZERO };
         let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
@@ -218,6 +223,9 @@ impl<'a> Session<'a> {
         }
         if self.master.answers_twice(station) {
             self.account.tell_twice(station);
+        }
+        if self.master.differs(station) && matches!(outcome, Ok(Ok(_))) {
+            self.account.tell_differing(station);
         }
         match outcome {
             Err(PumpError::TimeUp) => return Err(self.too_late()),

@@ -101,9 +101,9 @@ impl Target {
 
     /// Asks a drive that somebody named, and that was not recognised, for a counter, once: it touches nothing in the drive,
     /// and its answer cannot be mistaken. Where two drives answer at the address, the second answer is the sign of it,
-    /// before any value is believed; it is listened for. Whoever does not know counters is asked for the value all the same,
-    /// and over VABus, which has none, it is listened behind the first value. A stop greets nobody, and behind a gateway
-    /// every answer names its question.
+    /// before any value is believed; it may meet the next question, so behind the first value a second one is listened for.
+    /// (Not behind the greeting: two drives alike would count the same.) Whoever does not know counters is asked for the
+    /// value all the same. A stop greets nobody, and behind a gateway every answer names its question.
     async fn greet(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
         if self.introduced || session.is_insisting() {
             return Ok(());
@@ -113,15 +113,15 @@ impl Target {
             return Ok(());
         }
         let counter = self.family.counters.first();
-        let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) else {
-            session.listen();
-            return Ok(());
-        };
-        match session.hail(self.address, question).await {
-            Err(error @ AccessError::Exchange(ExchangeError::TwoAnswers { .. })) => Err(error),
-            Ok(_) | Err(AccessError::Exchange(_)) => Ok(()),
-            Err(error) => Err(error),
+        if let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) {
+            match session.hail(self.address, question).await {
+                Err(error @ AccessError::Exchange(ExchangeError::TwoAnswers { .. })) => return Err(error),
+                Ok(_) | Err(AccessError::Exchange(_)) => {}
+                Err(error) => return Err(error),
+            }
         }
+        session.listen();
+        Ok(())
     }
 }
 

@@ -150,13 +150,13 @@ impl Master {
 
     /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
     pub fn echoes(&self) -> Option<bool> {
-        (self.echo != Echo::Unknown).then_some(self.echo == Echo::Present)
+        self.echo.is_known().then_some(self.echo == Echo::Present)
     }
 
     /// Whether the echo of this question would pass for its answer, and nobody knows yet whether the line echoes: then
     /// something else must be asked first.
     pub fn needs_sounding(&self, station: u8, question: &Question) -> bool {
-        station != BROADCAST && self.echo == Echo::Unknown && question.resembles_its_reply()
+        station != BROADCAST && !self.echo.is_known() && question.resembles_its_reply()
     }
 
     /// Whether a station answers everything twice, in the same words: two drives with one address, or a repeater.

@@ -126,7 +126,18 @@ impl Master {
             (second.second, second.until) = (Some(found.said), at);
             self.heard.note(at, &reply, None);
             self.tally.strays += 1;
-            return self.record(Record { at, verdict: Verdict::Stray { station }, bytes: reply });
+            self.record(Record { at, verdict: Verdict::Stray { station }, bytes: reply });
+            if let Some(before) = telegram.get(..found.start).filter(|before| !before.is_empty()) {
+                self.note_stray(at, before);
+            }
+            return;
+        }
+        // Nobody speaks behind an answer but a second drive, whatever it answers: it is asked about at once.
+        let is_another = self.dialect.sender(&second.came).is_some() && !self.sent.contains(&second.came);
+        if is_another && !self.twins.is_suspect(station) {
+            second.until = at;
+            let came = std::mem::take(&mut second.came);
+            self.note_stray(at, &came);
         }
     }
 
@@ -163,8 +174,16 @@ impl Master {
             self.loose.last = now;
             self.loose.bytes = came;
         }
-        self.settle(at, sent_end, said);
+        match !is_fenced && !is_named && self.is_suspected(now) && self.is_uncounted() {
+            // It became a suspect only now: how many answer is found out before this is believed.
+            true => self.count(at, sent_end, said),
+            false => self.settle(at, sent_end, said),
+        }
         self.step(now)
+    }
+
+    fn is_uncounted(&self) -> bool {
+        self.job.as_ref().is_some_and(|job| job.counted.is_none())
     }
 }
 
