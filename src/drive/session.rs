@@ -202,9 +202,8 @@ impl<'a> Session<'a> {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        // What must not wait, and what ends by the clock, listens for nobody.
-        let hurries = self.insists || self.ends_at.is_some();
-        let listen = if std::mem::take(&mut self.listens) && !hurries { LISTEN } else { Span::ZERO };
+        // What must not wait listens for nobody.
+        let listen = if std::mem::take(&mut self.listens) && !self.insists { LISTEN } else { Span::ZERO };
         let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;

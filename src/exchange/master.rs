@@ -461,7 +461,7 @@ impl Master {
     /// the station answer. Who asks the same again and again beside us is answered the same again and again.
     fn is_said_again(&mut self, said: &Said, at: Tick) -> bool {
         let is_shared = self.is_shared(at);
-        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced() && !(is_shared && job.doubted)) else {
+        let Some(job) = self.job.as_ref().filter(|job| !(job.is_fenced() || is_shared && job.doubted)) else {
             return false;
         };
         let Some(first) = job.first.as_ref().filter(|first| first.said == *said) else { return false };
