@@ -18,6 +18,8 @@ pub(super) struct Account<'a> {
     known: BTreeMap<u8, Known>,
     /// Drives of which it was told that they answer twice.
     twice: BTreeSet<u8>,
+    /// Drives of which it was told that two of their answers differ.
+    differing: BTreeSet<u8>,
     verbose: bool,
 }
 
@@ -31,7 +33,7 @@ struct Known {
 impl<'a> Account<'a> {
     /// Tells this observer; every telegram only if `verbose`.
     pub(super) fn new(observe: &'a mut dyn FnMut(Event), verbose: bool) -> Self {
-        Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), verbose }
+        Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), differing: BTreeSet::new(), verbose }
     }
 
     /// Tells an event.
@@ -68,6 +70,19 @@ impl<'a> Account<'a> {
                 "address {station}: every question is answered twice: two drives with one address, or a repeater",
                 "Adresse {station}: jede Frage wird zweimal beantwortet: zwei Antriebe mit einer Adresse, oder ein \
                  Repeater"
+            );
+            (self.observe)(Event::Note(note));
+        }
+    }
+
+    /// Tells once that one question was answered in two ways, where values are believed all the same.
+    pub(super) fn tell_differing(&mut self, station: u8) {
+        if self.differing.insert(station) {
+            let note = both!(
+                "address {station}: one question was answered in two ways: two drives with one address, or a reply that came \
+                 late",
+                "Adresse {station}: eine Frage wurde auf zwei Arten beantwortet: zwei Antriebe mit einer Adresse, oder eine \
+                 verspätete Antwort"
             );
             (self.observe)(Event::Note(note));
         }

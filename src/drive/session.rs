@@ -28,6 +28,12 @@ const GATEWAY_PATIENCE: Span = Span::from_secs(3);
 /// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
 const GATEWAY_REPEATS: u8 = 0;
 
+/// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
+const SOUNDINGS: u8 = 2;
+/// So long a second answer is listened for where a station is asked for its first value: two drives that answer after 10 ms
+/// each (docs/sources.md A2) are heard within it, whatever their adapters hold back. A choice: longer would be felt.
+const LISTEN: Span = Span::from_millis(60);
+
 /// Strange telegrams that are kept until somebody asks for them.
 const MOST_OVERHEARD: usize = 4_096;
 
@@ -45,6 +51,8 @@ pub struct Session<'a> {
     ends_at: Option<Tick>,
     /// No answer is believed that may be one to the same question from before.
     since: Option<Tick>,
+    /// Behind the next answer a second one is listened for.
+    listens: bool,
     /// Why the last question brought no answer.
     unanswered: Option<ExchangeError>,
     /// Telegrams and garbage that were not for the master, if anybody wants them.
@@ -99,6 +107,7 @@ impl<'a> Session<'a> {
             insists: false,
             ends_at: None,
             since: None,
+            listens: false,
             unanswered: None,
             overheard: None,
             account: Account::new(observe, verbose),
@@ -164,8 +173,10 @@ impl<'a> Session<'a> {
         limits: Limits,
     ) -> Result<Answer, AccessError> {
         let question = question.into();
-        if self.master.needs_sounding(station, &question) {
-            self.put(station, sounding().into(), limits).await?;
+        for _ in 0..SOUNDINGS {
+            if self.master.needs_sounding(station, &question) {
+                self.put(station, sounding().into(), limits).await?;
+            }
         }
         self.put(station, question, limits).await
     }
@@ -181,12 +192,19 @@ impl<'a> Session<'a> {
         self.put(station, question, Limits { retries: 0, ..self.limits() }).await
     }
 
+    /// Behind the next answer a second one is listened for: what a second drive said before may have met our question.
+    pub(super) fn listen(&mut self) {
+        self.listens = true;
+    }
+
     async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
         if self.is_over() {
             return Err(self.too_late());
         }
         pump::drain(&mut self.master, &mut self.link).await?;
-        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, ..limits };
+        // What must not wait listens for nobody.
+        let listen = if std::mem::take(&mut self.listens) && !self.insists { LISTEN } else { Span::ZERO };
+        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
         self.master.ask_within(station, question, limits, self.link.now());
         let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
         if let Some(error) = self.link.take_trace_error() {
@@ -204,6 +222,9 @@ impl<'a> Session<'a> {
         }
         if self.master.answers_twice(station) {
             self.account.tell_twice(station);
+        }
+        if self.master.differs(station) && matches!(outcome, Ok(Ok(_))) {
+            self.account.tell_differing(station);
         }
         match outcome {
             Err(PumpError::TimeUp) => return Err(self.too_late()),

@@ -101,22 +101,27 @@ impl Target {
 
     /// Asks a drive that somebody named, and that was not recognised, for a counter, once: it touches nothing in the drive,
     /// and its answer cannot be mistaken. Where two drives answer at the address, the second answer is the sign of it,
-    /// before any value is believed. Whoever does not know counters is asked for the value all the same. A stop greets
-    /// nobody, and behind a gateway every answer names its question.
+    /// before any value is believed; it may meet the next question, so behind the first value a second one is listened for.
+    /// (Not behind the greeting: two drives alike would count the same.) Whoever does not know counters is asked for the
+    /// value all the same. A stop greets nobody, and behind a gateway every answer names its question.
     async fn greet(&mut self, session: &mut Session<'_>, route: Route) -> Result<(), AccessError> {
         if self.introduced || session.is_insisting() {
             return Ok(());
         }
         self.introduced = true;
-        let counter = self.family.counters.first().filter(|_| route.protocol != Framing::Tcp.into());
-        let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) else {
+        if route.protocol == Framing::Tcp.into() {
             return Ok(());
-        };
-        match session.hail(self.address, question).await {
-            Err(error @ AccessError::Exchange(ExchangeError::TwoAnswers { .. })) => Err(error),
-            Ok(_) | Err(AccessError::Exchange(_)) => Ok(()),
-            Err(error) => Err(error),
         }
+        let counter = self.family.counters.first();
+        if let Some(question) = counter.and_then(|counter| route.question(Inquiry::Counter(counter.sub))) {
+            match session.hail(self.address, question).await {
+                Err(error @ AccessError::Exchange(ExchangeError::TwoAnswers { .. })) => return Err(error),
+                Ok(_) | Err(AccessError::Exchange(_)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        session.listen();
+        Ok(())
     }
 }
 

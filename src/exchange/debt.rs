@@ -153,10 +153,11 @@ impl Debts {
         arrived.is_some()
     }
 
-    /// A reply that was only doubted is not to come any more, where replies come in order.
-    pub(super) fn forgives(&mut self, station: u8, question: &Question) {
+    /// A reply that came and was only doubted, at `since`, is not to come any more, where replies come in order. Another one
+    /// to the same question, which was lost before, still is.
+    pub(super) fn forgives(&mut self, station: u8, question: &Question, since: Tick) {
         if let Some(overtaken) = self.overtaken.get_mut(&station).filter(|_| !self.mixes) {
-            overtaken.retain(|old| old.missing != *question);
+            overtaken.retain(|old| old.since != since || old.missing != *question);
         }
     }
 
@@ -240,6 +241,19 @@ mod tests {
         debts.owes(1, question(3), at(7_500), at(7_400));
         assert_eq!(debts.missing(1), [first, question(3)], "7 s after it was asked it cannot come");
         assert!(debts.missing(2).is_empty());
+    }
+
+    #[test]
+    fn what_was_doubted_is_forgiven_and_what_was_lost_before_is_not() {
+        let mut debts = Debts::default();
+        let said = Said::Modbus(crate::protocol::modbus::pdu::Reply::Registers(vec![7]));
+        debts.owes(1, question(1), at(500), at(400));
+        debts.owes(1, question(1), at(500), at(420));
+        debts.settle(1, at(430), at(440));
+        debts.forgives(1, &question(1), at(420));
+        assert!(debts.arrives(1, &said, at(2_500)), "asked at 400 and lost");
+        assert!(!debts.arrives(1, &said, at(2_600)), "asked at 420 and doubted");
+        assert!(debts.mixes());
     }
 
     #[test]

@@ -68,6 +68,8 @@ pub(super) struct Job {
 #[derive(Debug)]
 pub(super) struct Doubted {
     pub(super) said: Said,
+    /// When it was doubted.
+    pub(super) since: Tick,
     /// How long after the question, in microseconds.
     pub(super) after: i64,
     /// It came behind noise.

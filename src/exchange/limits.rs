@@ -27,6 +27,8 @@ pub struct Limits {
     pub witness: bool,
     /// No answer is believed that may be one to the same question from before this time. What proves a stop is asked so.
     pub since: Option<Tick>,
+    /// So long behind the answer a second one is listened for, which only two drives at one address give.
+    pub listen: Span,
 }
 
 impl Default for Limits {
@@ -39,6 +41,7 @@ impl Default for Limits {
             insist: None,
             witness: true,
             since: None,
+            listen: Span::ZERO,
         }
     }
 }
@@ -59,12 +62,12 @@ impl Limits {
     /// The longest that one question takes, whatever comes over the line. It is asked, and in the worst case asked again
     /// twice behind a fence and three times for a witness, every time as often as it is repeated; once the line must become
     /// silent, once a reply that is still owed is waited for, once one that was overtaken, and once more the answer to a
-    /// fence.
+    /// fence; and a second answer is listened for.
     pub fn longest(&self, protocol: Protocol, line: LineSetting) -> Span {
         let again = 1 + 2 * u64::from(ROUNDS) + WITNESSES as u64;
         let seconds = SECOND_WITHIN.times(2 * (1 + u64::from(ROUNDS)));
         let tries = self.tries(protocol, line).times(again);
-        tries + seconds + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround
+        tries + seconds + self.patience(protocol, line) + LATEST_OF_ALL.times(3) + self.turnaround + self.listen
     }
 
     /// The longest that all tries of a question take of which nobody doubts whose answer comes.
@@ -92,15 +95,16 @@ mod tests {
             reply_timeout: Span::from_millis(300),
             retries: 1,
             turnaround: Span::from_millis(70),
+            listen: Span::from_millis(9),
             ..Limits::default()
         };
         let line = LineSetting::rtu(19_200, Parity::Even);
         let longest = |protocol: Protocol| limits.longest(protocol, line).as_micros() / 1_000;
         // Behind a gateway no byte takes time: 2 x 8 tries of 300 + 50 ms, six second answers of 600 ms, 1 s for a busy line,
-        // three times the latest reply of 7 s, and the turnaround.
-        assert_eq!(longest(Framing::Tcp.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 70);
+        // three times the latest reply of 7 s, the turnaround, and a second answer.
+        assert_eq!(longest(Framing::Tcp.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 79);
         // 256 characters of 11 bits at 19200 Bd take 146.7 ms, in every try and once on a busy line.
-        assert_eq!(longest(Framing::Rtu.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 70 + 17 * 146_667 / 1_000);
+        assert_eq!(longest(Framing::Rtu.into()), 16 * 350 + 6 * 600 + 1_000 + 21_000 + 79 + 17 * 146_667 / 1_000);
         // ASCII may dawdle a second between two characters.
         assert_eq!(longest(Framing::Ascii.into()) - longest(Framing::Rtu.into()), 16 * 950);
     }

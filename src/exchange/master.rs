@@ -150,13 +150,13 @@ impl Master {
 
     /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
     pub fn echoes(&self) -> Option<bool> {
-        (self.echo != Echo::Unknown).then_some(self.echo == Echo::Present)
+        self.echo.is_known().then_some(self.echo == Echo::Present)
     }
 
     /// Whether the echo of this question would pass for its answer, and nobody knows yet whether the line echoes: then
     /// something else must be asked first.
     pub fn needs_sounding(&self, station: u8, question: &Question) -> bool {
-        station != BROADCAST && self.echo == Echo::Unknown && question.resembles_its_reply()
+        station != BROADCAST && !self.echo.is_known() && question.resembles_its_reply()
     }
 
     /// Whether a station answers everything twice, in the same words: two drives with one address, or a repeater.
@@ -461,7 +461,7 @@ impl Master {
     /// the station answer. Who asks the same again and again beside us is answered the same again and again.
     fn is_said_again(&mut self, said: &Said, at: Tick) -> bool {
         let is_shared = self.is_shared(at);
-        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced() && !(is_shared && job.doubted)) else {
+        let Some(job) = self.job.as_ref().filter(|job| !(job.is_fenced() || is_shared && job.doubted)) else {
             return false;
         };
         let Some(first) = job.first.as_ref().filter(|first| first.said == *said) else { return false };
@@ -476,11 +476,11 @@ impl Master {
     }
 
     /// Remembers an answer that is doubted for how it came, and how late that was.
-    fn doubt(&mut self, said: Said) {
+    fn doubt(&mut self, said: Said, since: Tick) {
         let Some(job) = &mut self.job else { return };
         let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return };
         let after = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
-        job.first = Some(Doubted { said, after, noisy: job.noisy || job.doubted, again: job.again });
+        job.first = Some(Doubted { said, since, after, noisy: job.noisy || job.doubted, again: job.again });
     }
 
     /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
@@ -516,16 +516,21 @@ impl Master {
         }
         let is_again = self.is_said_again(&said, at);
         if self.is_doubted(&said, at) && !is_again {
-            self.doubt(said);
+            self.doubt(said, at);
             let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
             return self.ask_behind_fence(at, due);
         }
-        if let Some(job) = self.job.as_ref().filter(|job| job.first.is_some() && !job.is_fenced()) {
+        if let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced())
+            && let Some(first) = &job.first
+        {
             // Behind the fence it was answered once: what was doubted is no reply that is still to come.
-            self.debts.forgives(job.station, &job.question);
+            self.debts.forgives(job.station, &job.question, first.since);
         }
         if self.is_suspected(at) {
             return self.count(at, sent_end, said);
+        }
+        if self.listens() {
+            return self.await_second(at, sent_end, said);
         }
         self.settle(at, sent_end, said);
     }

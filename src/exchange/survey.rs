@@ -40,6 +40,8 @@ const REPLY_DELAY: Span = Span::from_millis(10);
 const SLACK: Span = Span::from_millis(2);
 /// USB adapters hold bytes back for up to 16 ms (docs/measured.md: latency timer of FTDI).
 const ADAPTER: Span = Span::from_millis(16);
+/// An adapter or a server of ports gives back what we send within this time (as long as a repeater takes, docs/measured.md).
+const ECHO_WITHIN: Span = Span::from_millis(600);
 /// A look at a setting may take so much longer than a typical drive does, because nobody listens there any more when it
 /// is over.
 const GLANCE: Span = Span::from_millis(20);
@@ -148,8 +150,8 @@ pub struct Survey {
     came: Vec<u8>,
     began: Tick,
     last: Tick,
-    /// The last telegram, as long as its echo may come.
-    sent: Vec<u8>,
+    /// The last telegrams and when they went out, as long as their echoes may come.
+    sent: VecDeque<(Tick, Vec<u8>)>,
     /// Who was asked last, and until when it is waited for.
     window: Option<(u8, Tick)>,
     /// The line is free for the next telegram from then on.
@@ -164,8 +166,8 @@ pub struct Survey {
     signs: VecDeque<Sign>,
     noisy: bool,
     occupied: bool,
-    /// Our last telegram, which a line may double.
-    ours: Vec<u8>,
+    /// Our last telegrams, which a line may double.
+    ours: VecDeque<(Tick, Vec<u8>)>,
     /// Questions that were heard and are not ours.
     foreign: u32,
     /// Times that garbage came.
@@ -232,7 +234,7 @@ impl Survey {
             came: Vec::new(),
             began: now,
             last: now,
-            sent: Vec::new(),
+            sent: VecDeque::new(),
             window: None,
             ready_at: now + dialect.silence(line),
             held: None,
@@ -241,7 +243,7 @@ impl Survey {
             signs: VecDeque::new(),
             noisy: false,
             occupied: false,
-            ours: Vec::new(),
+            ours: VecDeque::new(),
             foreign: 0,
             garbage: 0,
             records: Vec::new(),
@@ -362,8 +364,10 @@ impl Survey {
         self.round.asked += 1;
         self.window = Some((station, end + self.round.window));
         self.asking = Some(station);
-        self.sent.clone_from(&bytes);
-        self.ours.clone_from(&bytes);
+        for telegrams in [&mut self.sent, &mut self.ours] {
+            telegrams.retain(|(then, _)| now.since(*then) <= ECHO_WITHIN);
+            telegrams.push_back((now, bytes.clone()));
+        }
         self.send(now, bytes, Verdict::Request)
     }
 
@@ -447,10 +451,9 @@ impl Survey {
 
     /// Takes the echo of our own telegram and every reply out of what has come.
     fn sort_out(&mut self, at: Tick) {
-        let echo = self.came.windows(self.sent.len().max(1)).position(|window| window == self.sent);
-        if let Some(start) = echo {
-            self.came.drain(start..start + self.sent.len());
-            let bytes = std::mem::take(&mut self.sent);
+        while let Some((place, start)) = self.echo() {
+            let Some((_, bytes)) = self.sent.remove(place) else { break };
+            self.came.drain(start..start + bytes.len());
             self.record(Record { at, verdict: Verdict::Echo, bytes });
         }
         while let Some(found) = self.find() {
@@ -462,6 +465,14 @@ impl Survey {
             }
             self.credit(at, found.station, found.said, reply);
         }
+    }
+
+    /// Which of our telegrams has come back, and where it stands in what has come.
+    fn echo(&self) -> Option<(usize, usize)> {
+        self.sent.iter().enumerate().find_map(|(place, (_, sent))| {
+            let start = self.came.windows(sent.len().max(1)).position(|window| window == sent)?;
+            Some((place, start))
+        })
     }
 
     /// The first reply in what has come, of anybody who was asked.

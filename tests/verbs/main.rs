@@ -27,6 +27,7 @@ mod line {
     mod babble;
     mod diagnosing;
     mod finding;
+    mod noise;
     mod relocation;
     mod scanning;
     mod sniffing;

@@ -8,6 +8,8 @@ use crate::tick::Span;
 
 /// Who has asked nothing for so long is gone.
 const ALONE_AFTER: Span = Span::from_secs(5);
+/// Bytes of the longest answer behind which a second one is listened for: a counter in ASCII.
+const MOST_SECOND: usize = 17;
 
 impl Master {
     /// Whether two drives at the address matter to this question. A stop or a refresh goes on, and a write is proven
@@ -71,7 +73,6 @@ impl Master {
             job.phase = Phase::Done(Err(ExchangeError::TwoAnswers { station: job.station }));
             return;
         }
-        let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
         if !job.is_fenced() && job.counted.is_none() && !is_named {
             // Once for each question: that is no round.
             let rounds = std::mem::take(&mut job.rounds);
@@ -81,8 +82,24 @@ impl Master {
             }
             return;
         }
-        let until = at + SECOND_WITHIN;
+        self.await_second(at, sent_end, said);
+    }
+
+    /// Whether a second answer is listened for although nothing speaks for one yet.
+    pub(super) fn listens(&self) -> bool {
+        let listens = |job: &Job| job.limits.listen > Span::ZERO && !job.is_fenced() && !job.question.is_write();
+        !self.dialect.is_numbered() && self.job.as_ref().is_some_and(listens)
+    }
+
+    /// Waits behind an answer for the second one: as long as any comes, or as somebody wants to listen.
+    pub(super) fn await_second(&mut self, at: Tick, sent_end: Tick, said: Said) {
+        let within = if self.is_suspected(at) { SECOND_WITHIN } else { Span::ZERO };
+        // Until the second one is over, on a slow line too.
+        let telegram = self.dialect.duration(self.line, MOST_SECOND);
         let came = std::mem::take(&mut self.loose.bytes);
+        let Some(job) = &mut self.job else { return };
+        let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
+        let until = at + within.longer(job.limits.listen + telegram);
         job.phase =
             Phase::Second(Second { said, sent: (sent_at, sent_end), at, until, came: Vec::new(), second: None });
         if !came.is_empty() {
@@ -94,19 +111,33 @@ impl Master {
     pub(super) fn feed_second(&mut self, at: Tick, bytes: &[u8]) {
         let Some(job) = &mut self.job else { return };
         let (station, question) = (job.station, job.asks().clone());
+        let is_owed = self.debts.missing(station).contains(&question);
+        let may_be_older =
+            job.asked > 1 || is_owed || self.debts.overtaken(station, at).any(|old| old.missing == question);
         let Phase::Second(second) = &mut job.phase else { return };
         keep(&mut second.came, bytes);
         while let Some(found) = self.dialect.find(&second.came, station, &question) {
             let telegram: Vec<u8> = second.came.drain(..found.end).collect();
-            // An older fence of the same kind was counted lower.
-            if is_older(&found.said, &second.said) {
+            let reply = telegram.get(found.start..).unwrap_or_default().to_vec();
+            // An older fence of the same kind was counted lower; what an adapter gives back late is our own.
+            if may_be_older && is_older(&found.said, &second.said) || self.sent.contains(&reply) {
                 continue;
             }
             (second.second, second.until) = (Some(found.said), at);
-            let reply = telegram.get(found.start..).unwrap_or_default().to_vec();
             self.heard.note(at, &reply, None);
             self.tally.strays += 1;
-            return self.record(Record { at, verdict: Verdict::Stray { station }, bytes: reply });
+            self.record(Record { at, verdict: Verdict::Stray { station }, bytes: reply });
+            if let Some(before) = telegram.get(..found.start).filter(|before| !before.is_empty()) {
+                self.note_stray(at, before);
+            }
+            return;
+        }
+        // Nobody speaks behind an answer but a second drive, whatever it answers: it is asked about at once.
+        let is_another = self.dialect.sender(&second.came).is_some() && !self.sent.contains(&second.came);
+        if is_another && !self.twins.is_suspect(station) {
+            second.until = at;
+            let came = std::mem::take(&mut second.came);
+            self.note_stray(at, &came);
         }
     }
 
@@ -125,8 +156,10 @@ impl Master {
         let is_due = self.debts.missing(station).contains(&fence)
             || self.debts.overtaken(station, now).any(|old| old.missing == fence);
         let two_counts = is_fenced && asked == 1 && !is_due && second.as_ref().is_some_and(|second| *second != said);
-        if is_fenced || is_named {
-            self.twins.counts(station, second.is_some());
+        match is_fenced || is_named {
+            true => self.twins.counts(station, second.is_some()),
+            false if second.is_some() => self.suspect(station, now),
+            false => {}
         }
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         if is_fenced {
@@ -141,8 +174,16 @@ impl Master {
             self.loose.last = now;
             self.loose.bytes = came;
         }
-        self.settle(at, sent_end, said);
+        match !is_fenced && !is_named && self.is_suspected(now) && self.is_uncounted() {
+            // It became a suspect only now: how many answer is found out before this is believed.
+            true => self.count(at, sent_end, said),
+            false => self.settle(at, sent_end, said),
+        }
         self.step(now)
+    }
+
+    fn is_uncounted(&self) -> bool {
+        self.job.as_ref().is_some_and(|job| job.counted.is_none())
     }
 }
 

@@ -936,6 +936,30 @@ fn what_is_cleared_by_reading_is_asked_once_whatever_is_doubtful() {
     ));
 }
 
+/// Behind the greeting of a drive that somebody named: its answer is no value, so a second one is listened for.
+#[test]
+fn a_second_answer_is_listened_for_where_somebody_wants_to() {
+    let counter = Request::Diagnostics { sub: 0x0B, data: 0 };
+    let counted = |data| frame(1, &Reply::Diagnostics { sub: 0x0B, data });
+    let listen = Span::from_millis(60);
+    for (second, two) in [(5, true), (55, true), (900, false)] {
+        for count in [4, 8] {
+            let mut line = Line::new(Framing::Rtu);
+            line.master.set_limits(Limits { listen, ..Limits::default() });
+            let outcome = line.ask(1, counter.clone(), &[&[(10, counted(7)), (10 + second, counted(count))]]);
+            let told = matches!(outcome, Err(ExchangeError::TwoAnswers { station: 1 }));
+            assert_eq!(told, two, "{second} ms: {outcome:?}");
+            assert!(line.now < Tick::from_micros(110_000), "{:?}", line.now);
+        }
+    }
+    // What an adapter gives back late is our own.
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { listen, ..Limits::default() });
+    let echo = rtu::encode(1, &counter.encode());
+    assert!(line.ask(1, counter, &[&[(10, counted(7)), (30, echo)]]).is_ok());
+    assert!(!line.master.differs(1));
+}
+
 #[test]
 fn two_drives_that_answer_differently_are_named_and_none_of_them_is_believed() {
     let mut line = Line::new(Framing::Rtu);

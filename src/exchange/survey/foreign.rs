@@ -5,10 +5,12 @@ use crate::protocol::Protocol;
 use crate::protocol::modbus::pdu::{Reply, Request};
 use crate::protocol::modbus::{Framing, ascii};
 use crate::protocol::vabus;
+use crate::tick::Tick;
+use std::collections::VecDeque;
 
 /// How many questions stand among bytes that are no reply to us: what only a master sends, and not `ours`, which a line may
 /// double. Question and reply of somebody else come as one piece where his pauses are short.
-pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
+pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &VecDeque<(Tick, Vec<u8>)>) -> u32 {
     let (mut rest, mut count) = (bytes, 0);
     while !rest.is_empty() {
         let ends = 1..=rest.len().min(LONGEST_QUESTION);
@@ -16,7 +18,7 @@ pub(super) fn questions(protocol: Protocol, bytes: &[u8], ours: &[u8]) -> u32 {
             ends.filter_map(|end| rest.split_at_checked(end)).find(|(piece, _)| is_question(protocol, piece));
         match question {
             Some((piece, after)) => {
-                count += u32::from(piece != ours);
+                count += u32::from(!ours.iter().any(|(_, sent)| sent == piece));
                 rest = after;
             }
             None => rest = rest.get(1..).unwrap_or_default(),
@@ -101,11 +103,12 @@ mod tests {
         let (read, order) = (telegram(9, &[3, 1, 0x9B, 0, 1]), telegram(9, &[6, 1, 0x9A, 0, 15]));
         let (reply, refusal) = (telegram(9, &[3, 2, 0, 35]), telegram(9, &[0x83, 2]));
         let mixed = [&[0x55, 0][..], &read, &reply, &order, &refusal, &read].concat();
-        assert_eq!(questions(RTU, &mixed, &[]), 3);
-        assert_eq!(questions(RTU, &mixed, &read), 1);
+        let ours = |sent: &Vec<u8>| VecDeque::from([(Tick::ZERO, sent.clone())]);
+        assert_eq!(questions(RTU, &mixed, &VecDeque::new()), 3);
+        assert_eq!(questions(RTU, &mixed, &ours(&read)), 1);
         let zero_behind = [&reply[..], &[0]].concat();
         for alone in [reply, zero_behind, refusal, telegram(9, &[8, 0, 0, 1, 2]), vec![0x55; 200], Vec::new()] {
-            assert_eq!(questions(RTU, &alone, &[]), 0, "{alone:?}");
+            assert_eq!(questions(RTU, &alone, &VecDeque::new()), 0, "{alone:?}");
         }
     }
 }

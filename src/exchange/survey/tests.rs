@@ -195,6 +195,40 @@ fn nothing_is_sent_into_a_telegram_that_comes_in() {
     assert_eq!((bus.found(), bus.sent.len()), (vec![1], 3));
 }
 
+/// As a server of ports in a network does, or an adapter on a slow hub.
+#[test]
+fn our_own_telegrams_that_come_back_late_are_no_other_master() {
+    for delay in [4, 16, 25, 40, 60, 250] {
+        let mut survey = survey(1..=12, brief());
+        let (mut now, mut coming, mut heard) = (Tick::ZERO, Vec::new(), Vec::new());
+        loop {
+            match survey.step(now) {
+                Step::Done(News::Over) => break,
+                Step::Done(News::Heard(sign)) => heard.push(sign.station),
+                Step::Done(_) => {}
+                Step::Send(bytes) => {
+                    let end = now + LINE.chars(bytes.len() as u64);
+                    if bytes.first() == Some(&7) {
+                        let reply = rtu::encode(7, &Reply::Registers(vec![0x23]).encode());
+                        coming.push((end + Span::from_millis(14), reply));
+                    }
+                    coming.push((end + Span::from_millis(delay), bytes));
+                    coming.sort();
+                }
+                Step::Wait(until) => match coming.first() {
+                    Some((at, _)) if *at <= until => {
+                        let (at, bytes) = coming.remove(0);
+                        now = at.max(now);
+                        survey.feed(now, &bytes);
+                    }
+                    _ => now = until,
+                },
+            }
+        }
+        assert!(!survey.is_shared() && heard == [7], "{delay} ms: {heard:?}, shared {}", survey.is_shared());
+    }
+}
+
 #[test]
 fn echo_and_noise_are_nobody() {
     let mut survey = survey(1..=2, brief());

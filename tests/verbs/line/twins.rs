@@ -100,7 +100,7 @@ fn a_twin_on_the_bench_is_named_however_late_it_answers() {
         let bench = format!(
             "[[drive]]\nmodel = \"act\"\naddress = 1\n[[disturb]]\nevery = 1\nkind = \"twin\"\nby = \"{by}ms\"\n"
         );
-        for verb in ["read 372@1 480", "identify"] {
+        for verb in ["read 372@1 480", "identify", "--drive act identify", "--drive act read 372@1"] {
             let run = antrieb(&format!("-a 1 {verb}")).on(&bench).json().exits(5);
             assert_eq!(run.error()["code"], "garbled.two_answers", "{by} ms, {verb}: {}", run.error());
         }

@@ -122,7 +122,7 @@ fn a_lost_echo_is_settled_by_reading() {
 
 #[test]
 fn what_cannot_be_settled_is_called_unknown() {
-    let dead = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"93ms\"\nsilent = \"1000s\"\n";
+    let dead = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"163ms\"\nsilent = \"1000s\"\n";
     let document = antrieb("-a 1 --drive act --yes write 480@2=7.5 481@2=8").on(dead).json().exits(4);
     assert_eq!(results(&document), ["480@2 eeprom unknown", "481@2 eeprom skipped"]);
     assert!(document.error()["message"].as_str().unwrap().contains("unknown"), "{}", document.error());
