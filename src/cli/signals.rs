@@ -48,12 +48,13 @@ enum Wish {
 #[cfg(unix)]
 const ALWAYS: &[(Wish, &[c_int])] = &[(Wish::End, &[SIGINT, SIGTERM]), (Wish::Hangup, &[SIGHUP])];
 /// What a verb that turns a shaft listens to as well, because it would die or stand still of it: Ctrl-\, signals for other
-/// programs, a time or a size that is used up; Ctrl-Z, and what a process in the background gets.
+/// programs, a time or a size that is used up; Ctrl-Z. A job in the background that reads (at the question) stands still as usual:
+/// nothing turns yet.
 #[cfg(unix)]
 const OVER_A_SHAFT: &[(Wish, &[c_int])] = &[
     (Wish::End, &[SIGQUIT]),
     (Wish::Hangup, &[SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ, SIGIO]),
-    (Wish::Freeze, &[SIGTSTP, SIGTTIN, SIGTTOU]),
+    (Wish::Freeze, &[SIGTSTP]),
 ];
 
 /// The signals of a run.
@@ -66,6 +67,9 @@ impl Signals {
     #[cfg(unix)]
     pub(super) fn listen(turns: bool) -> Self {
         let (heard, wishes) = unbounded_channel();
+        if turns {
+            render::write_from_the_background();
+        }
         let rows = ALWAYS.iter().chain(if turns { OVER_A_SHAFT } else { &[] });
         for (wish, number) in rows.flat_map(|(wish, numbers)| numbers.iter().map(|number| (*wish, *number))) {
             let Ok(mut signal) = signal(SignalKind::from_raw(number)) else { continue };

@@ -208,7 +208,10 @@ fn movable(family: &Family) -> Result<(), Failure> {
         "kein Katalog sagt, wie ein {drive} bewegt wird: nur seine Parameter lassen sich lesen und schreiben",
         drive = family.drive
     );
-    Err(Failure::new(Class::Data, "data.not_movable", message))
+    Err(Failure::new(Class::Data, "data.not_movable", message).hint(both!(
+        "nothing was sent; what stops a shaft: its enable input, the emergency stop, or the mains",
+        "es wurde nichts gesendet; was eine Welle anhält: ihr Freigabeeingang, der Not-Halt oder das Netz"
+    )))
 }
 
 /// The family for work without a line: the one that was named, or the presumed one.

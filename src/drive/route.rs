@@ -44,6 +44,13 @@ pub enum No {
     Nak,
 }
 
+impl No {
+    /// Whether it may be otherwise a moment later: busy (V1.1b3 7).
+    pub(super) fn passes(self) -> bool {
+        matches!(self, No::Exception(Exception::Acknowledge | Exception::DeviceBusy))
+    }
+}
+
 /// What an answer carries.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Content {

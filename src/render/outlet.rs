@@ -41,7 +41,10 @@ impl Outlet {
     pub fn new(to: impl Write + Send + 'static) -> Self {
         let shared = Arc::<Shared>::default();
         let outlet = Outlet { shared: shared.clone() };
-        thread::spawn(move || shared.hand_on(to));
+        thread::spawn(move || {
+            write_from_the_background();
+            shared.hand_on(to);
+        });
         outlet
     }
 
@@ -57,6 +60,17 @@ impl Outlet {
             }
             queue = waited.0;
         }
+    }
+}
+
+/// Lets this thread write to the terminal also as a job in the background (`stty tostop`): it would be stopped for it, and with
+/// it whatever holds a shaft. Heard and answered with a text, the signal would come again for ever.
+pub fn write_from_the_background() {
+    #[cfg(unix)]
+    {
+        let mut signals = nix::sys::signal::SigSet::empty();
+        signals.add(nix::sys::signal::Signal::SIGTTOU);
+        let _cannot_be_had = signals.thread_block();
     }
 }
 

@@ -100,6 +100,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::terms",
             "drive::transfer",
             "drive::trouble",
+            "drive::upper",
             "drive::trouble::port",
             "drive::write",
         ],

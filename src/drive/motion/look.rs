@@ -1,7 +1,7 @@
 //! What a drive says that matters for moving it, and what keeps it from running, in words.
 
 use super::shaft::Watch;
-use crate::drive::access::AccessError;
+use crate::drive::access::{AccessError, Refusal};
 use crate::drive::describe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
@@ -111,12 +111,15 @@ pub(super) async fn status_word(session: &mut Session<'_>, target: &mut Target) 
     let param = family.role("status-word").ok_or_else(none)?;
     match target.read_set(session, param, 0).await {
         Ok(reading) => Ok(reading.raw as u32),
-        Err(error @ AccessError::Refused(_)) => Err(error.failure(target.address, Some(&family)).hint(both!(
-            "{param} tells the state of every {drive}, and this drive refuses it: is --drive right?",
-            "{param} nennt den Zustand jedes {drive}, und dieser Antrieb lehnt es ab: stimmt --drive?",
-            param = param.label(),
-            drive = family.drive
-        ))),
+        // Who is busy says nothing of who he is.
+        Err(error @ AccessError::Refused(Refusal { no, .. })) if !no.passes() => {
+            Err(error.failure(target.address, Some(&family)).hint(both!(
+                "{param} tells the state of every {drive}, and this drive refuses it: is --drive right?",
+                "{param} nennt den Zustand jedes {drive}, und dieser Antrieb lehnt es ab: stimmt --drive?",
+                param = param.label(),
+                drive = family.drive
+            )))
+        }
         Err(error) => Err(error.failure(target.address, Some(&family))),
     }
 }

@@ -90,7 +90,10 @@ async fn say(
         None => presumed(session, registry, meant.address).await?,
     };
     let (said, refused) = say_to(session, meant, &families, act).await?;
-    if refused && let [named] = families.as_slice() {
+    if refused
+        && let [named] = families.as_slice()
+        && named.is_movable()
+    {
         // Who refuses the word of its family may be of another one, and runs.
         let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect::<Vec<_>>();
         session.tell(Event::Note(both!(
@@ -118,7 +121,10 @@ async fn say_to(
             said = first;
         }
     }
-    Ok((said, repeat(session, meant, words.into_iter().map(|word| vec![word]).collect()).await?))
+    // What the protocol has no telegram for was refused before it went out.
+    let unspeakable = words.is_empty();
+    let refused = repeat(session, meant, words.into_iter().map(|word| vec![word]).collect()).await?;
+    Ok((said, refused || unspeakable))
 }
 
 /// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.

@@ -79,7 +79,11 @@ impl Motor<'_, '_> {
                 (Class::Port, _) => break,
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
-                (Class::Silence | Class::Garbled | Class::Refused, _) if tries >= STOP_TRIES => {
+                (Class::Refused, None) if tries >= STOP_TRIES => {
+                    self.zero_as_the_last().await;
+                    break;
+                }
+                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
                     self.unheard = self.gives_up(begun).await;
                     if self.unheard {
                         break;
@@ -334,6 +338,15 @@ impl Motor<'_, '_> {
         }
         // A drive that tripped, or that lies in a state below the goal, has no power either.
         self.until(STOPPED, row.takes, true).await
+    }
+
+    /// A drive that refuses its control word may still obey its setpoint.
+    async fn zero_as_the_last(&mut self) {
+        let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
+        if given.is_some() && self.mode.as_ref().is_none_or(Mode::zero_stops) {
+            self.zeroed = None;
+            let _told_by_the_last_look = self.zero().await;
+        }
     }
 
     async fn ramp_down(&mut self) -> Result<(), Failure> {

@@ -6,7 +6,7 @@ use crate::profile::family::Family;
 use crate::profile::machine::Transition;
 use crate::profile::motion::Mode;
 use crate::profile::names::fold;
-use crate::profile::param::Param;
+use crate::profile::param::{HazardKind, Param};
 use crate::profile::row::{BitRow, CatalogueRow, EnumRow, FaultRow};
 use crate::profile::value::parse_decimal;
 use crate::text::Text;
@@ -133,6 +133,9 @@ impl Origin {
             }
             let param = self.param(at, row, family)?;
             if let Some(old) = family.params.get(&param.id) {
+                self.keeps_its_scale(at, old, &param, family)?;
+            }
+            if let Some(old) = family.params.get(&param.id) {
                 slugs.remove(&old.slug);
             }
             if let Some(twin) = slugs.insert(param.slug.clone(), param.id) {
@@ -183,6 +186,27 @@ impl Origin {
             source: row.source.unwrap_or_default(),
             origin: self.path().to_owned(),
         })
+    }
+
+    /// A row that takes the place of one that moves a shaft must not say that its numbers mean something else: 20 Hz that
+    /// somebody agreed to would be sent as 200.
+    fn keeps_its_scale(
+        &self,
+        at: Position<'_>,
+        old: &Param,
+        new: &Param,
+        family: &Family,
+    ) -> Result<(), CatalogueError> {
+        let scale = |param: &Param| (param.kind, param.decimals, param.unit.clone());
+        let moves = old.hazard == Some(HazardKind::Motion) || family.roles.values().any(|id| *id == old.id);
+        if !moves || scale(old) == scale(new) {
+            return Ok(());
+        }
+        let message = format!(
+            "parameter {}: type, decimals and unit stay as {} has them, because runs are computed with them",
+            old.id, old.origin
+        );
+        Err(self.error(at, message))
     }
 
     /// Smallest, largest and factory value, raw.

@@ -305,4 +305,24 @@ mod tests {
         assert!(refused(&row(&"a".repeat(1 << 20))).contains("at most 2000"));
         assert!(refused(&"#".repeat(MAX_FILE + 1)).contains("at most"));
     }
+
+    /// 20 Hz that somebody agreed to would be sent as 200.
+    #[test]
+    fn what_moves_a_shaft_keeps_its_scale() {
+        let row = |rest: &str| {
+            format!(
+                "{HEAD}params = [{{ id = 484, slug = \"frequency-setpoint\", de = \"Mein\", en = \"Mine\", access = \"rw\", replace = true{rest} }}]"
+            )
+        };
+        for rest in [
+            "",
+            ", type = \"long\", decimals = 3, unit = \"Hz\"",
+            ", type = \"int\", decimals = 2, unit = \"Hz\"",
+            ", type = \"long\", decimals = 2, unit = \"%\"",
+        ] {
+            assert!(refused(&row(rest)).contains("type, decimals and unit stay"), "{rest}");
+        }
+        let kept = open(&row(", type = \"long\", decimals = 2, unit = \"Hz\"")).unwrap();
+        assert_eq!(kept.family("act").unwrap().param(484).unwrap().name.en, "Mine");
+    }
 }
