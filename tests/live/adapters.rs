@@ -11,7 +11,16 @@ use std::sync::mpsc::{Receiver, channel};
 
 /// A TCP port whose first client is answered by `reply` to so many telegrams; then it hangs up. Returns its address, and
 /// what was asked.
-fn server(telegrams: usize, mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static) -> (String, Receiver<Vec<u8>>) {
+fn server(telegrams: usize, reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static) -> (String, Receiver<Vec<u8>>) {
+    server_until(telegrams, channel().1, reply)
+}
+
+/// The same; behind the last of the telegrams it hangs up when nobody has the other end of `stays` any more.
+fn server_until(
+    telegrams: usize,
+    stays: Receiver<()>,
+    mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static,
+) -> (String, Receiver<Vec<u8>>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = listener.local_addr().unwrap().to_string();
     let (sender, asked) = channel();
@@ -26,6 +35,7 @@ fn server(telegrams: usize, mut reply: impl FnMut(&[u8]) -> Vec<u8> + Send + 'st
                 return;
             }
         }
+        let _nobody = stays.recv();
     });
     (address, asked)
 }
@@ -65,7 +75,8 @@ fn a_description_that_goes_on_without_end_is_cut_off_with_a_word() {
 fn a_port_that_was_lost_at_the_question_leaves_a_row_that_was_not_begun() {
     let _alone = alone();
     // The greeting and the old value, then nobody is there any more.
-    let (address, _) = server(2, |question| match question[1] {
+    let (hang_up, stays) = channel();
+    let (address, _) = server_until(2, stays, |question| match question[1] {
         8 => rtu::encode(question[0], &[8, 0, 11, 0, 1]),
         _ => rtu::encode(question[0], &[3, 2, 0, 100]),
     });
@@ -73,6 +84,7 @@ fn a_port_that_was_lost_at_the_question_leaves_a_row_that_was_not_begun() {
     let mut run = AtTerminal::start_into(&line, Stdio::piped());
     let mut out = run.child.stdout.take().unwrap();
     run.shows("go on? [y/N]");
+    drop(hang_up);
     run.types("y\n");
     assert_eq!(run.ends(), Some(3), "{}", run.seen);
     let mut printed = String::new();
