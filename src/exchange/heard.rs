@@ -47,7 +47,7 @@ pub(super) struct Heard {
     paces: BTreeMap<(u8, u8), Pace>,
     /// A reply came twice, or one that nobody had asked for.
     surplus: bool,
-    /// Something was lost or spoilt, or came from somebody else.
+    /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
     /// How often a station said in the words of another answer what it then said again.
     alike: BTreeMap<u8, u8>,
@@ -119,7 +119,7 @@ impl Heard {
         self.surplus = true;
     }
 
-    /// Something was lost or spoilt, or came from somebody else: the first copy may come in place of an answer.
+    /// Garbage came, or what nobody had asked for: the first copy may come in place of an answer.
     pub(super) fn sees_trouble(&mut self) {
         self.rough = true;
     }

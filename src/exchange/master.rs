@@ -642,7 +642,6 @@ impl Master {
                 None => self.debts.may_owe(station, job.asks(), now),
             },
         }
-        self.heard.sees_trouble();
         match error {
             ExchangeError::Silence { .. } => self.tally.silences += 1,
             _ => self.tally.garbled += 1,
@@ -765,7 +764,6 @@ impl Master {
     }
 
     fn note_one(&mut self, at: Tick, bytes: &[u8]) {
-        self.heard.sees_trouble();
         let verdict = match self.dialect.sender(bytes) {
             Some((station, said)) => {
                 self.debts.hears(station);
@@ -776,7 +774,10 @@ impl Master {
                 self.tally.strays += 1;
                 Verdict::Stray { station }
             }
-            None => Verdict::Garbage,
+            None => {
+                self.heard.sees_trouble();
+                Verdict::Garbage
+            }
         };
         self.record(Record { at, verdict, bytes: bytes.to_vec() });
     }

@@ -271,6 +271,7 @@ impl Master {
         if self.debts.pays(station, &said, at) {
             return;
         }
+        self.heard.sees_trouble();
         let overtaken = self.debts.arrives(station, &said, at);
         let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {
             *answering == station && question.is_answered_by(&said) && at.since(*then) < SECOND_WITHIN

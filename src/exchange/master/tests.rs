@@ -305,9 +305,9 @@ fn a_copy_in_place_of_a_lost_answer_is_not_said_again() {
 }
 
 #[test]
-fn where_things_are_lost_the_first_copy_of_all_is_no_value() {
+fn where_garbage_comes_the_first_copy_of_all_is_no_value() {
     let mut line = Line::new(Framing::Rtu);
-    assert!(line.ask(2, READ, &[]).is_err());
+    assert!(line.ask(2, READ, &[&[(10, vec![0x55; 9])]]).is_err());
     taken(line.ask(1, READ, &[&[(10, value(1390))]]));
     let copy = [(10, value(1390))];
     let outcome = line.ask(1, OTHER, &[&copy, &[(10, fence_reply())], &[(10, value(7))]]);
@@ -315,9 +315,9 @@ fn where_things_are_lost_the_first_copy_of_all_is_no_value() {
 }
 
 #[test]
-fn where_things_are_lost_a_station_that_says_the_same_of_everything_is_soon_believed() {
+fn where_garbage_comes_a_station_that_says_the_same_of_everything_is_soon_believed() {
     let mut line = Line::new(Framing::Rtu);
-    assert!(line.ask(2, READ, &[]).is_err());
+    assert!(line.ask(2, READ, &[&[(10, vec![0x55; 9])]]).is_err());
     taken(line.ask(1, READ, &[&[(10, value(7))]]));
     let sent: Vec<_> = (1..8)
         .map(|start| {
