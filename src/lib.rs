@@ -19,7 +19,7 @@
 //!
 //! ```
 //! use antrieb::drive::{Interrupt, Opening, Port, ScanPlan, Session, Target, scan};
-//! use antrieb::profile::{Lang, Registry, value::format_decimal};
+//! use antrieb::profile::{Registry, value::format_decimal};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let registry = Registry::open(&[])?;
@@ -28,7 +28,7 @@
 //! let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
 //! runtime.block_on(async {
 //!     let mut session = Session::open(Opening::at(&port), &registry, Interrupt::default(), &mut told).await?;
-//!     let found = scan(&mut session, &ScanPlan::new(1..=3, Lang::En), &registry).await;
+//!     let found = scan(&mut session, &ScanPlan::new(1..=3), &registry).await;
 //!     let drive = found.drives.first().ok_or("nobody answers")?;
 //!     assert_eq!((drive.address, drive.drive.as_str()), (1, "act"));
 //!
