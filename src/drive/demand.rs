@@ -48,7 +48,12 @@ impl Session<'_> {
         question: Question,
     ) -> Result<(Option<u16>, bool), AccessError> {
         let answer = match family.link.cause {
-            Cause::ErrorRegister => self.ask_once(route, question).await,
+            Cause::ErrorRegister => match self.ask_once(route, question.clone()).await {
+                Ok(Answer::Reply { said, .. }) if no(&said).is_some() => {
+                    return self.cause_again(route, question).await;
+                }
+                answer => answer,
+            },
             // It stands until the next one. A witness may be refused, and be the next one.
             Cause::Diagnostics(_) => {
                 let limits = Limits { witness: false, ..self.limits() };
@@ -58,6 +63,20 @@ impl Session<'_> {
         match answer {
             Ok(Answer::Reply { said, .. }) => Ok((route.number(&said), false)),
             Ok(Answer::Broadcast) => Ok((None, false)),
+            Err(AccessError::Exchange(_)) => Ok((None, true)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The register was refused, or what was refused is something older. Asked once more it tells which: whoever answers then
+    /// has it, and has cleared it.
+    async fn cause_again(&mut self, route: Route, question: Question) -> Result<(Option<u16>, bool), AccessError> {
+        match self.ask_once(route, question).await {
+            Ok(Answer::Reply { said, .. }) if no(&said).is_none() => {
+                let cause = route.number(&said).filter(|&cause| cause != 0);
+                Ok((cause, cause.is_none()))
+            }
+            Ok(_) => Ok((None, false)),
             Err(AccessError::Exchange(_)) => Ok((None, true)),
             Err(error) => Err(error),
         }
