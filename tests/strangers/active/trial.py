@@ -660,7 +660,7 @@ def scan_cases():
             yield Case(f"scan/{protocol}/{name}", f"--protocol {protocol} --address 7 {text}",
                        "scan -a 1-12 --json", GENERAL + [judge], 40,
                        sins=tuple(sins) + ("telegram-before-time-out", "telegram-into-reply", "telegram-too-early"),
-                       exits={0} if finds else {0, 1, 4, 5, 9}, after=0, quick=protocol == "rtu" or name == "clean")
+                       exits={0} if finds else {0, 1, 4, 5, 8, 9}, after=0, quick=protocol == "rtu" or name == "clean")
         yield Case(f"scan/{protocol}/thorough", f"--protocol {protocol} --address 3 --late 450",
                    "scan -a 1-4 --thorough --json", GENERAL, 40, exits={0}, after=0,
                    sins=("telegram-before-time-out", "telegram-too-early"))
@@ -751,18 +751,18 @@ def motion_cases():
                 for p392 in (0, 1, 2):
                     judges = GENERAL + [keeps_running, moved] if on_exit == "keep" else STOP_JUDGES + [moved, follows_setpoint(20)]
                     yield Case(f"hold/{protocol}/{family}/{on_exit}/392={p392}", f"{base} {fast} --set 392={p392}",
-                               run20 + f" --on-exit {on_exit}", judges, 14, exits={0}, after=0.5,
+                               run20 + f" --on-exit {on_exit}", judges, 14, exits={0} if p392 == 2 or on_exit == "keep" else {0, 8}, after=0.5,
                                quick=protocol == "rtu" and (p392 == 2 or on_exit == "ramp"))
             for reading, text in READINGS.items():
                 if reading in ("act", "acu", "acu-bit4") and not text.endswith(family) and "--family" in text:
                     continue
                 yield Case(f"hold/{protocol}/{family}/reading/{reading}", f"{base} {fast} {text}",
                            run20 + " --watchdog 2s", STOP_JUDGES + [moved, follows_setpoint(20)], 40 if "late" in text else 16,
-                           exits={0}, after=0.5, quick=protocol == "rtu" and family == "act")
+                           exits={0, 8} if "late" in text else {0}, after=0.5, quick=protocol == "rtu" and family == "act")
     for protocol in ("rtu", "vabus", "ascii"):
         for name, (text, sins, factor) in DISTURBANCES.items():
             for when in ("enabled", "always"):
-                exits = {0} if name in ("late100", "late300", "double40", "double", "pieces", "echo") else None
+                exits = {0, 8} if name == "late300" else {0} if name in ("late100", "double40", "double", "pieces", "echo") else None
                 yield Case(f"hold/{protocol}/{name}/{when}", f"--protocol {protocol} {fast} {text} --disturb-when {when}",
                            run20, STOP_JUDGES, 12 + 6 * factor, exits=exits, sins=sins, after=0.6,
                            quick=protocol == "rtu" and (when == "enabled" or name == "twin"))
