@@ -92,19 +92,7 @@ impl Settings {
         let ports = ports(&mut low)?;
         let (protocol, is_unknown) = protocol(&mut low, &ports)?;
         let line = line(&mut low, protocol)?;
-        if node != 0 && protocol != Protocol::Vabus {
-            return Err(bad_setting(
-                "address",
-                both!(
-                    "a node of the system bus is reached only over VABus",
-                    "ein Knoten des Systembusses ist nur über VABus erreichbar"
-                ),
-            )
-            .hint(both!(
-                "add --protocol vabus, or name the drive alone",
-                "--protocol vabus angeben, oder nur den Antrieb nennen"
-            )));
-        }
+        check_node(node, protocol)?;
         let unknown = Unknown {
             baud: globals.baud == Some(Auto::Auto),
             parity: globals.parity == Some(Auto::Auto),
@@ -115,9 +103,7 @@ impl Settings {
         let timeout = timeout(&mut low)?;
         let retries = low.said(|_| None, |file| file.retries);
         let retries = low.pick("retries", globals.retries, retries, Ok::<_, Text>)?;
-        let format = globals.format.or(globals.json.then_some(Format::Json));
-        let said = low.said(|_| None, |file| file.format.clone());
-        let format = low.pick("format", format, said, |text| text.parse())?.unwrap_or(Format::Table);
+        let format = format(&mut low)?;
         let lang = lang(&mut low, environment)?;
         let rs485 = rs485(&mut low)?;
         let (path, project) = low.project();
@@ -246,6 +232,28 @@ fn timeout(low: &mut Low<'_>) -> Result<Option<Span>, Failure> {
         ));
     }
     Ok(timeout)
+}
+
+/// A node of the system bus lies behind a drive that passes on what it is asked.
+fn check_node(node: u8, protocol: Protocol) -> Result<(), Failure> {
+    if node == 0 || protocol == Protocol::Vabus {
+        return Ok(());
+    }
+    let why = both!(
+        "a node of the system bus is reached only over VABus",
+        "ein Knoten des Systembusses ist nur über VABus erreichbar"
+    );
+    Err(bad_setting("address", why).hint(both!(
+        "add --protocol vabus, or name the drive alone",
+        "--protocol vabus angeben, oder nur den Antrieb nennen"
+    )))
+}
+
+/// What is printed.
+fn format(low: &mut Low<'_>) -> Result<Format, Failure> {
+    let typed = low.flags.format.or(low.flags.json.then_some(Format::Json));
+    let said = low.said(|_| None, |file| file.format.clone());
+    Ok(low.pick("format", typed, said, |text| text.parse())?.unwrap_or(Format::Table))
 }
 
 /// Every port that was named.

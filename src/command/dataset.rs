@@ -85,35 +85,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let writes = matches!(args.action, Action::Select { .. } | Action::Copy { .. });
     let Context { settings, registry, interrupt, observe, ask } = context;
     let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
-    let &[address] = addresses.as_slice() else {
-        return Err(Failure::new(
-            Class::Usage,
-            "usage.address",
-            both!(
-                "expected the address of one drive, got several",
-                "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
-            ),
-        ));
-    };
-    if address == 0 {
-        return Err(Failure::new(
-            Class::Usage,
-            "usage.address",
-            both!(
-                "expected the address of one drive, got 0 (everybody)",
-                "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
-            ),
-        ));
-    }
-    if let Action::Copy { from, to, .. } | Action::Diff { a: from, b: to, .. } = &args.action
-        && from == to
-    {
-        return Err(Failure::new(
-            Class::Usage,
-            "usage.data_set",
-            both!("expected two different data sets", "erwartet: zwei verschiedene Datensätze"),
-        ));
-    }
+    let address = only_one(&addresses)?;
+    different_sets(&args.action)?;
     if settings.dry_run {
         return dry_run(&args.action, context, address);
     }
@@ -141,6 +114,33 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             work.copy(session, *from, *to, store, params, *ask).await
         }
         Action::Diff { a, b, params } => work.diff(session, *a, *b, params).await,
+    }
+}
+
+/// Data sets are those of one drive.
+fn only_one(addresses: &[u8]) -> Result<u8, Failure> {
+    let message = match addresses {
+        [0] => both!(
+            "expected the address of one drive, got 0 (everybody)",
+            "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
+        ),
+        &[address] => return Ok(address),
+        _ => both!(
+            "expected the address of one drive, got several",
+            "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
+        ),
+    };
+    Err(Failure::new(Class::Usage, "usage.address", message))
+}
+
+fn different_sets(action: &Action) -> Result<(), Failure> {
+    match action {
+        Action::Copy { from, to, .. } | Action::Diff { a: from, b: to, .. } if from == to => Err(Failure::new(
+            Class::Usage,
+            "usage.data_set",
+            both!("expected two different data sets", "erwartet: zwei verschiedene Datensätze"),
+        )),
+        _ => Ok(()),
     }
 }
 

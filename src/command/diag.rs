@@ -8,7 +8,7 @@ use crate::drive::{
 };
 use crate::failure::{Class, Failure};
 use crate::gate::{Counters, Hazard, Permit, Question};
-use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value};
+use crate::outcome::{Data, Diag, Diagnosis, Document, ErrorDoc, Event, OrLine, Outcome, Value, Word};
 use crate::profile::{Cause, DataSets, Family, Registry};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
@@ -189,6 +189,18 @@ async fn memory(reader: &mut Reader<'_, '_>, family: &Family) -> Result<Vec<Valu
     Ok(memory)
 }
 
+/// The fault that is present, 0 for none; `None` where nobody can say.
+///
+/// A family without a status word has no state that could tell that the code is of the past.
+fn present_fault(family: &Family, status: Option<&Word>, code: Option<i64>) -> Option<u32> {
+    let word = match status {
+        Some(word) => Some(word.raw),
+        None if family.role("status-word").is_none() => None,
+        None => return None,
+    };
+    Some(family.present_fault(word, code? as u32).unwrap_or(0))
+}
+
 /// Why the drive refused something last, if this command has not made it refuse something itself.
 async fn kept_refusal(session: &mut Session<'_>, target: &mut Target) -> Result<Option<u16>, AccessError> {
     if matches!(target.family.link.cause, Cause::Diagnostics(_)) && target.refused_on_the_way {
@@ -224,13 +236,7 @@ async fn diagnose(
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
     let watchdog = reader.in_force("watchdog").await?.value;
     let (mut failures, good) = reader.into_failures();
-    // A family without a status word has no state that could tell that the code is of the past.
-    let word = match &status {
-        Some(word) => Some(Some(word.raw)),
-        None => family.role("status-word").is_none().then_some(None),
-    };
-    let present = word.zip(fault).map(|(status, code)| family.present_fault(status, code as u32));
-    let code = present.map(|code| code.unwrap_or(0));
+    let code = present_fault(&family, status.as_ref(), fault);
     let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
     let mut report = Diagnosis {
         drive: family.drive.clone(),

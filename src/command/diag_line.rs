@@ -1,7 +1,7 @@
 //! `diag line`: how good is the line, and what to do about it?
 
 use super::{Context, addresses_to_read, connect, is_over, target};
-use crate::drive::{Inquiry, check_line};
+use crate::drive::{check_line, harmless};
 use crate::failure::Failure;
 use crate::outcome::{Data, Outcome};
 use clap::Args as ClapArgs;
@@ -20,7 +20,7 @@ pub struct Args {
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
-        return super::plan(context, &family, &[Inquiry::Counter(family.link.echo)]);
+        return super::plan(context, &family, &[harmless(&family, context.settings.protocol)]);
     }
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;

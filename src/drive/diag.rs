@@ -4,10 +4,10 @@ use super::access::AccessError;
 use super::route::{Cell, Inquiry};
 use super::session::Session;
 use super::target::Target;
-use crate::exchange::{Answer, ExchangeError, Limits, Question};
+use crate::exchange::{Answer, ExchangeError, Limits};
 use crate::gate::{Counters, Permit};
 use crate::outcome::{Bucket, Counter, Event, LinkTest};
-use crate::profile::{Cause, Role, Type};
+use crate::profile::{Cause, Family, Role, Route as Way, Type};
 use crate::protocol::Protocol;
 use crate::text::both;
 
@@ -55,16 +55,15 @@ pub async fn clear_counters(
     Ok(matches!(answer, Answer::Reply { said, .. } if !said.is_refusal()))
 }
 
-/// A question that changes nothing in the drive and does not touch its error register: a counter, or over VABus, which
-/// has none, the status word.
-async fn harmless(session: &mut Session<'_>, target: &mut Target) -> Result<Question, AccessError> {
-    let route = target.route(session).await?;
-    let status = target.family.role(Role::StatusWord).map(|param| Cell { number: param.id, set: 0 });
-    let inquiry = match (route.protocol, status) {
-        (Protocol::Vabus, Some(status)) => Inquiry::Read(status, Type::Uint),
-        _ => Inquiry::Counter(target.family.link.echo),
-    };
-    route.question(inquiry).ok_or(AccessError::Unspeakable)
+/// A question that changes nothing in a drive and does not touch its error register: a counter; where there is none, over
+/// VABus or in a family of which only registers are known, the status word or the first value that it shows.
+pub fn harmless(family: &Family, protocol: Protocol) -> Inquiry {
+    let counts = protocol != Protocol::Vabus && family.link.route != Way::Registers;
+    let shown = || family.group("all").and_then(|all| family.param(*all.first()?));
+    match family.role(Role::StatusWord).or_else(shown).filter(|_| !counts) {
+        Some(param) => Inquiry::Read(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Uint)),
+        None => Inquiry::Counter(family.link.echo),
+    }
 }
 
 /// Asks the same harmless question `count` times, without repeats, and measures; says also what ended it early.
@@ -73,7 +72,9 @@ pub async fn link_test(
     target: &mut Target,
     count: u64,
 ) -> Result<(LinkTest, Option<AccessError>), AccessError> {
-    let question = harmless(session, target).await?;
+    let route = target.route(session).await?;
+    let question = harmless(&target.family, route.protocol);
+    let question = route.question(question).ok_or(AccessError::Unspeakable)?;
     let once = Limits { retries: 0, ..session.limits() };
     let strays = session.tally().strays;
     let (mut times, mut silent, mut garbled, mut asked) = (Vec::new(), 0u64, 0u64, 0u64);

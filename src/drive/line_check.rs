@@ -6,7 +6,7 @@ use super::session::Session;
 use super::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Adapter, AdapterErrors, Advice, CheckedDrive, ErrorDoc, LineCheck, LinkTest, Pauses};
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::transport::{AdapterInfo, ErrorCounts, LowLatency};
 
 /// More than this an adapter should not hold bytes back: FTDI's default of 16 ms nearly halves the speed of the line
@@ -102,96 +102,126 @@ fn adapter(before: AdapterInfo, after: &AdapterInfo) -> Adapter {
     }
 }
 
-/// What is seen, and what to do about it: one row a sign.
-fn advice(check: &LineCheck) -> Vec<Advice> {
-    let tests = || check.drives.iter().filter_map(|drive| drive.test.as_ref());
-    let errors = check.adapter.errors;
-    let any = |of: fn(&AdapterErrors) -> u32| errors.as_ref().is_some_and(|errors| of(errors) > 0);
-    let timer = check.adapter.latency_timer_ms.filter(|&ms| ms > LATENCY_MS);
-    let rows = [
-        (
-            timer.is_some(),
-            "latency_timer",
+/// A sign of something, and what to do about it.
+struct Sign {
+    code: &'static str,
+    shows: fn(&LineCheck) -> bool,
+    advice: fn() -> Text,
+}
+
+/// What a check can show, in the order in which it is told.
+const SIGNS: &[Sign] = &[
+    Sign {
+        code: "latency_timer",
+        shows: |check| check.adapter.latency_timer_ms.is_some_and(|ms| ms > LATENCY_MS),
+        advice: || {
             both!(
                 "the adapter holds bytes back: set its latency timer to 1 ms (Linux, FTDI: echo 1 | sudo tee \
              /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: port settings, advanced)",
                 "der Adapter hält Bytes zurück: seine Latenzzeit auf 1 ms stellen (Linux, FTDI: echo 1 | sudo tee \
              /sys/bus/usb-serial/devices/ttyUSB0/latency_timer; Windows: Anschlusseinstellungen, Erweitert)"
-            ),
-        ),
-        (
-            check.echo == Some(true),
-            "echo",
+            )
+        },
+    },
+    Sign {
+        code: "echo",
+        shows: |check| check.echo == Some(true),
+        advice: || {
             both!(
                 "the adapter hears itself; the echo is taken away, but switch it off at the adapter if it can do that",
                 "der Adapter hört sich selbst; das Echo wird entfernt, besser ist, es am Adapter abzuschalten"
-            ),
-        ),
-        (
-            any(|errors| errors.frame),
-            "frame_errors",
+            )
+        },
+    },
+    Sign {
+        code: "frame_errors",
+        shows: |check| errors(check, |errors| errors.frame),
+        advice: || {
             both!(
                 "characters without a stop bit: another baud rate or format on the line, or no bias resistors",
                 "Zeichen ohne Stoppbit: andere Baudrate oder anderes Format auf der Leitung, oder fehlende \
                  Ruhepegelwiderstände"
-            ),
-        ),
-        (
-            any(|errors| errors.parity),
-            "parity_errors",
+            )
+        },
+    },
+    Sign {
+        code: "parity_errors",
+        shows: |check| errors(check, |errors| errors.parity),
+        advice: || {
             both!(
                 "characters with wrong parity: check the parity setting, shielding and termination",
                 "Zeichen mit falscher Parität: Paritätseinstellung, Schirmung und Abschluss prüfen"
-            ),
-        ),
-        (
-            any(|errors| errors.overrun),
-            "overruns",
+            )
+        },
+    },
+    Sign {
+        code: "overruns",
+        shows: |check| errors(check, |errors| errors.overrun),
+        advice: || {
             both!(
                 "the computer fetched characters too late: another adapter or less load",
                 "der Rechner holte Zeichen zu spät ab: anderer Adapter oder weniger Last"
-            ),
-        ),
-        (
-            tests().any(|test| test.garbled > 0),
-            "garbled",
+            )
+        },
+    },
+    Sign {
+        code: "garbled",
+        shows: |check| tests(check).any(|test| test.garbled > 0),
+        advice: || {
             both!(
                 "disturbed replies: 120 ohm at both ends, bias at one place, shield on one side, A and B twisted; two drives \
              with one address look like this too",
                 "gestörte Antworten: 120 Ohm an beiden Enden, Ruhepegel an einer Stelle, Schirm einseitig, A und B verdrillt; \
              zwei Antriebe mit einer Adresse sehen auch so aus"
-            ),
-        ),
-        (
-            check.drives.iter().any(is_absent),
-            "no_reply",
+            )
+        },
+    },
+    Sign {
+        code: "no_reply",
+        shows: |check| check.drives.iter().any(is_absent),
+        advice: || {
             both!(
                 "a drive does not answer at all: check its supply, address, baud rate, parity and protocol (P.395 leaves the \
              factory as VABus), A and B swapped, the cable up to it; `antrieb scan` asks every address",
                 "ein Antrieb antwortet gar nicht: Versorgung, Adresse, Baudrate, Parität und Protokoll prüfen (P.395 ist ab \
              Werk VABus), vertauschte Adern A und B, das Kabel bis zu ihm; `antrieb scan` fragt alle Adressen"
-            ),
-        ),
-        (
-            tests().any(|test| test.silent > 0 && test.replies > 0),
-            "lost_replies",
+            )
+        },
+    },
+    Sign {
+        code: "lost_replies",
+        shows: |check| tests(check).any(|test| test.silent > 0 && test.replies > 0),
+        advice: || {
             both!(
                 "some replies did not come: a loose contact, a second master, or a drive under load (over 500 ms)",
                 "manche Antworten kamen nicht: Wackelkontakt, ein zweiter Master oder ein Antrieb unter Last (über \
                  500 ms)"
-            ),
-        ),
-        (
-            tests().any(|test| test.strays > 0),
-            "strays",
+            )
+        },
+    },
+    Sign {
+        code: "strays",
+        shows: |check| tests(check).any(|test| test.strays > 0),
+        advice: || {
             both!(
                 "telegrams that nobody asked for: a second master on the bus, or replies later than the time-out",
                 "Telegramme, nach denen niemand fragte: ein zweiter Master am Bus, oder Antworten nach der Wartezeit"
-            ),
-        ),
-    ];
-    let seen = rows.into_iter().filter(|row| row.0);
-    seen.map(|(_, code, text)| Advice { code, text }).collect()
+            )
+        },
+    },
+];
+
+fn tests(check: &LineCheck) -> impl Iterator<Item = &LinkTest> {
+    check.drives.iter().filter_map(|drive| drive.test.as_ref())
+}
+
+fn errors(check: &LineCheck, of: fn(&AdapterErrors) -> u32) -> bool {
+    check.adapter.errors.as_ref().is_some_and(|errors| of(errors) > 0)
+}
+
+fn advice(check: &LineCheck) -> Vec<Advice> {
+    let seen = SIGNS.iter().filter(|sign| (sign.shows)(check));
+    seen.map(|sign| Advice { code: sign.code, text: (sign.advice)() }).collect()
 }
 
 /// Whether a drive was asked and never answered.

@@ -8,6 +8,10 @@ use crate::profile::{DataSets, Param, Store};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
+/// So many questions in a row that a drive leaves without an answer, each repeated as often as is set, tell that nobody is
+/// there: two may be a bad line or parameters that it does not care to answer.
+const NOBODY_AFTER: usize = 3;
+
 /// Reads parameters of one drive into rows, remembering the parameters that the names of bits depend on.
 #[derive(Debug)]
 pub struct Reader<'t, 'o> {
@@ -22,6 +26,8 @@ pub struct Reader<'t, 'o> {
     pub lenient: bool,
     /// Values that were read.
     good: usize,
+    /// Questions without an answer since the last one that had one.
+    silences: usize,
     /// Refusals that are no failures, unless nothing else came.
     pub forgiven: Vec<Failure>,
     /// Why values are missing.
@@ -42,6 +48,7 @@ impl<'t, 'o> Reader<'t, 'o> {
             fetched: BTreeMap::new(),
             lenient: false,
             good: 0,
+            silences: 0,
             forgiven: Vec::new(),
             failures: Vec::new(),
             warnings: Vec::new(),
@@ -110,6 +117,9 @@ impl<'t, 'o> Reader<'t, 'o> {
 
     /// One row per data set. Refusals are rows with an error; what ends the session is an error.
     pub async fn rows(&mut self, param: &Param, sets: DataSets) -> Result<Vec<Value>, Failure> {
+        if let Some(silence) = self.nobody() {
+            return Ok(sets.wire().into_iter().map(|set| self.unread(param, set, silence.clone())).collect());
+        }
         self.learn_modes(param).await?;
         if let Some(reading) = self.fetched.remove(&param.id).filter(|_| sets == DataSets::Unnamed) {
             return Ok(vec![self.row(param, 0, Ok(reading))?]);
@@ -126,6 +136,7 @@ impl<'t, 'o> Reader<'t, 'o> {
         match result {
             Ok(reading) => {
                 self.good += 1;
+                self.silences = 0;
                 if param.kind.is_none() && !self.asked_widths.contains(&param.id) {
                     self.asked_widths.push(param.id);
                     let bits = reading.kind.bits().unwrap_or(0);
@@ -159,15 +170,27 @@ impl<'t, 'o> Reader<'t, 'o> {
                 if error.is_fatal() {
                     return Err(failure);
                 }
-                let row = describe::unread(address, &self.target.family, param, set, &failure);
-                if failure.class == Class::Refused && self.lenient {
-                    self.forgiven.push(failure);
-                } else {
-                    self.failures.push(failure);
-                }
-                Ok(row)
+                self.silences = if failure.class == Class::Silence { self.silences + 1 } else { 0 };
+                Ok(self.unread(param, set, failure))
             }
         }
+    }
+
+    /// The row of a value that did not come.
+    fn unread(&mut self, param: &Param, set: u8, failure: Failure) -> Value {
+        let row = describe::unread(self.target.address, &self.target.family, param, set, &failure);
+        match failure.class == Class::Refused && self.lenient {
+            true => self.forgiven.push(failure),
+            false => self.failures.push(failure),
+        }
+        row
+    }
+
+    /// Why nothing more is asked: nobody has answered anything.
+    fn nobody(&self) -> Option<Failure> {
+        let silence = self.failures.last().filter(|failure| failure.class == Class::Silence);
+        let unheard = self.good == 0 && self.forgiven.is_empty();
+        silence.filter(|_| unheard && self.silences >= NOBODY_AFTER).cloned()
     }
 
     /// Reads the parameters that decide what this one's bits are called.

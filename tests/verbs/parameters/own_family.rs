@@ -95,6 +95,16 @@ fn every_other_verb_takes_it_as_it_is() {
 }
 
 #[test]
+fn its_line_is_measured_by_what_it_shows_and_not_by_what_only_an_active_has() {
+    for line in ["diag line --count 3", "diag --link-test 3"] {
+        let told = hydra(&format!("-v {line}")).exits(0).telegrams('>').join("\n");
+        // Register 100, the first of its map, and nothing of the ACTIVE's (P.411, code 8).
+        assert!(told.matches("05 03 00 64 00 01").count() >= 3, "{line}:\n{told}");
+        assert!(!told.contains("05 03 01 9B") && !told.contains("05 08"), "{line}:\n{told}");
+    }
+}
+
+#[test]
 fn a_family_that_is_only_half_said_is_refused_with_what_is_missing() {
     for (from, to, why) in [
         (

@@ -290,3 +290,16 @@ fn a_refusal_of_something_older_is_not_taken_for_an_answer_without_a_cause() {
         }
     }
 }
+
+#[test]
+fn a_drive_that_never_answers_is_not_asked_for_everything() {
+    // Three questions at most, each with its two repeats, the greeting before and the fences behind them.
+    for line in ["dataset show", "read @actual", "read 480-490", "dataset diff 1 2"] {
+        let silent = antrieb(&format!("--drive act -a 9 -v {line}")).on(DIFFERING).exits(4);
+        let asked = silent.questions().len();
+        assert!(asked < 32, "{line}: {asked} questions\n{}", silent.err);
+    }
+    let rows = antrieb("--drive act -a 9 read 480-484").on(DIFFERING).json().exits(4);
+    let told: Vec<_> = rows.data("/values").as_array().unwrap().iter().map(|row| &row["error"]["class"]).collect();
+    assert_eq!(told, ["silence"; 5], "every value has its row");
+}
