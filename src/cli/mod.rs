@@ -39,7 +39,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     };
     let (format, choice) = form(&settings, &globals);
     let color = may_color(choice, environment, out_is_terminal);
-    let manner = Manner { lang, width: width.filter(|_| out_is_terminal), color, holds_stderr: err_is_terminal };
+    let width = width.filter(|_| out_is_terminal);
+    let manner = Manner { lang, width, full: globals.verbose > 0, color, holds_stderr: err_is_terminal };
     let view = verb.streams().and_then(|flow| {
         let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
         view(flow, format, sends, environment, out_is_terminal)
@@ -73,7 +74,7 @@ fn print(page: &Printed, matches: &ArgMatches, json: bool, out: &mut dyn Write, 
         Ok(None) => 0,
         Ok(Some(failure)) if json => {
             let code = failure.class.exit();
-            match render::print(&failure.into(), page.name, Format::Json, console.lang(), None, out, console) {
+            match render::print(&failure.into(), page.name, Format::Json, Manner::of(console.lang()), out, console) {
                 Ok(()) => code,
                 Err(error) => closed(&error, console),
             }
@@ -95,7 +96,7 @@ fn whole(
     out: &mut dyn Write,
     console: &Console,
 ) -> io::Result<Outcome> {
-    match render::print(&outcome, verb.name, format, manner.lang, manner.width, out, console) {
+    match render::print(&outcome, verb.name, format, manner, out, console) {
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
         Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
             render::print_end(&outcome, console);

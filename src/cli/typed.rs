@@ -124,10 +124,10 @@ pub(super) fn explain(
             .map_or("", |verb| verb.get_name());
         let outcome = Outcome::from(failure);
         let _closed = if verb == "monitor" {
-            let manner = Manner { lang, width: None, color: false, holds_stderr: false };
+            let manner = Manner::of(lang);
             Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
         } else {
-            render::print(&outcome, verb, Format::Json, lang, None, out, &console)
+            render::print(&outcome, verb, Format::Json, Manner::of(lang), out, &console)
         };
     } else if lang == Lang::De || lacking.is_some() {
         console.failure(&failure);

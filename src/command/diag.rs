@@ -3,6 +3,7 @@
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
 use crate::args::Settings;
+use crate::drive::motion::{missing, surroundings};
 use crate::drive::{
     AccessError, Inquiry, Session, Target, Upper, clear_counters, counters, describe, last_refusal, link_test,
 };
@@ -158,6 +159,7 @@ fn blank(address: u8) -> Diagnosis {
         fault: None,
         fault_code: None,
         warnings: None,
+        missing: Vec::new(),
         memory: Vec::new(),
         watchdog: None,
         error_register: None,
@@ -237,6 +239,10 @@ async fn diagnose(
     let watchdog = reader.in_force("watchdog").await?.value;
     let (mut failures, good) = reader.into_failures();
     let code = present_fault(&family, status.as_ref(), fault);
+    let missing = match status.as_ref().filter(|_| failures.is_empty() && family.is_movable()) {
+        Some(word) => missing(&surroundings(session, &mut target, word.raw).await?, &target),
+        None => Vec::new(),
+    };
     let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
     let mut report = Diagnosis {
         drive: family.drive.clone(),
@@ -245,26 +251,42 @@ async fn diagnose(
         fault_code: code.map(i64::from),
         fault: code.and_then(|code| describe::fault(&family, code)),
         warnings,
+        missing,
         memory,
         watchdog,
         error_register: register.or(refusal.map(i64::from)).map(|code| describe::register(&family, code as u32)),
         ..blank(address)
     };
-    match counters(session, &mut target).await {
+    failures.extend(the_line(session, &mut target, &mut report, args.link_test, permit).await?);
+    Ok((report, failures, good))
+}
+
+/// What its counters, and a test of the line to it, tell: what failed of that and hinders nothing else.
+async fn the_line(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    report: &mut Diagnosis,
+    link: Option<u32>,
+    permit: Option<&Permit<Counters>>,
+) -> Result<Vec<Failure>, Failure> {
+    let (address, family) = (target.address, target.family.clone());
+    let failed = |error: AccessError| error.failure(address, Some(&family));
+    let mut failures = Vec::new();
+    match counters(session, target).await {
         Ok(counters) => report.counters = counters,
         Err(error) if error.is_fatal() => return Err(failed(error)),
         Err(error) => failures.push(failed(error)),
     }
-    if let Some(count) = args.link_test {
-        let (test, cut) = link_test(session, &mut target, count.into()).await.map_err(failed)?;
+    if let Some(count) = link {
+        let (test, cut) = link_test(session, target, count.into()).await.map_err(failed)?;
         report.link = Some(test);
         if let Some(error) = cut {
             failures.push(failed(error));
-            return Ok((report, failures, good));
+            return Ok(failures);
         }
     }
     if let Some(permit) = permit {
-        report.counters_cleared = clear_counters(session, &mut target, permit).await.map_err(failed)?;
+        report.counters_cleared = clear_counters(session, target, permit).await.map_err(failed)?;
     }
-    Ok((report, failures, good))
+    Ok(failures)
 }

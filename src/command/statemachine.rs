@@ -7,7 +7,7 @@ use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings};
-use crate::drive::motion::{self, Motor, Situation, look, missing, no_control, no_fault, upon_enabling};
+use crate::drive::motion::{self, Motor, Situation, missing, no_control, no_fault, surroundings, upon_enabling};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -278,19 +278,17 @@ async fn show(
     let InForce { value: control_mode, stored: control_mode_stored } = reader.in_force("control-mode").await?;
     let control = reader.role("control-word").await?.and_then(|value| value.word);
     let fault = reader.vital_role("fault").await?.and_then(|value| value.raw);
-    let present = status.as_ref().zip(fault).map(|(word, code)| (word.raw, code as u32));
     let (failures, good) = reader.into_failures();
-    let missing = if failures.is_empty() {
-        let mut situation = look(session, &mut target).await?;
-        // The first reading is the newest entry, where each moves on to the one before.
-        situation.fault =
-            present.map(|(status, code)| target.family.present_fault(Some(status), code).unwrap_or(0).into());
-        missing(&situation, &target)
-    } else {
-        Vec::new()
+    let present = status.as_ref().zip(fault);
+    let fault = present.map(|(word, code)| target.family.present_fault(Some(word.raw), code as u32).unwrap_or(0));
+    let missing = match status.as_ref().filter(|_| failures.is_empty()) {
+        Some(word) => {
+            let around = surroundings(session, &mut target, word.raw).await?;
+            missing(&Situation { fault: fault.map(i64::from), ..around }, &target)
+        }
+        None => Vec::new(),
     };
     let state = status.as_ref().and_then(|word| word.state.clone());
-    let fault = present.map(|(status, code)| target.family.present_fault(Some(status), code).unwrap_or(0));
     let report = StateReport {
         address,
         drive: target.family.drive.clone(),

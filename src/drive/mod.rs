@@ -34,7 +34,7 @@ mod watch;
 mod write;
 
 pub use access::{AccessError, Refusal};
-pub use diag::{clear_counters, counters, last_refusal, harmless, link_test};
+pub use diag::{clear_counters, counters, harmless, last_refusal, link_test};
 pub use interrupt::Interrupt;
 pub use line_check::check_line;
 pub use opening::{Opening, Recording, open_port};

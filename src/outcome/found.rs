@@ -66,6 +66,9 @@ pub struct FoundDrive {
     /// Active fault, if there is one.
     #[serde(deserialize_with = "Text::as_printed_or_null")]
     pub fault: Option<Text>,
+    /// Warnings that are present, by their names, if it is a drive that tells them.
+    #[serde(default, deserialize_with = "Text::as_printed_or_null")]
+    pub warnings: Option<Text>,
 }
 
 /// One thing that tells a family.
@@ -145,6 +148,8 @@ pub struct Diagnosis {
     pub fault: Option<Fault>,
     /// Warning word.
     pub warnings: Option<Word>,
+    /// What keeps the drive from running by the control word, and how one sees it.
+    pub missing: Vec<Text>,
     /// Latest entry of the fault memory, where the family has parameters for it.
     pub memory: Vec<Value>,
     /// The drive's watchdog: how long the line may be silent.

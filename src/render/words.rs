@@ -114,6 +114,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("fault memory", "Fehlerspeicher"),
     ("field", "Feld"),
     ("from", "aus"),
+    ("from here", "von hier"),
     ("garbled", "gestört"),
     ("group", "Gruppe"),
     ("hazard", "Gefahr"),

@@ -168,7 +168,7 @@ fn interrupted(after: usize, code: u8, line: &str) {
     assert_eq!(class.map_or(0, Class::exit), code, "{line}: {:?}", outcome.failure);
     let printed = |format: Format, lang: Lang| {
         let (mut out, console) = (Vec::new(), Console::new(Box::new(std::io::sink()), lang, true, false));
-        render::print(&outcome, entry.name, format, lang, None, &mut out, &console).unwrap();
+        render::print(&outcome, entry.name, format, render::Manner::of(lang), &mut out, &console).unwrap();
         String::from_utf8(out).unwrap()
     };
     let tables = [Lang::En, Lang::De].map(|lang| printed(Format::Table, lang));

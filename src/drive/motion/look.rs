@@ -78,13 +78,19 @@ impl Situation {
 /// What the drive says that matters for moving it.
 pub async fn look(session: &mut Session<'_>, target: &mut Target) -> Result<Situation, Failure> {
     let status = status_word(session, target).await?;
+    let fault = present_fault(session, target, status).await?;
+    Ok(Situation { fault, ..surroundings(session, target, status).await? })
+}
+
+/// What matters for moving a drive besides its status word and its fault, which somebody has read.
+pub async fn surroundings(session: &mut Session<'_>, target: &mut Target, status: u32) -> Result<Situation, Failure> {
     let watchdog = working_raw(session, target, "watchdog").await?;
     target.known_watchdog = watchdog;
     let mut situation = Situation {
         status,
         state: describe::state(&target.family, status).slug,
         mode: working_raw(session, target, "control-mode").await?,
-        fault: present_fault(session, target, status).await?,
+        fault: None,
         inputs: role_raw(session, target, "digital-inputs").await?,
         settings: BTreeMap::new(),
         watchdog_s: watchdog.map(|raw| watchdog_seconds(&target.family, raw)),
@@ -124,8 +130,7 @@ pub(super) async fn status_word(session: &mut Session<'_>, target: &mut Target) 
     }
 }
 
-/// Code of the fault that is present; 0 is none. A memory is not touched where the state says that there is none: on some
-/// drives reading moves on to the entry before.
+/// Code of the fault that is present; 0 is none. A memory is not touched without need: on some drives reading moves on.
 async fn present_fault(session: &mut Session<'_>, target: &mut Target, status: u32) -> Result<Option<i64>, Failure> {
     if target.family.present_fault(Some(status), u32::MAX).is_none() {
         return Ok(Some(0));

@@ -22,8 +22,8 @@ mod watchdog;
 pub use super::route::Meant;
 pub use before::{Standing, runs_at, standing, upon_enabling};
 pub use look::{
-    Situation, look, may_change_mode, missing, no_control, no_control_word, role_raw, tripped, watchdog_raw,
-    watchdog_seconds, working, working_raw,
+    Situation, look, may_change_mode, missing, no_control, no_control_word, role_raw, surroundings, tripped,
+    watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
 pub use shout::{FirstWord, shout, shout_zero};

@@ -10,7 +10,7 @@ use crate::drive::{describe, recognise};
 use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::outcome::{FoundDrive, Warning};
-use crate::profile::Registry;
+use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
 
 /// Characters of the reply to the first question, about.
@@ -71,6 +71,7 @@ async fn describe_drive(
         evidence: finding.evidence.clone(),
         state: None,
         fault: None,
+        warnings: None,
     };
     let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
     let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
@@ -85,6 +86,10 @@ async fn describe_drive(
     let fault = if may_have_one { read(&mut target, session, "fault").await? } else { None };
     let fault = fault.and_then(|code| describe::fault(&target.family, code));
     found.fault = fault.map(|fault| fault.told());
+    // So do warnings show in the status word, where its family has a bit for them.
+    if status.is_none_or(|word| may_warn(&target.family, word)) {
+        found.warnings = warnings(&mut target, session).await?;
+    }
     Ok(Some(found))
 }
 
@@ -93,6 +98,24 @@ fn status_word(target: &Target, session: &Session<'_>, first: &Answer) -> Option
     target.family.role("status-word").filter(|param| param.id == super::PROBE)?;
     let Answer::Reply { said, .. } = first else { return None };
     Route::new(session.protocol(), &target.family.link, target.address).number(said).map(u32::from)
+}
+
+/// Whether the status word does not rule warnings out.
+fn may_warn(family: &Family, status: u32) -> bool {
+    let Some(param) = family.role("status-word") else { return true };
+    let word = describe::word(family, param, status, &|_| None);
+    let mut signs = word.bits.iter().filter(|bit| bit.slug.as_ref().is_some_and(|slug| slug.starts_with("warning")));
+    signs.clone().next().is_none() || signs.any(|bit| bit.set)
+}
+
+/// The warnings that are present, by their names.
+async fn warnings(target: &mut Target, session: &mut Session<'_>) -> Result<Option<Text>, AccessError> {
+    let Some(raw) = read(target, session, "warnings").await? else { return Ok(None) };
+    let Some(param) = target.family.role("warnings") else { return Ok(None) };
+    let word = describe::word(&target.family, param, raw, &|_| None);
+    let set = word.bits.iter().filter(|bit| bit.set);
+    let names: Vec<_> = set.map(|bit| bit.name.clone().unwrap_or_else(|| Text::name(bit.bit))).collect();
+    Ok((!names.is_empty()).then(|| Text::join(&names, ", ")))
 }
 
 /// The parameter that plays a role; `None` if there is none or the drive does not tell.

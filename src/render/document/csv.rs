@@ -7,7 +7,7 @@ use std::io::{self, Write};
 
 pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut rows: Vec<_> = page.outcome.data.iter().flat_map(|data| finding::of(data).rows()).collect();
-    rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.lang));
+    rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.manner.lang));
     // Rows of several kinds stand in one table: every field of any of them has its column.
     let mut columns: Vec<String> = Vec::new();
     for column in rows.iter().flat_map(|row| row.fields.keys()) {

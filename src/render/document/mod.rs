@@ -5,17 +5,16 @@ mod json;
 mod ndjson;
 mod table;
 
-use super::{Console, Format};
+use super::{Console, Format, Manner};
 use crate::outcome::{Data, Envelope, ErrorDoc, Outcome, SCHEMA_VERSION};
-use crate::text::{Lang, both};
+use crate::text::both;
 use std::io::{self, Write};
 
 /// What is to be printed, and for whom.
 struct Print<'a> {
     outcome: &'a Outcome,
     command: &'a str,
-    lang: Lang,
-    width: Option<u16>,
+    manner: Manner,
 }
 
 /// Prints an outcome: data to `out`, remarks and failures to the console (in JSON they are in the document too).
@@ -23,8 +22,7 @@ pub fn print(
     outcome: &Outcome,
     command: &str,
     format: Format,
-    lang: Lang,
-    width: Option<u16>,
+    manner: Manner,
     out: &mut dyn Write,
     console: &Console,
 ) -> io::Result<()> {
@@ -35,7 +33,7 @@ pub fn print(
         Format::Ndjson => ndjson::print,
         Format::Csv => csv::print,
     };
-    form(&Print { outcome, command, lang, width }, out)?;
+    form(&Print { outcome, command, manner }, out)?;
     out.flush()?;
     for warning in &outcome.warnings {
         console.warning(&warning.message);

@@ -15,10 +15,10 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
         line
     };
     for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows()) {
-        serde_json::to_writer(&mut *out, &spoken(&tagged(row.kind, row.fields), page.lang)?)?;
+        serde_json::to_writer(&mut *out, &spoken(&tagged(row.kind, row.fields), page.manner.lang)?)?;
         writeln!(out)?;
     }
-    if let serde_json::Value::Object(mut fields) = spoken(&page.envelope(None::<()>), page.lang)? {
+    if let serde_json::Value::Object(mut fields) = spoken(&page.envelope(None::<()>), page.manner.lang)? {
         fields.remove("data");
         serde_json::to_writer(&mut *out, &tagged("end", fields))?;
         writeln!(out)?;

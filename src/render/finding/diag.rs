@@ -2,13 +2,16 @@
 
 use super::page::Page;
 use super::{Finding, Row, list};
-use crate::outcome::{Diag, Diagnosis, LinkTest, Value};
+use crate::outcome::{Diag, Diagnosis, LinkTest, Value, Word};
 use crate::profile::value::format_decimal;
 use crate::render::clean;
 
 impl Finding for Diag {
     fn table(&self, page: Page) -> String {
-        page.each(&self.drives, Page::diagnosis)
+        match self.drives.len() > 1 && !page.full {
+            true => page.fleet(self),
+            false => page.each(&self.drives, Page::diagnosis),
+        }
     }
 
     fn rows(&self) -> Vec<Row> {
@@ -17,32 +20,48 @@ impl Finding for Diag {
 }
 
 impl Page {
+    /// Several drives, one row each.
+    fn fleet(self, diag: &Diag) -> String {
+        let row = |report: &Diagnosis| {
+            let state = report.status.as_ref().and_then(|word| word.state.as_ref());
+            let found = match &report.error {
+                Some(error) => [self.say(&error.message), String::new(), String::new()],
+                None => [
+                    self.say_or_not(state.map(|state| &state.name)),
+                    self.present(report),
+                    report.warnings.as_ref().map_or_else(String::new, |word| self.set_bits(word)),
+                ],
+            };
+            let refusal = report.error_register.as_ref().filter(|register| register.code != 0);
+            let refusal = refusal.map_or_else(|| "-".to_owned(), |it| format!("{} {}", it.code, self.say(&it.name)));
+            let head = [report.address.to_string(), self.family(&report.drive).to_owned()];
+            head.into_iter().chain(found).chain([refusal]).collect()
+        };
+        let rows = diag.drives.iter().map(row).collect();
+        self.table(&[">addr", "drive", "state", "fault", "warnings", "error register"], rows)
+    }
+
+    /// The fault that is present, in a few words.
+    fn present(self, report: &Diagnosis) -> String {
+        match (&report.fault, report.fault_code) {
+            (Some(fault), _) => self.say(&fault.told()),
+            (None, Some(_)) => "-".to_owned(),
+            (None, None) => self.word("could not be read").to_owned(),
+        }
+    }
+
     fn diagnosis(self, report: &Diagnosis) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
             return text + &format!("{}\n", clean(error.message.get(self.lang)));
         }
-        let mut rows = Vec::new();
+        let mut rows = self.fault_or_none(report.fault.as_ref(), report.fault_code);
+        rows.extend(report.warnings.iter().flat_map(|word| self.warnings(word)));
         if let Some(status) = &report.status {
             let state = self.say_or_not(status.state.as_ref().map(|state| &state.name));
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
-        match (&report.fault, report.fault_code) {
-            (Some(fault), _) => rows.extend(self.fault(fault)),
-            (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
-            (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
-        }
-        if let Some(warnings) = &report.warnings {
-            let set: Vec<_> = warnings.bits.iter().filter(|bit| bit.set).collect();
-            if set.is_empty() {
-                rows.push(("warnings", self.word("none").to_owned()));
-            }
-            for (index, bit) in set.iter().enumerate() {
-                let name = self.bit(bit);
-                let help = bit.help.as_ref().map_or_else(String::new, |help| format!(": {}", self.say(help)));
-                rows.push((if index == 0 { "warnings" } else { "" }, format!("{name}{help}")));
-            }
-        }
+        rows.extend(self.missing(&report.missing));
         if let Some(register) = &report.error_register {
             let hint = register.hint.as_ref().filter(|_| register.code != 0);
             let hint = hint.map_or_else(String::new, |hint| format!(": {}", self.say(hint)));
@@ -58,11 +77,29 @@ impl Page {
             rows.extend(self.link(link));
         }
         text += &self.pairs(rows);
-        let rows = report.counters.iter().map(|counter| {
+        let shown = report.counters.iter().filter(|counter| self.full || counter.count != Some(0));
+        let rows = shown.map(|counter| {
             let count = counter.count.map_or_else(|| "-".to_owned(), |count| count.to_string());
-            vec![count, self.say(&counter.name), self.say(&counter.help)]
+            let help = self.full.then(|| self.say(&counter.help));
+            [count, self.say(&counter.name)].into_iter().chain(help).collect()
         });
-        text + "\n" + &self.table(&[">count", "name", "meaning"], rows.collect())
+        let head: &[&str] = if self.full { &[">count", "name", "meaning"] } else { &[">count", "name"] };
+        match self.table(head, rows.collect()) {
+            none if none.is_empty() => text,
+            counters => text + "\n" + &counters,
+        }
+    }
+
+    /// The warnings that are set, each with what it means.
+    fn warnings(self, word: &Word) -> Vec<(&'static str, String)> {
+        let set = word.bits.iter().filter(|bit| bit.set).enumerate();
+        let rows: Vec<_> = set
+            .map(|(index, bit)| {
+                let help = bit.help.as_ref().map_or_else(String::new, |help| format!(": {}", self.say(help)));
+                (if index == 0 { "warnings" } else { "" }, format!("{}{help}", self.bit(bit)))
+            })
+            .collect();
+        if rows.is_empty() { vec![("warnings", self.word("none").to_owned())] } else { rows }
     }
 
     /// The entry of the fault memory; number 0 is none.

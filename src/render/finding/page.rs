@@ -14,6 +14,8 @@ pub(in crate::render) struct Page {
     pub(in crate::render) lang: Lang,
     /// Columns of the terminal, if it is one.
     pub(in crate::render) width: Option<u16>,
+    /// Everything that was found, not only what matters first.
+    pub(in crate::render) full: bool,
 }
 
 impl Page {
@@ -129,9 +131,7 @@ impl Page {
         parts.extend(value.text.as_ref().map(|text| self.say(text)));
         if let Some(word) = &value.word {
             parts.extend(word.state.as_ref().map(|state| self.say(&state.name)));
-            let set = word.bits.iter().filter(|bit| bit.set);
-            let set: Vec<_> = set.map(|bit| self.bit(bit)).collect();
-            parts.push(if set.is_empty() { "-".to_owned() } else { set.join(", ") });
+            parts.push(self.set_bits(word));
         }
         if let Some(expected) = &value.expected {
             parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
@@ -152,6 +152,27 @@ impl Page {
         rows.extend(fault.cause.iter().map(|cause| ("cause", self.say(cause))));
         rows.extend(fault.remedy.iter().map(|remedy| ("remedy", self.say(remedy))));
         rows
+    }
+
+    /// The fault that is present, that there is none, or that nobody can say.
+    pub(super) fn fault_or_none(self, fault: Option<&Fault>, code: Option<i64>) -> Vec<(&'static str, String)> {
+        match (fault, code) {
+            (Some(fault), _) => self.fault(fault),
+            (None, Some(_)) => vec![("fault", self.word("none").to_owned())],
+            (None, None) => vec![("fault", self.word("could not be read").to_owned())],
+        }
+    }
+
+    /// What keeps a drive from running.
+    pub(super) fn missing(self, missing: &[Text]) -> Vec<(&'static str, String)> {
+        let label = |index| if index == 0 { "missing" } else { "" };
+        missing.iter().enumerate().map(|(index, text)| (label(index), self.say(text))).collect()
+    }
+
+    /// The bits of a word that are set, by their names; a dash where none is.
+    pub(super) fn set_bits(self, word: &Word) -> String {
+        let set: Vec<_> = word.bits.iter().filter(|bit| bit.set).map(|bit| self.bit(bit)).collect();
+        if set.is_empty() { "-".to_owned() } else { set.join(", ") }
     }
 
     pub(super) fn bits(self, bits: &Word) -> String {

@@ -24,9 +24,6 @@ impl Page {
             || several(|drive| &drive.line)
             || several(|drive| &drive.protocol);
         let row = |drive: &FoundDrive| {
-            let told = drive.evidence.last().map_or_else(String::new, |row| {
-                format!("{}: {}", row.asked.get(self.lang), row.answered.get(self.lang))
-            });
             let mut row = if shows_port { vec![drive.port.clone()] } else { Vec::new() };
             if shows_line {
                 row.extend([drive.line.clone(), drive.protocol.clone()]);
@@ -37,8 +34,10 @@ impl Page {
                 drive.title.get(self.lang).to_owned(),
                 self.say_or_not(drive.state.as_ref().map(|state| &state.name)),
                 drive.fault.as_ref().map_or_else(|| "-".to_owned(), |fault| self.say(fault)),
-                told,
+                drive.warnings.as_ref().map_or_else(|| "-".to_owned(), |warnings| self.say(warnings)),
             ]);
+            let told = drive.evidence.last().filter(|_| self.full);
+            row.extend(told.map(|row| format!("{}: {}", self.say(&row.asked), self.say(&row.answered))));
             row
         };
         let rows = scan.drives.iter().map(row).collect();
@@ -46,7 +45,10 @@ impl Page {
         if shows_line {
             head.extend(["line", "protocol"]);
         }
-        head.extend([">addr", "drive", "name", "state", "fault", "evidence"]);
+        head.extend([">addr", "drive", "name", "state", "fault", "warnings"]);
+        if self.full {
+            head.push("evidence");
+        }
         self.table(&head, rows)
     }
 }

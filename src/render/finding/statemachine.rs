@@ -26,15 +26,23 @@ impl Page {
         let mode = |mode: &Value| format!("P.{} = {} {}", mode.param, number(mode), self.meaning(mode));
         rows.extend(report.control_mode.iter().map(|value| ("control mode", mode(value))));
         rows.extend(report.control_mode_stored.iter().map(|value| ("stored, not in force", mode(value))));
-        match (&report.fault, report.fault_code) {
-            (Some(fault), _) => rows.extend(self.fault(fault)),
-            (None, Some(_)) => rows.push(("fault", self.word("none").to_owned())),
-            (None, None) => rows.push(("fault", self.word("could not be read").to_owned())),
+        rows.extend(self.fault_or_none(report.fault.as_ref(), report.fault_code));
+        rows.extend(self.missing(&report.missing));
+        if self.full {
+            return text + &self.pairs(rows) + &self.map(report);
         }
-        for (index, missing) in report.missing.iter().enumerate() {
-            rows.push((if index == 0 { "missing" } else { "" }, self.say(missing)));
+        let here = report.states.iter().filter(|state| state.present).flat_map(|state| &state.leads);
+        rows.extend(here.enumerate().map(|(index, lead)| (if index == 0 { "from here" } else { "" }, self.say(lead))));
+        for (name, word) in [("status word", &report.status), ("control word", &report.control)] {
+            rows.extend(word.iter().map(|word| (name, format!("{}: {}", word.hex, self.set_bits(word)))));
         }
         text += &self.pairs(rows);
+        text
+    }
+
+    /// Every state and where it leads, and the words bit by bit.
+    fn map(self, report: &StateReport) -> String {
+        let mut text = String::new();
         let map = report.states.iter().flat_map(|state| {
             let leads = state.leads.iter().enumerate().map(|(index, lead)| {
                 let name = if index == 0 { self.say(&state.name) } else { String::new() };

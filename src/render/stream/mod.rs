@@ -38,16 +38,25 @@ pub enum View {
 }
 
 /// What a form for people needs to know.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Manner {
     /// Language.
     pub lang: Lang,
     /// Columns of the terminal, if there is one.
     pub width: Option<u16>,
+    /// Everything that was found is shown, not only what matters first.
+    pub full: bool,
     /// Colours may be used.
     pub color: bool,
     /// stderr is the same terminal, so a form that has all of it must show the notes itself.
     pub holds_stderr: bool,
+}
+
+impl Manner {
+    /// Into a pipe: without a terminal, and short.
+    pub fn of(lang: Lang) -> Self {
+        Manner { lang, ..Manner::default() }
+    }
 }
 
 /// One form of a stream.
