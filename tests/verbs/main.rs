@@ -66,5 +66,6 @@ mod output {
     mod exits;
     mod forms;
     mod regressions;
+    mod screens;
     mod words;
 }

@@ -22,6 +22,7 @@ impl Finding for Diag {
 impl Page {
     /// Several drives, one row each.
     fn fleet(self, diag: &Diag) -> String {
+        let refused = diag.drives.iter().filter_map(|report| report.error_register.as_ref()).any(|it| it.code != 0);
         let row = |report: &Diagnosis| {
             let state = report.status.as_ref().and_then(|word| word.state.as_ref());
             let found = match &report.error {
@@ -35,10 +36,11 @@ impl Page {
             let refusal = report.error_register.as_ref().filter(|register| register.code != 0);
             let refusal = refusal.map_or_else(|| "-".to_owned(), |it| format!("{} {}", it.code, self.say(&it.name)));
             let head = [report.address.to_string(), self.family(&report.drive).to_owned()];
-            head.into_iter().chain(found).chain([refusal]).collect()
+            head.into_iter().chain(found).chain(refused.then_some(refusal)).collect()
         };
         let rows = diag.drives.iter().map(row).collect();
-        self.table(&[">addr", "drive", "state", "fault", "warnings", "error register"], rows)
+        let head = [">addr", "drive", "state", "fault", "warnings", "error register"];
+        self.table(head.get(..if refused { 6 } else { 5 }).unwrap_or(&head), rows)
     }
 
     /// The fault that is present, in a few words.
@@ -62,13 +64,13 @@ impl Page {
             rows.push(("state", format!("{state} ({})", status.hex)));
         }
         rows.extend(self.missing(&report.missing));
-        if let Some(register) = &report.error_register {
+        if let Some(register) = report.error_register.as_ref().filter(|register| self.full || register.code != 0) {
             let hint = register.hint.as_ref().filter(|_| register.code != 0);
             let hint = hint.map_or_else(String::new, |hint| format!(": {}", self.say(hint)));
             rows.push(("error register", format!("{} {}{hint}", register.code, self.say(&register.name))));
         }
         rows.extend(self.memory(&report.memory));
-        let known = report.watchdog.iter().filter(|value| value.error.is_none());
+        let known = report.watchdog.iter().filter(|value| value.error.is_none() && (self.full || value.raw != Some(0)));
         rows.extend(known.map(|value| ("watchdog", self.short(value))));
         if report.counters_cleared {
             rows.push(("counters cleared", self.word("yes").to_owned()));

@@ -6,7 +6,11 @@ use crate::profile::value::format_decimal;
 use crate::render::clean;
 use crate::render::words::word;
 use crate::text::Text;
-use comfy_table::{CellAlignment, ContentArrangement, Table};
+use comfy_table::{Cell, CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
+use unicode_width::UnicodeWidthStr;
+
+/// Blanks between two columns.
+const GAP: u16 = 2;
 
 /// How a page is written.
 #[derive(Clone, Copy)]
@@ -54,9 +58,6 @@ impl Page {
         }
         let mut table = Table::new();
         table.load_style(comfy_table::presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
-        if let Some(width) = self.width {
-            table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
-        }
         let names = head.iter().map(|name| name.trim_start_matches('>'));
         let names: Vec<_> = names.map(|name| if name.starts_with('@') { name } else { self.word(name) }).collect();
         if names.iter().any(|name| !name.is_empty()) {
@@ -65,8 +66,12 @@ impl Page {
         for row in rows {
             table.add_row(row.iter().map(|cell| clean(cell)));
         }
+        if let Some(width) = self.width {
+            table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
+            hold_words_together(&mut table, width);
+        }
         for (index, column) in table.column_iter_mut().enumerate() {
-            column.set_padding((0, 2));
+            column.set_padding((0, GAP));
             if head.get(index).is_some_and(|name| name.starts_with('>')) {
                 column.set_cell_alignment(CellAlignment::Right);
             }
@@ -182,6 +187,28 @@ impl Page {
             vec![bit.bit.to_string(), u8::from(bit.set).to_string(), name]
         });
         self.table(&[">bit", ">value", "name"], rows.collect())
+    }
+}
+
+/// No column becomes so narrow that a word is torn apart, as long as all of them have room for their longest.
+fn hold_words_together(table: &mut Table, width: u16) {
+    let longest = |cell: &Cell| {
+        let content = cell.content();
+        content.split_whitespace().map(UnicodeWidthStr::width).max().unwrap_or(0) as u16 + GAP
+    };
+    let mut least: Vec<u16> = table.header().map_or_else(Vec::new, |head| head.cell_iter().map(longest).collect());
+    for row in table.row_iter() {
+        for (index, cell) in row.cell_iter().enumerate() {
+            match least.get_mut(index) {
+                Some(known) => *known = longest(cell).max(*known),
+                None => least.push(longest(cell)),
+            }
+        }
+    }
+    if least.iter().sum::<u16>() <= width {
+        for (column, least) in table.column_iter_mut().zip(least) {
+            column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(least)));
+        }
     }
 }
 

@@ -1,0 +1,117 @@
+//! What every verb shows on a terminal of 80 columns, in both languages: `docs/screens`, one file a verb.
+//! `UPDATE=1 cargo test --test verbs screens` writes them anew.
+
+use crate::run::{antrieb, verbs};
+use std::fmt::Write;
+use std::path::Path;
+use unicode_width::UnicodeWidthStr;
+
+/// A pump that has tripped and warns, a fan that is ready, and a servo.
+const PLANT: &str = "\
+[[drive]]
+model = \"act\"
+address = 1
+set = { \"372@2\" = 1450, \"480@3\" = 12.5 }
+[[drive.event]]
+at = \"0s\"
+fault = \"F0401\"
+warning = 0x0041
+[[drive]]
+model = \"acu\"
+address = 2
+modules = [\"EM-RES-03\"]
+set = { \"412\" = 1 }
+[[drive]]
+model = \"lxm05\"
+address = 3
+";
+
+const HEARD: &str = "# antrieb trace 1, 19200 8E1, rtu
+1000 < 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8
+60000 < 01 83 02 C0 F1
+";
+
+/// What is typed, verb by verb; the port is that of the plant.
+const TYPED: &[(&str, &[&str])] = &[
+    ("scan", &["scan -a 1-9"]),
+    ("identify", &["identify -a 2", "identify -a 3"]),
+    ("read", &["read -a 2 @actual", "read -a 1 372@all 480-482"]),
+    ("write", &["write -a 2 480=12,5Hz --yes", "write -a 2 480=12,5Hz --dry-run"]),
+    ("dataset", &["dataset show -a 1 372 480 481", "dataset active -a 1"]),
+    ("diag", &["diag -a 1-3", "diag -a 1", "diag -a 3", "diag line -a 1-3 --count 20"]),
+    ("statemachine", &["statemachine -a 2", "statemachine enable -a 2 --yes", "statemachine disable -a 2"]),
+    (
+        "sollwert",
+        &["sollwert -a 2", "sollwert 25Hz -a 2 --source line --enable --hold --duration 5s --yes", "sollwert 0 -a 2"],
+    ),
+    ("line", &["line show -a 1"]),
+    ("monitor", &["monitor -a 2 --line --count 3 --interval 1s"]),
+    ("params", &["params frequency --drive act", "params 412"]),
+    (
+        "decode",
+        &[
+            "decode 01 03 21 74 00 01 CE 2C",
+            "decode status 0x0237 --drive acu",
+            "decode fault F0401",
+            "decode register 10",
+        ],
+    ),
+    ("sniff", &["sniff -p tape:{dir}/heard"]),
+    ("protocol", &["protocol show -a 1"]),
+];
+
+/// One screen after the other, as they were typed.
+fn screens(lines: &[&str], lang: &str) -> String {
+    let mut text = String::new();
+    for line in lines {
+        let run = antrieb(&format!("{line} --lang {lang}")).file("heard", HEARD).columns(80);
+        let run = if line.contains(" -p ") { run } else { run.on(PLANT) };
+        let output = run.run();
+        let place = output.directory().display().to_string();
+        // A line that is refreshed shows its last state.
+        let out: Vec<_> = output.out.lines().map(|row| row.rsplit('\r').next().unwrap_or("").trim_end()).collect();
+        let shown = format!("{}\n{}", out.join("\n"), output.err).replace(&place, ".");
+        // What was heard is shown whole, however long a telegram is.
+        for row in out.iter().filter(|_| !line.starts_with("sniff")) {
+            assert!(row.width() <= 80, "{line}: {} columns\n{row}", row.width());
+        }
+        let _ = write!(text, "$ antrieb {}\n{shown}(exit {})\n\n", line.replace("{dir}", "."), output.exit);
+    }
+    text
+}
+
+#[test]
+fn the_screens_in_the_documentation_are_those_of_the_program() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/screens");
+    let mut stale = Vec::new();
+    for (verb, lines) in TYPED {
+        for lang in ["en", "de"] {
+            let (file, text) = (folder.join(format!("{verb}.{lang}.txt")), screens(lines, lang));
+            if std::env::var_os("UPDATE").is_some() {
+                std::fs::create_dir_all(&folder).unwrap();
+                std::fs::write(&file, &text).unwrap();
+            } else if std::fs::read_to_string(&file).unwrap_or_default() != text {
+                stale.push(file.display().to_string());
+            }
+        }
+    }
+    assert!(stale.is_empty(), "UPDATE=1 writes them anew, then read the difference: {stale:#?}");
+}
+
+#[test]
+fn every_verb_that_talks_to_drives_has_its_screens() {
+    let missing: Vec<_> =
+        verbs().filter(|verb| TYPED.iter().all(|row| row.0 != *verb) && *verb != "simulate").collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn what_ails_a_drive_fits_on_one_screen() {
+    for line in ["diag -a 1", "diag -a 1-3", "statemachine -a 2", "scan -a 1-9", "identify -a 2"] {
+        for lang in ["en", "de"] {
+            let output = antrieb(&format!("{line} --lang {lang}")).on(PLANT).columns(80).run();
+            let rows = output.out.lines().count();
+            assert!(rows <= 23, "{line} --lang {lang}: {rows} lines\n{}", output.out);
+        }
+    }
+}
