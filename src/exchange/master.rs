@@ -9,7 +9,7 @@
 //! * What the adapter gives back of our own telegrams is told from replies (`echo`).
 
 use super::debt::{Debts, LATEST_REPLY};
-use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
+use super::dialect::{Dialect, Old, Question, Said};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
 use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
@@ -22,7 +22,7 @@ use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::{Span, Tick};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 
 pub(super) type Outcome = Result<Answer, ExchangeError>;
 
@@ -48,7 +48,7 @@ pub struct Master {
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
     /// The last harmless questions that a station answered without a refusal.
-    known: BTreeMap<u8, VecDeque<Question>>,
+    known: BTreeMap<u8, Vec<Question>>,
     /// Counters (code 8) of stations whose family is known.
     counters: BTreeMap<u8, Vec<u16>>,
     /// What came lately, and how soon stations answer.
@@ -260,9 +260,10 @@ impl Master {
 
     /// A question whose answer can be taken for none that the station owes.
     fn fence(&self, station: u8, question: &Question) -> Option<Question> {
-        let known = self.known.get(&station).into_iter().flatten();
-        let counters = self.counters.get(&station).map_or(&COMMON_COUNTERS[..], Vec::as_slice);
-        self.dialect.fence(&self.debts.missing(station), question, known, counters)
+        let missing = self.debts.missing(station);
+        let counters = self.counters.get(&station).map(Vec::as_slice);
+        let known = self.known.get(&station).map_or(&[][..], Vec::as_slice);
+        self.dialect.fence(&Old { missing: &missing, question, known, counters })
     }
 
     /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family
@@ -441,7 +442,7 @@ impl Master {
 
     /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
     fn is_doubted(&self, said: &Said, at: Tick) -> bool {
-        let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
+        let names = self.dialect.names_its_question() && !said.is_refusal();
         let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job, at);
         let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
         !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
@@ -567,7 +568,7 @@ impl Master {
             let known = self.known.entry(job.station).or_default();
             known.retain(|known| *known != job.question);
             known.truncate(MOST_KNOWN - 1);
-            known.push_front(job.question.clone());
+            known.insert(0, job.question.clone());
         }
         self.answered = Some((job.station, job.question.clone(), at));
         let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });

@@ -515,7 +515,7 @@ impl Survey {
 
     /// Says what bytes are that are no reply: a telegram all the same, or garbage, which has its suspects.
     fn note(&mut self, at: Tick, bytes: &[u8]) {
-        self.foreign += foreign::questions(self.dialect.protocol(), bytes, &self.ours);
+        self.foreign += foreign::questions(self.dialect, bytes, &self.ours);
         let Some((station, _)) = self.dialect.sender(bytes) else {
             self.record(Record { at, verdict: Verdict::Garbage, bytes: bytes.to_vec() });
             return self.suspect();

@@ -3,7 +3,6 @@
 use super::*;
 use crate::exchange::job::Second;
 use crate::exchange::twins::SECOND_WITHIN;
-use crate::protocol::modbus::pdu::Reply;
 use crate::tick::Span;
 
 /// Who has asked nothing for so long is gone.
@@ -20,7 +19,7 @@ impl Master {
 
     /// Whether an answer names what it answers, so that none to another question can be taken for it.
     fn is_named(&self) -> bool {
-        self.dialect.is_numbered() || self.protocol() == Protocol::Vabus
+        self.dialect.is_numbered() || self.dialect.names_its_question()
     }
 
     /// How a new question is kept apart from what the station may still say.
@@ -120,7 +119,7 @@ impl Master {
             let telegram: Vec<u8> = second.came.drain(..found.end).collect();
             let reply = telegram.get(found.start..).unwrap_or_default().to_vec();
             // An older fence of the same kind was counted lower; what an adapter gives back late is our own.
-            if may_be_older && is_older(&found.said, &second.said) || self.sent.contains(&reply) {
+            if may_be_older && self.dialect.is_older(&found.said, &second.said) || self.sent.contains(&reply) {
                 continue;
             }
             (second.second, second.until) = (Some(found.said), at);
@@ -184,15 +183,5 @@ impl Master {
 
     fn is_uncounted(&self) -> bool {
         self.job.as_ref().is_some_and(|job| job.counted.is_none())
-    }
-}
-
-/// Whether this is the answer to an older fence of the same kind.
-fn is_older(said: &Said, first: &Said) -> bool {
-    match (said, first) {
-        (Said::Modbus(Reply::Diagnostics { data, .. }), Said::Modbus(Reply::Diagnostics { data: first, .. })) => {
-            data < first
-        }
-        _ => false,
     }
 }

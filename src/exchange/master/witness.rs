@@ -70,7 +70,7 @@ impl Master {
         let known = self.stream.len();
         self.stream.extend_from_slice(bytes);
         for end in known + 1..=self.stream.len() {
-            let question = self.stream.get(..end).and_then(|heard| foreign::last(self.protocol(), heard, &self.sent));
+            let question = self.stream.get(..end).and_then(|heard| foreign::last(self.dialect, heard, &self.sent));
             if let Some((station, question)) = question {
                 self.note_foreign(at, station, question);
             }
