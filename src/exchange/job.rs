@@ -2,9 +2,11 @@
 
 use super::dialect::{Question, Said};
 use super::heard::Weight;
-use super::master::Outcome;
-use super::{Limits, MOST_BYTES};
+use super::{Answer, ExchangeError, Limits, MOST_BYTES};
 use crate::tick::{Span, Tick};
+
+/// How a question ends.
+pub(super) type Outcome = Result<Answer, ExchangeError>;
 
 /// A question that was given up before its time, and whose reply may be on its way.
 #[derive(Debug)]

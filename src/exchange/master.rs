@@ -12,7 +12,7 @@ use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{Dialect, Old, Question, Said};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
-use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
+use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Outcome, Parting, Phase, Waiting, keep};
 use super::limits::{LATEST_OF_ALL, ROUNDS};
 use super::twins::Twins;
 use super::{
@@ -23,8 +23,6 @@ use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::{Span, Tick};
 use std::collections::BTreeMap;
-
-pub(super) type Outcome = Result<Answer, ExchangeError>;
 
 /// Harmless questions that are remembered of every station, to part replies by.
 const MOST_KNOWN: usize = 4;

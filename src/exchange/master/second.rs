@@ -110,9 +110,7 @@ impl Master {
     pub(super) fn feed_second(&mut self, at: Tick, bytes: &[u8]) {
         let Some(job) = &mut self.job else { return };
         let (station, question) = (job.station, job.asks().clone());
-        let is_owed = self.debts.missing(station).contains(&question);
-        let may_be_older =
-            job.asked > 1 || is_owed || self.debts.overtaken(station, at).any(|old| old.missing == question);
+        let may_be_older = job.asked > 1 || self.debts.may_come(station, &question, at);
         let Phase::Second(second) = &mut job.phase else { return };
         keep(&mut second.came, bytes);
         while let Some(found) = self.dialect.find(&second.came, station, &question) {
@@ -152,8 +150,7 @@ impl Master {
         let (station, is_fenced) = (job.station, job.is_fenced());
         // A counter that was asked for once has one count, and copies do not differ.
         let (asked, fence) = (job.same_fence, job.asks().clone());
-        let is_due = self.debts.missing(station).contains(&fence)
-            || self.debts.overtaken(station, now).any(|old| old.missing == fence);
+        let is_due = self.debts.may_come(station, &fence, now);
         let two_counts = is_fenced && asked == 1 && !is_due && second.as_ref().is_some_and(|second| *second != said);
         match is_fenced || is_named {
             true => self.twins.counts(station, second.is_some()),
