@@ -2,6 +2,7 @@
 
 use super::dialect::{Question, Said};
 use super::heard::Weight;
+use super::limits::ROUNDS;
 use super::{Answer, ExchangeError, Limits, MOST_BYTES};
 use crate::tick::{Span, Tick};
 
@@ -176,6 +177,17 @@ impl Job {
 
     pub(super) fn is_fenced(&self) -> bool {
         matches!(self.parting, Parting::Fence(..))
+    }
+
+    /// Whether it may be asked once more because its answer may have been an older one.
+    pub(super) fn may_ask_anew(&self) -> bool {
+        self.rounds < ROUNDS && self.limits.witness
+    }
+
+    /// It is asked as if it had not been asked yet.
+    pub(super) fn begins_anew(&mut self, parting: Parting, phase: Phase) {
+        (self.parting, self.phase) = (parting, phase);
+        (self.asked, self.same_fence, self.echoed, self.patient) = (0, 0, false, false);
     }
 
     /// The times between which its next telegram may go out: not before the first, which bytes put off; at the second it

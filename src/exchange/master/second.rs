@@ -3,8 +3,9 @@
 use super::*;
 use crate::exchange::job::Second;
 use crate::exchange::twins::SECOND_WITHIN;
-use crate::tick::Span;
 
+/// A question that goes out so soon after an answer meets what follows it.
+const RIGHT_BEHIND: Span = Span::from_millis(20);
 /// Who has asked nothing for so long is gone.
 const ALONE_AFTER: Span = Span::from_secs(5);
 /// Bytes of the longest answer behind which a second one is listened for: a counter in ASCII.
@@ -18,20 +19,8 @@ impl Master {
     }
 
     /// Whether an answer names what it answers, so that none to another question can be taken for it.
-    fn is_named(&self) -> bool {
+    pub(super) fn is_named(&self) -> bool {
         self.dialect.is_numbered() || self.dialect.names_its_question()
-    }
-
-    /// How a new question is kept apart from what the station may still say.
-    pub(super) fn first_parting(&self, station: u8, question: &Question, limits: Limits, now: Tick) -> Parting {
-        let parting = self.parting(station, question, limits.since, now);
-        let counts = self.is_told_apart(question, limits) && self.twins.is_suspect(station) && !self.is_named();
-        match parting {
-            Parting::None if counts => {
-                self.fence(station, question).map_or(Parting::None, |fence| Parting::Fence(fence, now))
-            }
-            parting => parting,
-        }
     }
 
     /// More came from a station than was asked for, or less: a second drive may be the cause, unless another master is.
