@@ -18,13 +18,6 @@ pub(super) struct Orphan {
     pub(super) came: Vec<u8>,
 }
 
-/// Bytes that nobody waits for, until they make a telegram or pause.
-#[derive(Debug, Default)]
-pub(super) struct Loose {
-    pub(super) last: Tick,
-    pub(super) bytes: Vec<u8>,
-}
-
 /// A question, from the moment at which somebody wanted to know until he is told.
 #[derive(Debug)]
 pub(super) struct Job {
@@ -155,15 +148,6 @@ pub(super) struct Second {
 pub(super) enum Count {
     Once,
     Twice,
-}
-
-/// What has come when the line fell silent, or the time was over.
-pub(super) enum Came {
-    Nothing,
-    Stray(u8),
-    /// Too little for a reply, which may still come.
-    Noise,
-    Garbage,
 }
 
 impl Job {

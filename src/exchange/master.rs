@@ -10,9 +10,10 @@
 
 use super::debt::{Debts, LATEST_REPLY};
 use super::dialect::{Dialect, Old, Question, Said};
+use super::ear::{self, Ear, Piece};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
-use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Outcome, Parting, Phase, Waiting, keep};
+use super::job::{Count, Doubted, Job, Orphan, Outcome, Parting, Phase, Waiting, keep};
 use super::limits::LATEST_OF_ALL;
 use super::twins::Twins;
 use super::{
@@ -54,7 +55,7 @@ pub struct Master {
     /// Characters take their time on this line, and nothing comes sooner than that allows.
     wired: bool,
     /// Bytes that nobody waits for, until they make a telegram or pause.
-    loose: Loose,
+    loose: Ear,
     /// The last bytes that came, whoever waited for them, and the last telegrams that were sent.
     stream: Vec<u8>,
     sent: Vec<Vec<u8>>,
@@ -86,7 +87,7 @@ impl Master {
             others: [None; 2],
             answered: None,
             wired: false,
-            loose: Loose::default(),
+            loose: Ear::default(),
             stream: Vec::new(),
             sent: Vec::new(),
             replied_at: None,

@@ -138,8 +138,7 @@ impl Master {
             if let Some(station) = self.job.as_ref().map(|job| job.station) {
                 self.suspect(station, at);
             }
-            self.loose.last = at;
-            self.loose.bytes.extend_from_slice(behind);
+            self.loose.hears(at, behind);
         }
         Some((sent_end, said))
     }
@@ -213,8 +212,7 @@ impl Master {
         let behind = std::mem::take(&mut waiting.came);
         let spoilt = behind.len() >= self.dialect.shortest_reply();
         if !behind.is_empty() {
-            self.loose.last = waiting.last;
-            self.loose.bytes.extend_from_slice(&behind);
+            self.loose.hears(waiting.last, &behind);
         }
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.

@@ -29,21 +29,18 @@ impl Master {
 
     /// Takes bytes that nobody waits for.
     pub(super) fn feed_loose(&mut self, at: Tick, bytes: &[u8]) {
-        if at.since(self.loose.last) > self.dialect.straggle(&self.loose.bytes) {
+        if at.since(self.loose.last()) > self.dialect.straggle(self.loose.bytes()) {
             self.flush_loose();
         }
-        self.loose.last = at;
-        self.loose.bytes.extend_from_slice(bytes);
-        if self.loose.bytes.len() > MOST_BYTES || self.dialect.sender(&self.loose.bytes).is_some() {
+        self.loose.hears(at, bytes);
+        if self.loose.bytes().len() > MOST_BYTES || self.dialect.sender(self.loose.bytes()).is_some() {
             self.flush_loose();
         }
     }
 
     pub(super) fn flush_loose(&mut self) {
-        let bytes = std::mem::take(&mut self.loose.bytes);
-        if !bytes.is_empty() {
-            self.note_stray(self.loose.last, &bytes);
-        }
+        let (at, bytes) = (self.loose.last(), self.loose.take());
+        self.note_stray(at, &bytes);
     }
 
     /// Notes what came before an answer: an echo, noise, strays.
@@ -66,39 +63,24 @@ impl Master {
 
     /// Counts bytes that are nobody's answer; each whole reply among them for itself.
     pub(super) fn note_stray(&mut self, at: Tick, bytes: &[u8]) {
-        let mut rest = bytes;
-        while self.dialect.sender(rest).is_none() {
-            let Some(reply) = self.dialect.reply_within(rest) else { break };
-            let (before, from) = rest.split_at(reply.start.min(rest.len()));
-            let (reply, behind) = from.split_at(reply.len().min(from.len()));
-            if !before.is_empty() {
-                self.note_one(at, before);
-            }
-            self.note_one(at, reply);
-            rest = behind;
-        }
-        if !rest.is_empty() {
-            self.note_one(at, rest);
-        }
-    }
-
-    fn note_one(&mut self, at: Tick, bytes: &[u8]) {
-        let verdict = match self.dialect.sender(bytes) {
-            Some((station, said)) => {
-                self.debts.hears(station);
-                if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
-                    job.heard = true;
+        for (piece, bytes) in ear::pieces(self.dialect, bytes) {
+            let verdict = match piece {
+                Piece::Stray(station, said) => {
+                    self.debts.hears(station);
+                    if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
+                        job.heard = true;
+                    }
+                    self.explain(at, station, said, bytes);
+                    self.tally.strays += 1;
+                    Verdict::Stray { station }
                 }
-                self.explain(at, station, said, bytes);
-                self.tally.strays += 1;
-                Verdict::Stray { station }
-            }
-            None => {
-                self.heard.sees_trouble();
-                Verdict::Garbage
-            }
-        };
-        self.record(Record { at, verdict, bytes: bytes.to_vec() });
+                _ => {
+                    self.heard.sees_trouble();
+                    Verdict::Garbage
+                }
+            };
+            self.record(Record { at, verdict, bytes: bytes.to_vec() });
+        }
     }
 
     /// A valid telegram came that is not the answer: a copy, a reply that was missing, or one too many.

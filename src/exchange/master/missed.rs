@@ -11,21 +11,23 @@ impl Master {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
         let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
-        let (verdict, rest) = self.judge(now, &came, &sent);
+        let rest = self.judge(now, &came, &sent);
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
-        waiting.echoed |= self.dialect.behind_echo(&came, &sent).len() < came.len();
-        match verdict {
-            Came::Nothing => {}
-            Came::Stray(station) => waiting.stray = Some(station),
-            Came::Noise | Came::Garbage => waiting.garbage = rest,
+        waiting.echoed |= rest.len() < came.len();
+        let kind = ear::kind(self.dialect, rest);
+        // Garbage as long as a reply most likely was the reply.
+        let is_spoilt = kind == Piece::Garbage && rest.len() >= self.dialect.shortest_reply();
+        match kind {
+            Piece::Stray(station, _) => waiting.stray = Some(station),
+            _ if rest.is_empty() => {}
+            _ => waiting.garbage = rest.to_vec(),
         }
         // Behind an echo, a stray telegram or a little noise the reply may still come.
-        if now < deadline && (!matches!(verdict, Came::Garbage) || waiting.held.is_some()) {
+        if now < deadline && (!is_spoilt || waiting.held.is_some()) {
             return Step::Wait(deadline);
         }
         let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
-        // Garbage as long as a reply most likely was the reply.
-        let due = (!matches!(verdict, Came::Garbage)).then_some(waiting.sent_end + LATEST_REPLY);
+        let due = (!is_spoilt).then_some(waiting.sent_end + LATEST_REPLY);
         let Some(job) = &mut self.job else { return Step::Wait(now) };
         job.echoed |= echoed;
         let asked = job.asked;
@@ -38,23 +40,15 @@ impl Master {
         self.miss(now, due, error)
     }
 
-    /// Says what bytes are that hold no answer, and notes them.
-    fn judge(&mut self, at: Tick, came: &[u8], sent: &[u8]) -> (Came, Vec<u8>) {
+    /// Notes bytes that hold no answer; what stands behind our own echo.
+    fn judge<'c>(&mut self, at: Tick, came: &'c [u8], sent: &[u8]) -> &'c [u8] {
         let rest = self.dialect.behind_echo(came, sent);
         if rest.len() < came.len() {
             self.echo = Echo::Present;
             self.note_echo(at, sent);
         }
-        if rest.is_empty() {
-            return (Came::Nothing, Vec::new());
-        }
         self.note_stray(at, rest);
-        let verdict = match self.dialect.sender(rest) {
-            Some((station, _)) => Came::Stray(station),
-            None if rest.len() < self.dialect.shortest_reply() => Came::Noise,
-            None => Came::Garbage,
-        };
-        (verdict, rest.to_vec())
+        rest
     }
 
     /// No answer came: repeat, or end. What came may have been it: then nothing is due.

@@ -84,7 +84,7 @@ impl Master {
         let within = if self.is_suspected(at) { SECOND_WITHIN } else { Span::ZERO };
         // Until the second one is over, on a slow line too.
         let telegram = self.dialect.duration(self.line, MOST_SECOND);
-        let came = std::mem::take(&mut self.loose.bytes);
+        let came = self.loose.take();
         let Some(job) = &mut self.job else { return };
         let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
         let until = at + within.longer(job.limits.listen + telegram);
@@ -156,8 +156,7 @@ impl Master {
         }
         job.phase = Phase::Reply(Waiting::new(Vec::new(), sent_at, sent_end, Span::ZERO));
         if !came.is_empty() {
-            self.loose.last = now;
-            self.loose.bytes = came;
+            self.loose.hears(now, &came);
         }
         match !is_fenced && !is_named && self.is_suspected(now) && self.is_uncounted() {
             // It became a suspect only now: how many answer is found out before this is believed.

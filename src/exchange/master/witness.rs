@@ -6,8 +6,8 @@
 
 use super::*;
 use crate::exchange::debt::Overtaken;
+use crate::exchange::foreign;
 use crate::exchange::limits::WITNESSES;
-use crate::exchange::survey::foreign;
 
 /// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (sources A2).
 const HIS_REPLY: Span = Span::from_millis(100);
@@ -69,7 +69,9 @@ impl Master {
         let known = self.stream.len();
         self.stream.extend_from_slice(bytes);
         for end in known + 1..=self.stream.len() {
-            let question = self.stream.get(..end).and_then(|heard| foreign::last(self.dialect, heard, &self.sent));
+            let question = self.stream.get(..end).and_then(|heard| {
+                foreign::last(self.dialect, heard, |piece| self.sent.iter().any(|sent| sent == piece))
+            });
             if let Some((station, question)) = question {
                 self.note_foreign(at, station, question);
             }

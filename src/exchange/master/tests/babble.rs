@@ -89,7 +89,7 @@ fn no_flood_makes_a_buffer_grow() {
                 _ => 0,
             });
             let orphan = master.orphan.as_ref().map_or(0, |orphan| orphan.came.len());
-            came.max(orphan).max(master.loose.bytes.len())
+            came.max(orphan).max(master.loose.bytes().len())
         };
         let mut now = Tick::ZERO;
         let flood: Vec<u8> = (0..700u32).map(|index| (index * 7 % 251) as u8).collect();
