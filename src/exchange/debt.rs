@@ -144,6 +144,13 @@ impl Debts {
         self.overtaken.get(&station).into_iter().flatten().filter(move |old| now < old.until())
     }
 
+    /// Whether a reply to this may still come from a station: it is owed, or was overtaken.
+    pub(super) fn may_come(&self, station: u8, question: &Question, now: Tick) -> bool {
+        let is_owed = |debt: &Debt| debt.missing.iter().any(|missing| missing.question == *question);
+        self.by_station.get(&station).is_some_and(is_owed)
+            || self.overtaken(station, now).any(|old| old.missing == *question)
+    }
+
     /// A reply came that nobody waited for: it is one that was overtaken, if it answers what was asked then.
     pub(super) fn arrives(&mut self, station: u8, said: &Said, at: Tick) -> bool {
         let Some(overtaken) = self.overtaken.get_mut(&station) else { return false };
@@ -254,6 +261,17 @@ mod tests {
         assert!(debts.arrives(1, &said, at(2_500)), "asked at 400 and lost");
         assert!(!debts.arrives(1, &said, at(2_600)), "asked at 420 and doubted");
         assert!(debts.mixes());
+    }
+
+    #[test]
+    fn a_reply_that_is_owed_may_come_and_one_that_was_overtaken_for_a_while() {
+        let mut debts = Debts::default();
+        let may_come = |debts: &Debts, start, ms| debts.may_come(1, &question(start), at(ms));
+        debts.owes(1, question(1), at(500), at(0));
+        assert!(may_come(&debts, 1, 100) && !may_come(&debts, 2, 100) && !debts.may_come(2, &question(1), at(100)));
+        debts.settle(1, at(110), at(120));
+        assert!(debts.missing(1).is_empty());
+        assert_eq!([6_999, 7_000].map(|ms| may_come(&debts, 1, ms)), [true, false], "7 s after it was missed");
     }
 
     #[test]

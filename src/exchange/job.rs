@@ -2,9 +2,12 @@
 
 use super::dialect::{Question, Said};
 use super::heard::Weight;
-use super::master::Outcome;
-use super::{Limits, MOST_BYTES};
+use super::limits::ROUNDS;
+use super::{Answer, ExchangeError, Limits, MOST_BYTES};
 use crate::tick::{Span, Tick};
+
+/// How a question ends.
+pub(super) type Outcome = Result<Answer, ExchangeError>;
 
 /// A question that was given up before its time, and whose reply may be on its way.
 #[derive(Debug)]
@@ -13,13 +16,6 @@ pub(super) struct Orphan {
     pub(super) question: Question,
     pub(super) deadline: Tick,
     pub(super) came: Vec<u8>,
-}
-
-/// Bytes that nobody waits for, until they make a telegram or pause.
-#[derive(Debug, Default)]
-pub(super) struct Loose {
-    pub(super) last: Tick,
-    pub(super) bytes: Vec<u8>,
 }
 
 /// A question, from the moment at which somebody wanted to know until he is told.
@@ -154,15 +150,6 @@ pub(super) enum Count {
     Twice,
 }
 
-/// What has come when the line fell silent, or the time was over.
-pub(super) enum Came {
-    Nothing,
-    Stray(u8),
-    /// Too little for a reply, which may still come.
-    Noise,
-    Garbage,
-}
-
 impl Job {
     /// What is asked now: the fence, if there is one, then the question.
     pub(super) fn asks(&self) -> &Question {
@@ -174,6 +161,17 @@ impl Job {
 
     pub(super) fn is_fenced(&self) -> bool {
         matches!(self.parting, Parting::Fence(..))
+    }
+
+    /// Whether it may be asked once more because its answer may have been an older one.
+    pub(super) fn may_ask_anew(&self) -> bool {
+        self.rounds < ROUNDS && self.limits.witness
+    }
+
+    /// It is asked as if it had not been asked yet.
+    pub(super) fn begins_anew(&mut self, parting: Parting, phase: Phase) {
+        (self.parting, self.phase) = (parting, phase);
+        (self.asked, self.same_fence, self.echoed, self.patient) = (0, 0, false, false);
     }
 
     /// The times between which its next telegram may go out: not before the first, which bytes put off; at the second it

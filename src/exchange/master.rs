@@ -9,11 +9,12 @@
 //! * What the adapter gives back of our own telegrams is told from replies (`echo`).
 
 use super::debt::{Debts, LATEST_REPLY};
-use super::dialect::{COMMON_COUNTERS, Dialect, Question, Said};
+use super::dialect::{Dialect, Old, Question, Said};
+use super::ear::{self, Ear, Piece};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
-use super::job::{Came, Count, Doubted, Job, Loose, Orphan, Parting, Phase, Waiting, keep};
-use super::limits::{LATEST_OF_ALL, ROUNDS};
+use super::job::{Count, Doubted, Job, Orphan, Outcome, Parting, Phase, Waiting, keep};
+use super::limits::LATEST_OF_ALL;
 use super::twins::Twins;
 use super::{
     Answer, Conversation, ExchangeError, Limits, MOST_BYTES, MOST_RECORDS, Pauses, Record, Step, Tally, Verdict,
@@ -22,15 +23,7 @@ use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::{Span, Tick};
-use std::collections::{BTreeMap, VecDeque};
-
-pub(super) type Outcome = Result<Answer, ExchangeError>;
-
-/// Harmless questions that are remembered of every station, to part replies by.
-const MOST_KNOWN: usize = 4;
-
-/// A question that goes out so soon after an answer meets what follows it.
-const RIGHT_BEHIND: Span = Span::from_millis(20);
+use std::collections::BTreeMap;
 
 /// The master of one line.
 #[derive(Debug)]
@@ -48,7 +41,7 @@ pub struct Master {
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
     /// The last harmless questions that a station answered without a refusal.
-    known: BTreeMap<u8, VecDeque<Question>>,
+    known: BTreeMap<u8, Vec<Question>>,
     /// Counters (code 8) of stations whose family is known.
     counters: BTreeMap<u8, Vec<u16>>,
     /// What came lately, and how soon stations answer.
@@ -62,7 +55,7 @@ pub struct Master {
     /// Characters take their time on this line, and nothing comes sooner than that allows.
     wired: bool,
     /// Bytes that nobody waits for, until they make a telegram or pause.
-    loose: Loose,
+    loose: Ear,
     /// The last bytes that came, whoever waited for them, and the last telegrams that were sent.
     stream: Vec<u8>,
     sent: Vec<Vec<u8>>,
@@ -94,7 +87,7 @@ impl Master {
             others: [None; 2],
             answered: None,
             wired: false,
-            loose: Loose::default(),
+            loose: Ear::default(),
             stream: Vec::new(),
             sent: Vec::new(),
             replied_at: None,
@@ -243,28 +236,6 @@ impl Master {
         self.debts.until().chain(open).filter(|&until| until > now).max()
     }
 
-    /// How the question is kept apart from replies that the station still owes.
-    fn parting(&self, station: u8, question: &Question, since: Option<Tick>, now: Tick) -> Parting {
-        let missing = self.debts.missing(station);
-        let confused = missing.iter().any(|missing| self.dialect.confuses(missing, question))
-            || since.is_some_and(|since| self.debts.is_missing(station, question, since, now));
-        // A stop must go out at once. Writes set values, so one whose answer may be an old one is sent again.
-        if question.is_write() || !confused { Parting::None } else { self.part(station, question) }
-    }
-
-    /// Keeps everything that the station still owes away from the question.
-    fn part(&self, station: u8, question: &Question) -> Parting {
-        let Some((due, end)) = self.debts.due(station) else { return Parting::None };
-        self.fence(station, question).map_or(Parting::Until(end), |fence| Parting::Fence(fence, due))
-    }
-
-    /// A question whose answer can be taken for none that the station owes.
-    fn fence(&self, station: u8, question: &Question) -> Option<Question> {
-        let known = self.known.get(&station).into_iter().flatten();
-        let counters = self.counters.get(&station).map_or(&COMMON_COUNTERS[..], Vec::as_slice);
-        self.dialect.fence(&self.debts.missing(station), question, known, counters)
-    }
-
     /// From now on fences for this station use these counters (sub-functions of code 8); without it, what every family
     /// has.
     pub fn has_counters(&mut self, station: u8, counters: impl IntoIterator<Item = u16>) {
@@ -404,382 +375,9 @@ impl Master {
         }
     }
 
-    /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
-    fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
-        let seen = waiting.has_echoed(from);
-        let same = waiting.came.get(from..).is_some_and(|rest| rest.starts_with(&waiting.sent));
-        same && !seen && self.echo != Echo::Absent
-    }
-
-    /// Whether this answer can be no older one; that matters for a fence only. `behind_echo`: our own telegram stands before
-    /// it, so it is not that.
-    fn proves(&self, job: &Job, said: &Said, behind_echo: bool) -> bool {
-        match &job.parting {
-            Parting::Fence(fence, _) => {
-                let may_echo = (self.echoed || self.echo != Echo::Absent) && !behind_echo;
-                self.dialect.settles(fence, said, &self.debts.missing(job.station), may_echo)
-            }
-            _ => true,
-        }
-    }
-
-    /// Whether this answer could be a late one to something else.
-    fn may_be_old(&self, said: &Said, at: Tick) -> bool {
-        let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced()) else { return false };
-        let since = job.limits.since.filter(|_| !job.question.is_write() && !self.dialect.is_numbered());
-        if since.is_some_and(|since| self.debts.is_missing(job.station, &job.question, since, at)) {
-            return true;
-        }
-        // What was answered by a value before is not refused.
-        let refusable = |missing| !self.known.get(&job.station).is_some_and(|known| known.contains(missing));
-        let missing = self.debts.missing(job.station);
-        missing.iter().any(|missing| match said.is_refusal() {
-            true => refusable(missing) && self.dialect.refuses_alike(missing, &job.question),
-            false => self.dialect.confuses(missing, &job.question),
-        })
-    }
-
-    /// Whether the answer came behind garbage as long as a telegram, and does not name what it answers.
-    fn is_doubted(&self, said: &Said, at: Tick) -> bool {
-        let names = self.protocol() == Protocol::Vabus && !said.is_refusal();
-        let garbled = |job: &Job| job.doubted && !names && !job.question.is_write() && !self.is_vouched(job, at);
-        let doubted = |job: &Job| !job.is_fenced() && (job.again || garbled(job));
-        !self.dialect.is_numbered() && self.job.as_ref().is_some_and(doubted)
-    }
-
-    /// Whether garbage before an answer is known to be only garbage. Who may be two drives is not believed by that, but where
-    /// what is asked must go on. Beside another master it may be his question, which met ours.
-    pub(super) fn is_vouched(&self, job: &Job, at: Tick) -> bool {
-        let is_vouched = match job.limits.insist {
-            Some(_) => self.twins.has_vouched(job.station),
-            None => self.twins.is_vouched(job.station),
-        };
-        is_vouched && !self.is_shared(at)
-    }
-
-    /// Whether an answer was doubted for how it came, and this is the same once more: then it is the answer, and so late does
-    /// the station answer. Who asks the same again and again beside us is answered the same again and again.
-    fn is_said_again(&mut self, said: &Said, at: Tick) -> bool {
-        let is_shared = self.is_shared(at);
-        let Some(job) = self.job.as_ref().filter(|job| !(job.is_fenced() || is_shared && job.doubted)) else {
-            return false;
-        };
-        let Some(first) = job.first.as_ref().filter(|first| first.said == *said) else { return false };
-        self.heard.learn(job.station, job.question.function(), first.after);
-        if first.noisy {
-            self.twins.vouches(job.station);
-        }
-        if first.again {
-            self.heard.vouches(job.station);
-        }
-        true
-    }
-
-    /// Remembers an answer that is doubted for how it came, and how late that was.
-    fn doubt(&mut self, said: Said, since: Tick) {
-        let Some(job) = &mut self.job else { return };
-        let Phase::Reply(Waiting { sent_end, last, .. }) = &job.phase else { return };
-        let after = i64::try_from(last.since(*sent_end).as_micros()).unwrap_or(i64::MAX);
-        job.first = Some(Doubted { said, since, after, noisy: job.noisy || job.doubted, again: job.again });
-    }
-
-    /// Asks once more, with everything old kept away: the answer that has come may be nobody's, and ours may be to come.
-    fn ask_behind_fence(&mut self, at: Tick, due: Tick) {
-        let Some((station, question)) = self.job.as_ref().map(|job| (job.station, job.question.clone())) else {
-            return;
-        };
-        self.debts.owes(station, question.clone(), due, at);
-        let parting = self.part(station, &question);
-        let Some(job) = &mut self.job else { return };
-        job.phase = match job.rounds {
-            rounds if rounds >= ROUNDS || !job.limits.witness => {
-                Phase::Done(Err(unproven(&self.twins, station, job.asked)))
-            }
-            _ => Phase::Gap(at),
-        };
-        (job.parting, job.rounds, job.wanted) = (parting, job.rounds.saturating_add(1), at);
-        (job.asked, job.same_fence, job.echoed, job.patient) = (0, 0, false, false);
-    }
-
-    /// The answer has come: to the fence, then the question goes out; or to the question, then it is over.
-    fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
-        self.tally.replies += 1;
-        self.tally.exceptions += u64::from(said.is_refusal());
-        if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
-            // Two telegrams came: the second may be another's who answered just now.
-            let last = self.answered.as_ref().filter(|(_, _, then)| at.since(*then) < COPY_WITHIN);
-            let stations = [Some(job.station), last.map(|last| last.0)];
-            stations.into_iter().flatten().for_each(|station| self.suspect(station, at));
-        }
-        if self.may_be_old(&said, at) {
-            return self.ask_behind_fence(at, sent_end + LATEST_REPLY);
-        }
-        let is_again = self.is_said_again(&said, at);
-        if self.is_doubted(&said, at) && !is_again {
-            self.doubt(said, at);
-            let due = if self.is_suspected(at) { sent_end + LATEST_REPLY } else { at };
-            return self.ask_behind_fence(at, due);
-        }
-        if let Some(job) = self.job.as_ref().filter(|job| !job.is_fenced())
-            && let Some(first) = &job.first
-        {
-            // Behind the fence it was answered once: what was doubted is no reply that is still to come.
-            self.debts.forgives(job.station, &job.question, first.since);
-        }
-        if self.is_suspected(at) {
-            return self.count(at, sent_end, said);
-        }
-        if self.listens() {
-            return self.await_second(at, sent_end, said);
-        }
-        self.settle(at, sent_end, said);
-    }
-
-    /// The answer is the only one that comes, or the second one has come as well.
-    fn settle(&mut self, at: Tick, sent_end: Tick, said: Said) {
-        let Some(said) = self.witnessed(at, said) else { return };
-        let Some(job) = &mut self.job else { return };
-        self.debts.hears(job.station);
-        if let Parting::Fence(fence, _) = std::mem::replace(&mut job.parting, Parting::None) {
-            let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
-            job.kept = false;
-            // Everything older has come; of a fence that was asked more than once further replies may.
-            self.debts.settle(job.station, sent_at, at);
-            for _ in 1..job.same_fence {
-                self.debts.owes(job.station, fence.clone(), sent_end + LATEST_REPLY, at);
-            }
-            (job.asked, job.patient) = (0, false);
-            job.phase = Phase::Gap(at);
-            let (station, question, since) = (job.station, job.question.clone(), job.limits.since);
-            // Somebody else may have asked it since.
-            let parting = self.parting(station, &question, since, at);
-            if let Some(job) = &mut self.job {
-                job.parting = parting;
-            }
-            return;
-        }
-        if said.is_unreached() {
-            self.tally.silences += 1;
-            job.phase = Phase::Done(Err(ExchangeError::Unreached));
-            return;
-        }
-        if !said.is_refusal() && job.question.is_harmless() {
-            let known = self.known.entry(job.station).or_default();
-            known.retain(|known| *known != job.question);
-            known.truncate(MOST_KNOWN - 1);
-            known.push_front(job.question.clone());
-        }
-        self.answered = Some((job.station, job.question.clone(), at));
-        let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
-        let by = at + self.dialect.gap(self.line, job.limits.pause).times(2);
-        job.phase =
-            if self.dialect.farewell().is_empty() { Phase::Done(outcome) } else { Phase::Farewell(outcome, by) };
-    }
-
-    /// The line has been silent for long enough, or the time is over: name what came, then wait on, repeat or end.
-    fn look(&mut self, now: Tick) -> Step<Outcome> {
-        if let Some(step) = self.decide(now) {
-            return step;
-        }
-        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
-        let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
-        let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
-        let (verdict, rest) = self.judge(now, &came, &sent);
-        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
-        waiting.echoed |= self.dialect.behind_echo(&came, &sent).len() < came.len();
-        match verdict {
-            Came::Nothing => {}
-            Came::Stray(station) => waiting.stray = Some(station),
-            Came::Noise | Came::Garbage => waiting.garbage = rest,
-        }
-        // Behind an echo, a stray telegram or a little noise the reply may still come.
-        if now < deadline && (!matches!(verdict, Came::Garbage) || waiting.held.is_some()) {
-            return Step::Wait(deadline);
-        }
-        let (stray, garbage, echoed) = (waiting.stray, std::mem::take(&mut waiting.garbage), waiting.echoed);
-        // Garbage as long as a reply most likely was the reply.
-        let due = (!matches!(verdict, Came::Garbage)).then_some(waiting.sent_end + LATEST_REPLY);
-        let Some(job) = &mut self.job else { return Step::Wait(now) };
-        job.echoed |= echoed;
-        let asked = job.asked;
-        let error = match stray {
-            _ if restless => ExchangeError::NeverSilent { asked },
-            _ if !garbage.is_empty() => ExchangeError::Garbled { asked, bytes: garbage },
-            Some(station) => ExchangeError::Stray { station },
-            None => ExchangeError::Silence { timeout: job.limits.reply_timeout, asked },
-        };
-        self.miss(now, due, error)
-    }
-
-    /// Says what bytes are that hold no answer, and notes them.
-    fn judge(&mut self, at: Tick, came: &[u8], sent: &[u8]) -> (Came, Vec<u8>) {
-        let rest = self.dialect.behind_echo(came, sent);
-        if rest.len() < came.len() {
-            self.echo = Echo::Present;
-            self.note_echo(at, sent);
-        }
-        if rest.is_empty() {
-            return (Came::Nothing, Vec::new());
-        }
-        self.note_stray(at, rest);
-        let verdict = match self.dialect.sender(rest) {
-            Some((station, _)) => Came::Stray(station),
-            None if rest.len() < self.dialect.shortest_reply() => Came::Noise,
-            None => Came::Garbage,
-        };
-        (verdict, rest.to_vec())
-    }
-
-    /// No answer came: repeat, or end. What came may have been it: then nothing is due.
-    fn miss(&mut self, now: Tick, due: Option<Tick>, error: ExchangeError) -> Step<Outcome> {
-        let Some(job) = &self.job else { return Step::Wait(now) };
-        let station = job.station;
-        let old = self.debts.due(station).map_or(now + LATEST_OF_ALL, |(_, end)| end);
-        match job.is_fenced() {
-            true => self.debts.owes_fence(station, job.asks().clone(), now),
-            false => match due {
-                Some(due) => self.debts.owes(station, job.asks().clone(), due, now),
-                None => self.debts.may_owe(station, job.asks(), now),
-            },
-        }
-        match error {
-            ExchangeError::Silence { .. } => self.tally.silences += 1,
-            _ => self.tally.garbled += 1,
-        }
-        self.note_lost(station, now);
-        let Some(job) = &self.job else { return Step::Wait(now) };
-        let another = job.is_fenced().then(|| self.fence(station, &job.question)).flatten();
-        let another = another.filter(|fence| !self.dialect.may_stand_still(fence));
-        let Some(job) = &mut self.job else { return Step::Wait(now) };
-        job.phase = Phase::Gap(now);
-        if let Some(another) = another {
-            // Another fence each time, where there is one: its answer is told from those that are late.
-            let is_the_same = *job.asks() == another;
-            job.same_fence = if is_the_same { job.same_fence } else { 0 };
-            job.parting = Parting::Fence(another, now);
-        }
-        if job.asked <= job.limits.retries {
-            return self.step(now);
-        }
-        if !job.is_fenced() {
-            return self.finish(Err(error));
-        }
-        if job.heard && !job.echoed && !job.patient && job.limits.insist.is_none() {
-            job.patient = true; // it is there, and late
-            return self.step(now);
-        }
-        if job.echoed || now >= old {
-            // A station that cannot be parted by fences; time does it.
-            (job.parting, job.asked) = (Parting::Until(old), 0);
-            return self.step(now);
-        }
-        self.finish(Err(error))
-    }
-
-    fn record(&mut self, record: Record) {
-        if self.records.len() < MOST_RECORDS {
-            self.records.push(record);
-        }
-    }
-
     fn finish(&mut self, outcome: Outcome) -> Step<Outcome> {
         self.job = None;
         Step::Done(outcome)
-    }
-
-    /// Takes bytes for the question that was given up; its reply settles what is owed.
-    fn feed_orphan(&mut self, at: Tick, bytes: &[u8]) -> bool {
-        let Some(orphan) = &mut self.orphan else { return false };
-        orphan.came.extend_from_slice(bytes);
-        let Some(found) = self.dialect.find(&orphan.came, orphan.station, &orphan.question) else {
-            keep(&mut orphan.came, &[]);
-            return true;
-        };
-        let (station, came) = (orphan.station, std::mem::take(&mut orphan.came));
-        self.orphan = None;
-        self.debts.pays(station, &found.said, at);
-        self.debts.settle(station, at, at);
-        if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
-            job.parting = Parting::None;
-        }
-        self.heard.note(at, &came, None);
-        self.tally.strays += 1;
-        self.record(Record { at, verdict: Verdict::Stray { station }, bytes: came });
-        true
-    }
-
-    /// Takes bytes that nobody waits for.
-    fn feed_loose(&mut self, at: Tick, bytes: &[u8]) {
-        if at.since(self.loose.last) > self.dialect.straggle(&self.loose.bytes) {
-            self.flush_loose();
-        }
-        self.loose.last = at;
-        self.loose.bytes.extend_from_slice(bytes);
-        if self.loose.bytes.len() > MOST_BYTES || self.dialect.sender(&self.loose.bytes).is_some() {
-            self.flush_loose();
-        }
-    }
-
-    fn flush_loose(&mut self) {
-        let bytes = std::mem::take(&mut self.loose.bytes);
-        if !bytes.is_empty() {
-            self.note_stray(self.loose.last, &bytes);
-        }
-    }
-
-    /// Notes what came before an answer: an echo, noise, strays.
-    fn note_before(&mut self, at: Tick, before: &[u8], sent: &[u8]) {
-        let noise = before.strip_suffix(sent);
-        let is_ours = |noise: &&[u8]| noise.is_empty() || *noise == self.dialect.farewell();
-        if let Some(noise) = noise.or(Some(before)).filter(|noise| !is_ours(noise)) {
-            self.note_stray(at, noise);
-        }
-        if noise.is_some() {
-            self.note_echo(at, sent);
-        }
-    }
-
-    fn note_echo(&mut self, at: Tick, sent: &[u8]) {
-        self.tally.echoes += 1;
-        self.echoed |= self.job.as_ref().is_some_and(|job| !job.asks().resembles_its_reply());
-        self.record(Record { at, verdict: Verdict::Echo, bytes: sent.to_vec() });
-    }
-
-    /// Counts bytes that are nobody's answer; each whole reply among them for itself.
-    fn note_stray(&mut self, at: Tick, bytes: &[u8]) {
-        let mut rest = bytes;
-        while self.dialect.sender(rest).is_none() {
-            let Some(reply) = self.dialect.reply_within(rest) else { break };
-            let (before, from) = rest.split_at(reply.start.min(rest.len()));
-            let (reply, behind) = from.split_at(reply.len().min(from.len()));
-            if !before.is_empty() {
-                self.note_one(at, before);
-            }
-            self.note_one(at, reply);
-            rest = behind;
-        }
-        if !rest.is_empty() {
-            self.note_one(at, rest);
-        }
-    }
-
-    fn note_one(&mut self, at: Tick, bytes: &[u8]) {
-        let verdict = match self.dialect.sender(bytes) {
-            Some((station, said)) => {
-                self.debts.hears(station);
-                if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
-                    job.heard = true;
-                }
-                self.explain(at, station, said, bytes);
-                self.tally.strays += 1;
-                Verdict::Stray { station }
-            }
-            None => {
-                self.heard.sees_trouble();
-                Verdict::Garbage
-            }
-        };
-        self.record(Record { at, verdict, bytes: bytes.to_vec() });
     }
 }
 
@@ -804,7 +402,11 @@ impl Conversation for Master {
 }
 
 mod believe;
+mod loose;
+mod missed;
+mod parting;
 mod second;
+mod taken;
 #[cfg(test)]
 mod tests;
 mod witness;

@@ -6,7 +6,9 @@
 
 mod debt;
 pub mod dialect;
+mod ear;
 mod echo;
+mod foreign;
 mod heard;
 mod job;
 mod limits;

@@ -123,6 +123,3 @@ pub(crate) const SIBLINGS: &[(&str, &[&str])] = &[(
 
 /// Rooms in which not even a module and what lies inside it name each other.
 pub(crate) const STRICT: &[&str] = &["profile", "simulator"];
-
-/// Arrows that close a circle of files, and are still to go: from, to. The list only becomes shorter.
-pub(crate) const CIRCLES: &[(&str, &str)] = &[("exchange::job", "exchange::master")];

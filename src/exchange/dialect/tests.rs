@@ -1,7 +1,10 @@
 //! What can be taken for what, in every protocol.
 
+use super::modbus::has_form_of_reply;
 use super::*;
-use crate::protocol::vabus::Header;
+use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::{Framing, ascii, rtu};
+use crate::protocol::vabus::{self, Header};
 
 fn dialect(framing: Framing) -> Dialect {
     Dialect::new(framing.into())

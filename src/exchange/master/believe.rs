@@ -2,10 +2,6 @@
 
 use super::*;
 use crate::exchange::job::Held;
-use crate::tick::Span;
-
-/// From the last answer on, another to the same question within this time is a second one.
-const SECOND_WITHIN: Span = Span::from_secs(1);
 
 impl Master {
     /// The answer to what was asked, if it has come and is to be believed, and when the question was out.
@@ -51,6 +47,25 @@ impl Master {
             }
             from = 0;
         }
+    }
+
+    /// Whether this answer can be no older one; that matters for a fence only. `behind_echo`: our own telegram stands before
+    /// it, so it is not that.
+    fn proves(&self, job: &Job, said: &Said, behind_echo: bool) -> bool {
+        match &job.parting {
+            Parting::Fence(fence, _) => {
+                let may_echo = (self.echoed || self.echo != Echo::Absent) && !behind_echo;
+                self.dialect.settles(fence, said, &self.debts.missing(job.station), may_echo)
+            }
+            _ => true,
+        }
+    }
+
+    /// Whether what stands at `from` is what we sent, and may have been given back by the adapter.
+    fn is_echo(&self, waiting: &Waiting, from: usize) -> bool {
+        let seen = waiting.has_echoed(from);
+        let same = waiting.came.get(from..).is_some_and(|rest| rest.starts_with(&waiting.sent));
+        same && !seen && self.echo != Echo::Absent
     }
 
     /// `None`: it cannot be the answer.
@@ -123,8 +138,7 @@ impl Master {
             if let Some(station) = self.job.as_ref().map(|job| job.station) {
                 self.suspect(station, at);
             }
-            self.loose.last = at;
-            self.loose.bytes.extend_from_slice(behind);
+            self.loose.hears(at, behind);
         }
         Some((sent_end, said))
     }
@@ -198,8 +212,7 @@ impl Master {
         let behind = std::mem::take(&mut waiting.came);
         let spoilt = behind.len() >= self.dialect.shortest_reply();
         if !behind.is_empty() {
-            self.loose.last = waiting.last;
-            self.loose.bytes.extend_from_slice(&behind);
+            self.loose.hears(waiting.last, &behind);
         }
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
@@ -221,68 +234,6 @@ impl Master {
         let quiet = self.heard.quiet_at(now);
         self.tally.garbled += 1;
         Some(self.ask_anew(now, Parting::Quiet(quiet)))
-    }
-
-    /// An answer that we do not believe: our doubt is no sign that more came than was asked for.
-    fn discard(&mut self, at: Tick, bytes: Vec<u8>) {
-        self.heard.note(at, &bytes, None);
-        self.tally.strays += 1;
-        let Some(station) = self.job.as_ref().map(|job| job.station) else { return };
-        self.record(Record { at, verdict: Verdict::Stray { station }, bytes });
-    }
-
-    fn ask_anew(&mut self, now: Tick, parting: Parting) -> Step<Outcome> {
-        let Some(job) = &mut self.job else { return Step::Wait(now) };
-        if job.rounds >= ROUNDS || !job.limits.witness {
-            let error = unproven(&self.twins, job.station, job.asked);
-            return self.finish(Err(error));
-        }
-        (job.parting, job.rounds, job.phase) = (parting, job.rounds + 1, Phase::Gap(now));
-        (job.asked, job.same_fence, job.echoed, job.patient) = (0, 0, false, false);
-        self.step(now)
-    }
-
-    /// A valid telegram came that is not the answer: a copy, a reply that was missing, or one too many.
-    pub(super) fn explain(&mut self, at: Tick, station: u8, said: Option<Said>, bytes: &[u8]) {
-        let is_copy = self.heard.is_copy(at, bytes);
-        let fits = |missing: &Question| said.as_ref().is_some_and(|said| missing.is_answered_by(said));
-        let owed: Vec<_> = self.debts.missing(station).into_iter().filter(fits).collect();
-        // If only one question can be meant, it is the late answer to that.
-        let answered = owed.first().filter(|_| owed.len() == 1);
-        self.heard.note(at, bytes, answered);
-        match is_copy {
-            // A copy, or what is owed: nobody knows. A reply that was spoilt has come, and does not come again.
-            true if !owed.is_empty() && self.debts.is_late(station, said.as_ref()) => return,
-            true => {
-                self.suspect(station, at);
-                return self.heard.sees_surplus();
-            }
-            false => {}
-        }
-        let Some(said) = said else { return };
-        // One answer was doubted, and this is another one to the same question.
-        let differs = |job: &Job| {
-            let first = job.first.as_ref().filter(|first| first.said != said);
-            job.station == station && first.is_some() && job.question.is_answered_by(&said)
-        };
-        if self.job.as_ref().is_some_and(differs) && !self.debts.mixes() && owed.len() < 2 {
-            self.twins.marks(station, at);
-        }
-        if self.debts.pays(station, &said, at) {
-            return;
-        }
-        self.heard.sees_trouble();
-        let overtaken = self.debts.arrives(station, &said, at);
-        let second = self.answered.as_ref().is_some_and(|(answering, question, then)| {
-            *answering == station && question.is_answered_by(&said) && at.since(*then) < SECOND_WITHIN
-        });
-        let alone = self.job.as_ref().is_none_or(|job| job.station != station || !job.asks().is_answered_by(&said));
-        if second && alone && !overtaken {
-            self.heard.sees_surplus();
-            self.twins.marks(station, at);
-        } else {
-            self.suspect(station, at);
-        }
     }
 }
 

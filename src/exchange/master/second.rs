@@ -3,9 +3,9 @@
 use super::*;
 use crate::exchange::job::Second;
 use crate::exchange::twins::SECOND_WITHIN;
-use crate::protocol::modbus::pdu::Reply;
-use crate::tick::Span;
 
+/// A question that goes out so soon after an answer meets what follows it.
+const RIGHT_BEHIND: Span = Span::from_millis(20);
 /// Who has asked nothing for so long is gone.
 const ALONE_AFTER: Span = Span::from_secs(5);
 /// Bytes of the longest answer behind which a second one is listened for: a counter in ASCII.
@@ -19,20 +19,8 @@ impl Master {
     }
 
     /// Whether an answer names what it answers, so that none to another question can be taken for it.
-    fn is_named(&self) -> bool {
-        self.dialect.is_numbered() || self.protocol() == Protocol::Vabus
-    }
-
-    /// How a new question is kept apart from what the station may still say.
-    pub(super) fn first_parting(&self, station: u8, question: &Question, limits: Limits, now: Tick) -> Parting {
-        let parting = self.parting(station, question, limits.since, now);
-        let counts = self.is_told_apart(question, limits) && self.twins.is_suspect(station) && !self.is_named();
-        match parting {
-            Parting::None if counts => {
-                self.fence(station, question).map_or(Parting::None, |fence| Parting::Fence(fence, now))
-            }
-            parting => parting,
-        }
+    pub(super) fn is_named(&self) -> bool {
+        self.dialect.is_numbered() || self.dialect.names_its_question()
     }
 
     /// More came from a station than was asked for, or less: a second drive may be the cause, unless another master is.
@@ -96,7 +84,7 @@ impl Master {
         let within = if self.is_suspected(at) { SECOND_WITHIN } else { Span::ZERO };
         // Until the second one is over, on a slow line too.
         let telegram = self.dialect.duration(self.line, MOST_SECOND);
-        let came = std::mem::take(&mut self.loose.bytes);
+        let came = self.loose.take();
         let Some(job) = &mut self.job else { return };
         let Phase::Reply(Waiting { sent_at, .. }) = job.phase else { return };
         let until = at + within.longer(job.limits.listen + telegram);
@@ -111,16 +99,14 @@ impl Master {
     pub(super) fn feed_second(&mut self, at: Tick, bytes: &[u8]) {
         let Some(job) = &mut self.job else { return };
         let (station, question) = (job.station, job.asks().clone());
-        let is_owed = self.debts.missing(station).contains(&question);
-        let may_be_older =
-            job.asked > 1 || is_owed || self.debts.overtaken(station, at).any(|old| old.missing == question);
+        let may_be_older = job.asked > 1 || self.debts.may_come(station, &question, at);
         let Phase::Second(second) = &mut job.phase else { return };
         keep(&mut second.came, bytes);
         while let Some(found) = self.dialect.find(&second.came, station, &question) {
             let telegram: Vec<u8> = second.came.drain(..found.end).collect();
             let reply = telegram.get(found.start..).unwrap_or_default().to_vec();
             // An older fence of the same kind was counted lower; what an adapter gives back late is our own.
-            if may_be_older && is_older(&found.said, &second.said) || self.sent.contains(&reply) {
+            if may_be_older && self.dialect.is_older(&found.said, &second.said) || self.sent.contains(&reply) {
                 continue;
             }
             (second.second, second.until) = (Some(found.said), at);
@@ -153,8 +139,7 @@ impl Master {
         let (station, is_fenced) = (job.station, job.is_fenced());
         // A counter that was asked for once has one count, and copies do not differ.
         let (asked, fence) = (job.same_fence, job.asks().clone());
-        let is_due = self.debts.missing(station).contains(&fence)
-            || self.debts.overtaken(station, now).any(|old| old.missing == fence);
+        let is_due = self.debts.may_come(station, &fence, now);
         let two_counts = is_fenced && asked == 1 && !is_due && second.as_ref().is_some_and(|second| *second != said);
         match is_fenced || is_named {
             true => self.twins.counts(station, second.is_some()),
@@ -171,8 +156,7 @@ impl Master {
         }
         job.phase = Phase::Reply(Waiting::new(Vec::new(), sent_at, sent_end, Span::ZERO));
         if !came.is_empty() {
-            self.loose.last = now;
-            self.loose.bytes = came;
+            self.loose.hears(now, &came);
         }
         match !is_fenced && !is_named && self.is_suspected(now) && self.is_uncounted() {
             // It became a suspect only now: how many answer is found out before this is believed.
@@ -184,15 +168,5 @@ impl Master {
 
     fn is_uncounted(&self) -> bool {
         self.job.as_ref().is_some_and(|job| job.counted.is_none())
-    }
-}
-
-/// Whether this is the answer to an older fence of the same kind.
-fn is_older(said: &Said, first: &Said) -> bool {
-    match (said, first) {
-        (Said::Modbus(Reply::Diagnostics { data, .. }), Said::Modbus(Reply::Diagnostics { data: first, .. })) => {
-            data < first
-        }
-        _ => false,
     }
 }

@@ -6,9 +6,8 @@
 
 use super::*;
 use crate::exchange::debt::Overtaken;
+use crate::exchange::foreign;
 use crate::exchange::limits::WITNESSES;
-use crate::exchange::survey::foreign;
-use crate::tick::Span;
 
 /// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (sources A2).
 const HIS_REPLY: Span = Span::from_millis(100);
@@ -70,7 +69,9 @@ impl Master {
         let known = self.stream.len();
         self.stream.extend_from_slice(bytes);
         for end in known + 1..=self.stream.len() {
-            let question = self.stream.get(..end).and_then(|heard| foreign::last(self.protocol(), heard, &self.sent));
+            let question = self.stream.get(..end).and_then(|heard| {
+                foreign::last(self.dialect, heard, |piece| self.sent.iter().any(|sent| sent == piece))
+            });
             if let Some((station, question)) = question {
                 self.note_foreign(at, station, question);
             }
@@ -93,13 +94,14 @@ impl Master {
         let latest = self.debts.overtaken(job.station, at).map(Overtaken::until).max();
         job.witnesses.push(said);
         let lacks_one = job.witnesses.len() < WITNESSES;
-        (job.parting, job.phase) = match (lacks_one, latest) {
+        let (parting, phase) = match (lacks_one, latest) {
             (false, _) if job.limits.insist.is_some() || !self.debts.mixes() => {
                 (Parting::None, Phase::Done(Err(unproven(&self.twins, job.station, job.asked))))
             }
             (false, Some(latest)) => (Parting::Quiet(latest), Phase::Gap(at)),
             _ => (Parting::None, Phase::Gap(at)),
         };
-        (job.asked, job.same_fence, job.echoed, job.patient, job.wanted) = (0, 0, false, false, at);
+        job.begins_anew(parting, phase);
+        job.wanted = at;
     }
 }

@@ -174,7 +174,7 @@ fn a_question_that_was_spoilt_by_a_late_reply_is_repeated() {
 fn two_with_one_address_are_told_from_silence() {
     let same = Bus::new(&[(1, 10, 7), (17, 10, 8), (17, 10, 9)], 1..=247, brief()).run();
     assert_eq!(same.found(), [1]);
-    assert_eq!(same.survey.attendance()[&17].garbled, TRIES);
+    assert_eq!(same.survey.attendance()[&17].garbled, rounds::TRIES);
     let others = same.survey.attendance().iter().filter(|(station, _)| **station != 17);
     assert_eq!(others.map(|(_, known)| known.garbled).max(), Some(0));
     let took = same.now.since(Tick::ZERO);
