@@ -216,9 +216,9 @@ impl<'a> Session<'a> {
         let records = self.master.take_records();
         self.account.show(self.master.protocol(), &records, Some(station));
         if let Some(overheard) = &mut self.overheard {
-            let strange = |record: &Record| matches!(record.verdict, Verdict::Stray { .. } | Verdict::Garbage);
+            let is_answer = |record: &Record| matches!(record.verdict, Verdict::Reply | Verdict::Echo);
             let room = MOST_OVERHEARD.saturating_sub(overheard.len());
-            overheard.extend(records.into_iter().filter(strange).take(room));
+            overheard.extend(records.into_iter().filter(|record| !is_answer(record)).take(room));
         }
         if self.master.answers_twice(station) {
             self.account.tell_twice(station);
@@ -251,7 +251,7 @@ impl<'a> Session<'a> {
         Ok(outcome?)
     }
 
-    /// What came since the last call and was no answer to a question; kept from the first call on.
+    /// What came since the last call and was no answer to a question, and what was sent; kept from the first call on.
     pub(super) fn overheard(&mut self) -> Vec<Record> {
         std::mem::take(self.overheard.get_or_insert_default())
     }

@@ -280,11 +280,18 @@ impl Survey {
         }
     }
 
-    /// Takes what came while somebody else had the line, and was not for him.
-    pub fn overhear(&mut self, at: Tick, bytes: &[u8]) {
-        self.feed(at, bytes);
-        if !self.ear.bytes().is_empty() {
-            self.reject(at);
+    /// Takes what went over the line while somebody else of us had it: what came and was not for him, and what he sent, which
+    /// may come back late.
+    pub fn overhear(&mut self, record: &Record) {
+        match record.verdict {
+            Verdict::Request | Verdict::Fence => self.ours.sends(record.at, record.bytes.clone()),
+            Verdict::Stray { .. } | Verdict::Garbage => {
+                self.feed(record.at, &record.bytes);
+                if !self.ear.bytes().is_empty() {
+                    self.reject(record.at);
+                }
+            }
+            Verdict::Farewell | Verdict::Reply | Verdict::Echo => {}
         }
     }
 

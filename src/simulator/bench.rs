@@ -82,8 +82,8 @@ impl Bench {
         self.master = Some(line);
         self.wire.put(Sender::Master, line, at, bytes);
         let station = addressee(bytes);
-        if self.disturber.echoes(at, station) {
-            let echo = (1..).zip(bytes).map(|(count, &byte)| (at + line.chars(count), byte));
+        if let Some(by) = self.disturber.echoes(at, station) {
+            let echo = (1..).zip(bytes).map(|(count, &byte)| (at + by + line.chars(count), byte));
             self.heard.extend(echo);
             self.overflow();
         }

@@ -324,7 +324,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                     self.session.overheard();
                     let sight = self.look(survey, &sign, window).await;
                     for record in self.session.overheard() {
-                        survey.overhear(record.at, &record.bytes);
+                        survey.overhear(&record);
                     }
                     survey.resume(self.session.now());
                     self.take(index, &sign, sight?);

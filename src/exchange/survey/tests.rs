@@ -304,7 +304,8 @@ fn what_others_overhear_is_credited_too() {
         now += Span::from_millis(1);
     }
     now += Span::from_millis(30);
-    survey.overhear(now, &rtu::encode(1, &Reply::Registers(vec![1]).encode()));
+    let reply = rtu::encode(1, &Reply::Registers(vec![1]).encode());
+    survey.overhear(&Record { at: now, verdict: Verdict::Stray { station: 1 }, bytes: reply });
     assert_eq!(survey.step(now), Step::Done(News::Asked(1)));
     let Step::Wait(free) = survey.step(now) else { panic!("the pause after a reply") };
     assert!(matches!(survey.step(free), Step::Done(News::Heard(Sign { station: 1, .. }))));

@@ -47,18 +47,21 @@ impl BenchFile<'_> {
             ("garbled", Kind::Garbled),
             ("truncated", Kind::Truncated),
             ("noise", Kind::Noise(row.byte.unwrap_or(0))),
-            ("echo", Kind::Echo),
+            ("echo", Kind::Echo(row.by.as_ref().map_or(Span::ZERO, |_| by))),
             ("doubled", Kind::Doubled(row.by.as_ref().map(|_| by))),
             ("foreign", Kind::Foreign),
             ("exception", Kind::Exception(row.byte.unwrap_or(BUSY))),
             ("twin", Kind::Twin(row.by.as_ref().map_or(TWIN_PAUSE, |_| by))),
         ];
         let kind = self.word("kind", &row.kind, &kinds)?;
-        if let Some(by) = row.by.as_ref().filter(|_| !matches!(kind, Kind::Late(_) | Kind::Doubled(_) | Kind::Twin(_)))
+        if let Some(by) = row
+            .by
+            .as_ref()
+            .filter(|_| !matches!(kind, Kind::Late(_) | Kind::Echo(_) | Kind::Doubled(_) | Kind::Twin(_)))
         {
             return Err(self.error(
                 by.span(),
-                "by goes only with kind = \"late\", \"doubled\", \"twin\" or \"babble\"".to_owned(),
+                "by goes only with kind = \"late\", \"echo\", \"doubled\", \"twin\" or \"babble\"".to_owned(),
             ));
         }
         if row.byte.is_some() && !matches!(kind, Kind::Noise(_) | Kind::Exception(_)) {

@@ -21,8 +21,8 @@ pub(crate) enum Kind {
     Truncated,
     /// A byte comes right before it.
     Noise(u8),
-    /// The master hears its own request: concerns the request, not the reply.
-    Echo,
+    /// The master hears its own request, so much later: concerns the request, not the reply.
+    Echo(Span),
     /// It comes twice, the second time so long after the end of the first.
     Doubled(Option<Span>),
     /// A reply of the next station comes in its place.
@@ -109,17 +109,24 @@ impl Disturber {
         self.babblers.iter_mut().find(|babbler| babbler.next().is_some_and(|next| next <= now))?.speak(now, line, dice)
     }
 
-    /// Whether the master hears the telegram that it sends now.
-    pub(crate) fn echoes(&mut self, now: Tick, station: u8) -> bool {
-        let echoing = self.rules.iter_mut().filter(|rule| rule.kind == Kind::Echo);
-        // Every rule counts every telegram, also when another has struck already.
-        echoing.fold(self.echo, |echo, rule| rule.strikes(now, station) || echo)
+    /// Whether the master hears the telegram that it sends now, and how much later.
+    pub(crate) fn echoes(&mut self, now: Tick, station: u8) -> Option<Span> {
+        let mut echo = self.echo.then_some(Span::ZERO);
+        for rule in &mut self.rules {
+            // Every rule counts every telegram, also when another has struck already.
+            if let Kind::Echo(by) = rule.kind
+                && rule.strikes(now, station)
+            {
+                echo = echo.max(Some(by));
+            }
+        }
+        echo
     }
 
     /// What comes of a reply that starts now: telegrams with the time at which they start.
     pub(crate) fn pass(&mut self, now: Tick, reply: &Outgoing) -> Vec<(Tick, Vec<u8>)> {
         let mut out = vec![(now, reply.frame.clone())];
-        for rule in self.rules.iter_mut().filter(|rule| rule.kind != Kind::Echo) {
+        for rule in self.rules.iter_mut().filter(|rule| !matches!(rule.kind, Kind::Echo(_))) {
             if !rule.strikes(now, reply.station) {
                 continue;
             }
@@ -149,7 +156,7 @@ impl Disturber {
                 }
                 Kind::Foreign => replace(&mut out, |frame| foreign(reply.spoken, frame)),
                 Kind::Exception(code) => replace(&mut out, |frame| exception(reply.spoken, frame, code)),
-                Kind::Echo => {}
+                Kind::Echo(_) => {}
             }
         }
         out

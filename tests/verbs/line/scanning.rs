@@ -196,6 +196,19 @@ fn an_echoing_line_with_a_late_drive_is_understood() {
     assert_eq!(found, [1, 5]);
 }
 
+/// As an adapter on a slow hub gives back what it sends: the telegrams by which a find is looked at come back as well.
+#[test]
+fn telegrams_of_ours_that_come_back_late_are_no_other_master() {
+    for by in [4, 25, 40, 60] {
+        for address in [1, 7] {
+            let echo = format!("[[disturb]]\nevery = 1\nkind = \"echo\"\nby = \"{by}ms\"\n");
+            let played = play(&(drives(&[(address, "")]) + &echo), &ScanPlan::new(1..=12));
+            let told = (played.result.yielded, played.addresses());
+            assert_eq!(told, (false, vec![address]), "{by} ms: {:?}", played.warnings());
+        }
+    }
+}
+
 #[test]
 fn the_setting_of_a_find_is_searched_to_the_end_at_once() {
     let setting = "baud = 9600\nparity = \"none\"";
