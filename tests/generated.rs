@@ -24,8 +24,10 @@ fn completions_are_up_to_date() {
 #[test]
 fn man_pages_are_up_to_date() {
     check(&["man"], &root().join("man/antrieb.1"));
-    for verb in pages() {
-        check(&["man", verb], &root().join(format!("man/antrieb-{verb}.1")));
+    for words in commands() {
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let arguments: Vec<&str> = ["man"].into_iter().chain(words.iter().copied()).collect();
+        check(&arguments, &root().join(format!("man/antrieb-{}.1", words.join("-"))));
     }
 }
 
@@ -56,17 +58,41 @@ fn every_verb_of_the_help_has_a_man_page() {
 }
 
 #[test]
-fn the_man_page_lists_every_exit_code() {
-    let page = printed(&["man"]);
-    for (_, code, meaning) in antrieb::failure::Class::TABLE {
-        let start = meaning.split([':', ',']).next().unwrap();
-        assert!(page.contains(&format!("{code}  {start}")), "{code} {meaning}");
+fn every_man_page_lists_every_exit_code() {
+    for words in commands().into_iter().chain([Vec::new()]) {
+        let arguments: Vec<&str> = ["man"].into_iter().chain(words.iter().map(String::as_str)).collect();
+        let page = printed(&arguments);
+        let status = page.split(".SH \"EXIT STATUS\"").nth(1).unwrap();
+        for (_, code, meaning) in antrieb::failure::Class::TABLE {
+            let start = meaning.split([':', ',', '-']).next().unwrap();
+            assert!(status.contains(&format!("\\fB{code}\\fR\n{start}")), "{words:?} {code} {meaning}");
+        }
     }
 }
 
 /// Every verb, and what is printed openly beside them.
 fn pages() -> impl Iterator<Item = &'static str> {
-    VERBS.iter().map(|verb| verb.name).chain(["schema"])
+    VERBS.iter().map(|verb| verb.name).chain(["schema", "completions"])
+}
+
+/// The same with every verb within a verb: `statemachine enable`.
+fn commands() -> Vec<Vec<String>> {
+    let mut found: Vec<Vec<String>> = pages().map(|name| vec![name.to_owned()]).collect();
+    for verb in VERBS {
+        let inner = (verb.command)();
+        found.extend(inner.get_subcommands().map(|inner| vec![verb.name.to_owned(), inner.get_name().to_owned()]));
+    }
+    found
+}
+
+/// What a page says of motion: the verb's own, and that of the word behind it.
+#[test]
+fn the_pages_of_the_state_machine_tell_the_options_of_a_run() {
+    for page in [printed(&["man", "statemachine"]), printed(&["man", "statemachine", "enable"])] {
+        for option in ["hold", "duration", "on\\-exit", "watchdog", "take\\-control", "wait"] {
+            assert!(page.contains(&format!("\\-\\-{option}\\fR")), "{option}\n{page}");
+        }
+    }
 }
 
 fn root() -> PathBuf {

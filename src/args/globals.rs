@@ -13,26 +13,27 @@ use std::path::PathBuf;
 /// Options of every verb.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Globals {
-    /// Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench [env: ANTRIEB_PORT]
+    /// Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`
     ///
+    /// Where the drives are: a tty (/dev/ttyUSB0, COM3), a network port, or `sim`, the built-in bench. [env: ANTRIEB_PORT]
     /// tcp://HOST:PORT is a raw serial server, rfc2217://HOST:PORT one whose line is set from here, mbtcp://HOST:PORT a
     /// Modbus/TCP gateway; sim:FILE.toml is a bench of your own, tape:FILE a recording of --trace. Without a port the one
     /// USB serial adapter that is plugged in is taken. `scan` searches several at once: -p A -p B.
     #[arg(short, long, global = true, value_name = "PORT", help_heading = "Line")]
     pub port: Vec<Port>,
 
-    /// Drives to talk to: `1`, `1,2,5-9`, or a name from antrieb.toml; 0 writes to everybody
+    /// Drives: `1`, `1,2,5-9`, or names of antrieb.toml
     ///
-    /// Over VABus, 3.17 is node 17 of the system bus behind drive 3. Verbs that only read take address 1 if none is
+    /// 0 writes to everybody. Over VABus, 3.17 is node 17 of the system bus behind drive 3. Verbs that only read take address 1 if none is
     /// given.
     #[arg(short, long, global = true, value_name = "LIST", help_heading = "Line")]
     pub address: Option<String>,
 
-    /// Speed in baud; `auto`: scan finds it [default: 19200]
+    /// Speed in baud, or auto for `scan` [default: 19200]
     #[arg(short, long, global = true, value_name = "BAUD", help_heading = "Line", value_parser = parse_baud)]
     pub baud: Option<Auto<u32>>,
 
-    /// Parity: even, odd, none; `auto`: scan finds it [default: even]
+    /// even, odd, none, or auto for `scan` [default: even]
     #[arg(long, global = true, value_name = "PARITY", help_heading = "Line", value_parser = parse_parity)]
     pub parity: Option<Auto<Parity>>,
 
@@ -44,41 +45,50 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "BITS", help_heading = "Line", value_parser = clap::value_parser!(u8).range(7..=8))]
     pub data_bits: Option<u8>,
 
-    /// Who switches an RS-485 line between sending and listening: auto, kernel, rts, adapter [default: auto]
+    /// Who switches RS-485 to sending [default: auto]
     ///
+    /// auto, kernel, rts or adapter switches the line between sending and listening;
     /// auto leaves it to the adapter unless the kernel does it already.
     #[arg(long, global = true, value_name = "WHO", help_heading = "Line")]
     pub rs485: Option<Rs485Mode>,
 
-    /// Wait so long between switching to sending and the telegram, such as 1ms [default: 0]
+    /// Pause before a telegram, such as 1ms [default: 0]
+    ///
+    /// Waits so long between switching an RS-485 line to sending and the telegram.
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub rs485_before: Option<Span>,
 
-    /// Wait so long between the telegram and switching to listening, such as 1ms [default: 0]
+    /// Pause behind a telegram, such as 1ms [default: 0]
+    ///
+    /// Waits so long between the telegram and switching an RS-485 line to listening.
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub rs485_after: Option<Span>,
 
-    /// Protocol on the line: rtu, ascii, vabus; `auto`: scan finds it [default: rtu]
-    #[arg(long, global = true, value_name = "PROTOCOL", help_heading = "Line")]
+    /// rtu, ascii, vabus, or auto for `scan` [default: rtu]
+    #[arg(long, global = true, value_name = "NAME", help_heading = "Line")]
     pub protocol: Option<String>,
 
-    /// What the drives are: auto, act, acu, lxm05 [default: auto, ask the drive]
+    /// act, acu, lxm05 [default: auto, ask the drive]
     #[arg(long, global = true, value_name = "FAMILY", help_heading = "Line")]
     pub drive: Option<String>,
 
-    /// Which half of a 32-bit value goes first, where values take two registers: high, low [default: ask the drive]
-    #[arg(long, global = true, value_name = "ORDER", help_heading = "Line")]
+    /// First half of 32 bits: high, low [default: ask]
+    ///
+    /// Which half of a 32-bit value goes first, where values take two registers. Without it the drive is asked.
+    #[arg(long, global = true, value_name = "ORDER", hide_possible_values = true, help_heading = "Line")]
     pub word_order: Option<FirstHalf>,
 
-    /// How long to wait for a reply, such as 500ms or 2s [default: 500ms; 3s behind a gateway]
+    /// Wait for a reply [default: 500ms; 3s behind a gateway]
     #[arg(long, global = true, value_name = "TIME", help_heading = "Line", value_parser = parse_span)]
     pub timeout: Option<Span>,
 
-    /// How often to repeat a question that got no valid reply [default: 2; 0 behind a gateway]
+    /// Repeats of a question [default: 2; 0 behind a gateway]
+    ///
+    /// How often a question is repeated that got no valid reply.
     #[arg(long, global = true, value_name = "N", help_heading = "Line", value_parser = clap::value_parser!(u8).range(0..=20))]
     pub retries: Option<u8>,
 
-    /// Output: table, json, ndjson, csv [default: table]
+    /// table, json (--json), ndjson, csv [default: table]
     #[arg(long, global = true, value_name = "FORMAT", help_heading = "Output")]
     pub format: Option<Format>,
 
@@ -86,7 +96,9 @@ pub struct Globals {
     #[arg(long, global = true, conflicts_with = "format", help_heading = "Output")]
     pub json: bool,
 
-    /// Language of names and texts: en, de [default: from LC_ALL, LC_MESSAGES, LANG]
+    /// en, de [default: from LC_ALL, LC_MESSAGES, LANG]
+    ///
+    /// The language of names and texts.
     #[arg(long, global = true, value_name = "LANG", help_heading = "Output")]
     pub lang: Option<Lang>,
 
@@ -94,15 +106,19 @@ pub struct Globals {
     #[arg(short, long, global = true, conflicts_with = "verbose", help_heading = "Output")]
     pub quiet: bool,
 
-    /// Show the settings with where each comes from, and every telegram, decoded, with its time, on stderr
+    /// Show settings and telegrams, on stderr
+    ///
+    /// The settings with where each comes from, and every telegram, decoded, with its time; and notes on what was found on the way.
     #[arg(short, long, global = true, action = ArgAction::Count, help_heading = "Output")]
     pub verbose: u8,
 
-    /// Record the line to a new file that `decode trace` reads; --force replaces an old one
+    /// Record the line to a new file
+    ///
+    /// `decode trace` and --port tape:FILE read it; --force replaces an old one.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Output")]
     pub trace: Option<PathBuf>,
 
-    /// Colour: auto, always, never [default: auto]
+    /// Colour [default: auto]
     #[arg(long, global = true, value_name = "WHEN", help_heading = "Output")]
     pub color: Option<ColorChoice>,
 
@@ -126,11 +142,15 @@ pub struct Globals {
     #[arg(long, global = true, help_heading = "Safety")]
     pub dry_run: bool,
 
-    /// Replace the file of --trace if it exists, and do what the verb does not do unasked
+    /// Replace the file of --trace if it exists
+    ///
+    /// And do what the verb does not do unasked.
     #[arg(long, global = true, help_heading = "Safety")]
     pub force: bool,
 
-    /// Answer the safety question with yes; never taken from environment or files
+    /// Answer the safety question with yes
+    ///
+    /// Never taken from environment or files.
     #[arg(long, global = true, help_heading = "Safety")]
     pub yes: bool,
 }

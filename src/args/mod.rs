@@ -5,6 +5,7 @@ mod globals;
 mod low;
 mod motion;
 mod settings;
+mod takes;
 mod wrong;
 
 pub use address::{Addresses, parse_addresses};
@@ -12,3 +13,4 @@ pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin};
 pub use motion::{MotionArgs, StopArg};
 pub use settings::{Settings, Unknown, language, user_config_directory};
+pub use takes::{Takes, Useless};

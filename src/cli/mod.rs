@@ -1,5 +1,6 @@
 //! The program: dispatch over the list of verbs, the forms of their output, the exit code.
 
+mod manual;
 mod printed;
 mod signals;
 mod typed;
@@ -36,13 +37,13 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Ok(typed::Line { globals, what }) => (globals, what),
         Err(error) => return typed::explain(&error, arguments, environment, out.as_mut(), err),
     };
-    let settings = Settings::resolve(&globals, environment);
+    let settings = what.unkept(&globals).map_or_else(|| Settings::resolve(&globals, environment), Err);
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
     let quiet = globals.quiet;
     let console = Console::new(err, lang, quiet, err_is_terminal && !quiet && !globals.no_progress);
     let (entry, verb) = match what {
         What::Work(entry, verb) => (entry, verb),
-        What::Print(page, matches) => return print(page, &matches, globals.json, out.as_mut(), &console),
+        What::Print(page, matches) => return print(page, &matches, &globals, out.as_mut(), &console),
     };
     let (format, choice) = form(&settings, &globals);
     let color = may_color(choice, environment, out_is_terminal);
@@ -79,10 +80,14 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
 }
 
 /// Prints what the program knows of itself.
-fn print(page: &Printed, matches: &ArgMatches, json: bool, out: &mut dyn Write, console: &Console) -> u8 {
-    match (page.print)(matches, typed::tree, out) {
+fn print(page: &Printed, matches: &ArgMatches, globals: &Globals, out: &mut dyn Write, console: &Console) -> u8 {
+    let printed = match page.takes.unkept(page.name, globals) {
+        Some(failure) => Ok(Some(failure)),
+        None => (page.print)(matches, out),
+    };
+    match printed {
         Ok(None) => 0,
-        Ok(Some(failure)) if json => {
+        Ok(Some(failure)) if globals.json => {
             let code = failure.class.exit();
             match render::print(&failure.into(), page.name, Format::Json, Manner::of(console.lang()), out, console) {
                 Ok(()) => code,

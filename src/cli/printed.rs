@@ -1,10 +1,13 @@
 //! What the program tells of itself, without settings and without a line: schemas, completions, man pages.
 
-use crate::command::VERBS;
+use super::manual;
+use super::typed::{Depth, offered, tree};
+use crate::args::Takes;
+use crate::command::{VERBS, exemplified};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
 use crate::text::{Text, both};
-use clap::{ArgMatches, Args};
+use clap::{ArgMatches, Args, Command};
 use std::io::{self, Write};
 
 /// One of these.
@@ -12,34 +15,35 @@ use std::io::{self, Write};
 pub(super) struct Printed {
     /// How it is typed.
     pub(super) name: &'static str,
+    /// Which of the options of every verb it takes.
+    pub(super) takes: Takes,
     /// Its arguments and its help.
-    pub(super) command: fn() -> clap::Command,
+    pub(super) command: fn() -> Command,
     /// Prints it, or says why there is none.
-    pub(super) print: fn(&ArgMatches, Tree, &mut dyn Write) -> io::Result<Option<Failure>>,
+    pub(super) print: fn(&ArgMatches, &mut dyn Write) -> io::Result<Option<Failure>>,
 }
 
-/// The whole tree of arguments, built where it is needed.
-type Tree = fn() -> clap::Command;
-
 /// All of them.
-pub(super) const PRINTED: &[Printed] = &[
-    Printed { name: "schema", command: command::<Schema>, print: print::<Schema> },
-    Printed { name: "completions", command: command::<Completions>, print: print::<Completions> },
-    Printed { name: "man", command: command::<Man>, print: print::<Man> },
-];
+pub(super) const PRINTED: &[Printed] = &[entry::<Schema>(), entry::<Completions>(), entry::<Man>()];
 
 trait Page: Args {
     const NAME: &'static str;
-    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>>;
+    const EXAMPLES: &'static [&'static str];
+    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>>;
 }
 
-fn command<P: Page>() -> clap::Command {
-    P::augment_args(clap::Command::new(P::NAME))
+const fn entry<P: Page>() -> Printed {
+    let takes = Takes::TELLS;
+    Printed { name: P::NAME, takes, command: command::<P>, print: print::<P> }
 }
 
-fn print<P: Page>(matches: &ArgMatches, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+fn command<P: Page>() -> Command {
+    exemplified(Takes::TELLS.fit(P::augment_args(Command::new(P::NAME))), "", P::EXAMPLES)
+}
+
+fn print<P: Page>(matches: &ArgMatches, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     match P::from_arg_matches(matches) {
-        Ok(page) => page.print(tree, out),
+        Ok(page) => page.print(out),
         Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", Text::quoted(error)))),
     }
 }
@@ -53,8 +57,9 @@ struct Schema {
 
 impl Page for Schema {
     const NAME: &'static str = "schema";
+    const EXAMPLES: &'static [&'static str] = &["antrieb schema read"];
 
-    fn print(&self, _tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let schema = match self.verb.as_deref() {
             None => schemars::schema_for!(Document<Data>).to_value(),
             Some(typed) => match VERBS.iter().find(|verb| verb.name == typed || verb.alias == Some(typed)) {
@@ -71,20 +76,24 @@ impl Page for Schema {
     }
 }
 
-/// Prints a completion script
+/// Prints a completion script: bash, zsh, fish, powershell
+///
+/// It completes values as well: ports, drives of antrieb.toml, parameters, groups, data sets. For these the script calls
+/// this program. bash: put it into ~/.local/share/bash-completion/completions/antrieb; zsh: as _antrieb into a directory of
+/// $fpath; fish: into ~/.config/fish/completions/antrieb.fish; PowerShell: call it in $PROFILE.
 #[derive(Debug, Args)]
-#[command(hide = true)]
 struct Completions {
-    /// bash, zsh, fish, powershell
+    /// The shell
     shell: clap_complete::Shell,
 }
 
 impl Page for Completions {
     const NAME: &'static str = "completions";
+    const EXAMPLES: &'static [&'static str] = &["antrieb completions bash"];
 
-    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut tree(), "antrieb", &mut script);
+        clap_complete::generate(self.shell, &mut offered(), "antrieb", &mut script);
         out.write_all(&script)?;
         out.flush().map(|()| None)
     }
@@ -94,28 +103,24 @@ impl Page for Completions {
 #[derive(Debug, Args)]
 #[command(hide = true)]
 struct Man {
-    /// The verb
-    verb: Option<String>,
+    /// The verb, and a verb of its own behind it
+    verb: Vec<String>,
 }
 
 impl Page for Man {
     const NAME: &'static str = "man";
+    const EXAMPLES: &'static [&'static str] = &["antrieb man statemachine enable"];
 
-    fn print(&self, tree: Tree, out: &mut dyn Write) -> io::Result<Option<Failure>> {
-        let mut root = tree();
+    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+        let mut root = tree(Depth::Whole);
         root.build();
-        let page = match self.verb.as_deref() {
-            None => clap_mangen::Man::new(root),
-            Some(verb) => match root.find_subcommand(verb) {
-                Some(found) => clap_mangen::Man::new(found.clone().version(env!("CARGO_PKG_VERSION"))),
-                None => {
-                    let message = both!("there is no verb '{verb}'", "es gibt keinen Befehl '{verb}'");
-                    return Ok(Some(Failure::new(Class::Usage, "usage.verb", message)));
-                }
-            },
+        let found = self.verb.iter().try_fold(&root, |command, verb| command.find_subcommand(verb));
+        let Some(command) = found else {
+            let verb = self.verb.join(" ");
+            let message = both!("there is no verb '{verb}'", "es gibt keinen Befehl '{verb}'");
+            return Ok(Some(Failure::new(Class::Usage, "usage.verb", message)));
         };
-        // No date: the page must be the same whenever it is built.
-        page.date("").source("antrieb").manual("Commissioning of drives").render(out)?;
+        manual::print(command, out)?;
         out.flush().map(|()| None)
     }
 }

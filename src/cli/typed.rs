@@ -2,7 +2,7 @@
 
 use super::closed;
 use super::printed::{PRINTED, Printed};
-use crate::args::{Environment, Globals, language};
+use crate::args::{Environment, Globals, Useless, language};
 use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
@@ -18,7 +18,7 @@ use std::io::Write;
 /// Finds drives, says in plain words what they say, reads and writes their parameters in four data sets, and diagnoses
 /// the line. `--port sim` is a built-in bench with two drives: try everything there first.
 #[derive(Debug, Parser)]
-#[command(name = "antrieb", version, after_help = after_help(), max_term_width = 100, disable_help_subcommand = true)]
+#[command(name = "antrieb", version, after_help = SHORT, after_long_help = exit_codes() + FIRST_STEPS, max_term_width = 100, disable_help_subcommand = true)]
 pub(super) struct Line {
     #[command(subcommand)]
     pub(super) what: What,
@@ -33,6 +33,16 @@ pub(super) enum What {
     Work(&'static Entry, Box<dyn command::Typed>),
     /// Something that the program knows of itself.
     Print(&'static Printed, ArgMatches),
+}
+
+impl What {
+    /// What was asked for before the verb and will not happen.
+    pub(super) fn unkept(&self, typed: &Globals) -> Option<Failure> {
+        match self {
+            What::Work(verb, _) => verb.takes.unkept(verb.name, typed),
+            What::Print(printed, _) => printed.takes.unkept(printed.name, typed),
+        }
+    }
 }
 
 impl Subcommand for What {
@@ -67,24 +77,85 @@ impl FromArgMatches for What {
     }
 }
 
-fn after_help() -> String {
-    let mut text = "Exit codes:\n    0  done\n".to_owned();
-    for (_, code, meaning) in Class::TABLE {
-        text += &format!("  {code:>3}  {meaning}\n");
-    }
-    text + "\nFirst steps:\n  antrieb --port sim scan\n  antrieb --port sim -a 1 read 372@2 481 @actual\n  antrieb --port sim -a 2 diag\n"
+fn exit_codes() -> String {
+    let rows = Class::TABLE.iter().map(|(_, code, meaning)| format!("  {code:>3}  {meaning}\n"));
+    format!("Exit codes:\n    0  done\n{}\n", rows.collect::<String>())
+}
+
+/// What `antrieb -h` ends with.
+const SHORT: &str = "Exit codes: antrieb --help; first steps: antrieb --port sim scan";
+
+/// What `antrieb --help` ends with.
+pub(super) const FIRST_STEPS: &str = "First steps:
+  antrieb --port sim scan
+  antrieb --port sim -a 1 read 372@2 481 @actual
+  antrieb --port sim -a 2 diag
+";
+
+/// How much of the options of every verb is explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Depth {
+    /// A line for each that matters to the verb, all of them together.
+    Short,
+    /// All that a verb takes, by their subjects.
+    Whole,
 }
 
 /// The whole tree.
-pub(super) fn tree() -> clap::Command {
-    Line::command()
+pub(super) fn tree(depth: Depth) -> clap::Command {
+    let root = Line::command();
+    let globals: Vec<_> = root.get_arguments().map(|arg| arg.get_id().clone()).collect();
+    let root = root.mut_args(|arg| {
+        let is_first = FIRST.contains(&arg.get_id().as_str());
+        together(arg, depth).hide_short_help(!is_first)
+    });
+    // A verb's own option of the same name has no heading.
+    let is_common = |arg: &clap::Arg| globals.contains(arg.get_id()) && arg.get_help_heading().is_some();
+    root.mut_subcommands(|verb| verb.mut_args(|arg| if is_common(&arg) { together(arg, depth) } else { arg }))
+}
+
+/// What `antrieb -h` tells.
+const FIRST: &[&str] = &["port", "address", "baud", "parity", "protocol", "drive", "format", "lang", "dry_run", "yes"];
+
+fn together(arg: clap::Arg, depth: Depth) -> clap::Arg {
+    if depth == Depth::Short { arg.help_heading("Options of every verb (more with --help)") } else { arg }
+}
+
+/// The tree for completions: what is offered, and nothing that only takes the place of something.
+pub(super) fn offered() -> clap::Command {
+    let root = Line::command().mut_args(|arg| arg.global(false).hide_short_help(false));
+    let verbs: Vec<_> =
+        root.get_subcommands().filter(|verb| !verb.is_hide_set()).map(|verb| alone(verb, &[])).collect();
+    let args = root.get_arguments().cloned().collect();
+    bare(&root, args, verbs)
+}
+
+/// A verb, or one within it, with the options that come down to it.
+fn alone(command: &clap::Command, inherited: &[clap::Arg]) -> clap::Command {
+    let own = |arg: &clap::Arg| command.get_arguments().any(|own| own.get_id() == arg.get_id());
+    let inherited: Vec<_> = inherited.iter().filter(|arg| !own(arg)).cloned().collect();
+    let visible = command.get_arguments().filter(|arg| !arg.is_hide_set()).cloned();
+    let args: Vec<_> = visible.chain(inherited).collect();
+    let passed_on: Vec<_> = args.iter().filter(|arg| arg.is_global_set()).cloned().collect();
+    let verbs = command.get_subcommands().filter(|verb| !verb.is_hide_set());
+    let verbs = verbs.map(|verb| alone(verb, &passed_on)).collect();
+    bare(command, args, verbs)
+}
+
+fn bare(command: &clap::Command, args: Vec<clap::Arg>, verbs: Vec<clap::Command>) -> clap::Command {
+    let about = command.get_about().cloned().unwrap_or_default();
+    let aliases: Vec<_> = command.get_visible_aliases().map(str::to_owned).collect();
+    let args = args.into_iter().map(|arg| arg.global(false));
+    let bare = clap::Command::new(command.get_name().to_owned()).about(about).args(args).subcommands(verbs);
+    bare.disable_help_subcommand(true).visible_aliases(aliases)
 }
 
 /// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
 /// is built where something is to be explained.
 pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
     let read = |tree: clap::Command| Line::from_arg_matches(&tree.try_get_matches_from(arguments)?);
-    read(mentioned(arguments)).or_else(|_| read(tree()))
+    let depth = if arguments.iter().any(|word| word == "-h") { Depth::Short } else { Depth::Whole };
+    read(mentioned(arguments)).or_else(|_| read(tree(depth)))
 }
 
 /// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
@@ -113,10 +184,11 @@ pub(super) fn explain(
         let printed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
-    let lacking = lacks_command(error, &words);
-    let failure = lacking.clone().unwrap_or_else(|| unfit(error, &text));
+    let useless = std::error::Error::source(error).and_then(|why| why.downcast_ref::<Useless>());
+    let ours = useless.cloned().map(Failure::from).or_else(|| lacks_command(error, &words));
+    let failure = ours.clone().unwrap_or_else(|| unfit(error, &text));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
-        let root = tree();
+        let root = tree(Depth::Whole);
         let verb = words
             .iter()
             .skip(1)
@@ -129,7 +201,7 @@ pub(super) fn explain(
         } else {
             render::print(&outcome, verb, Format::Json, Manner::of(lang), out, &console)
         };
-    } else if lang == Lang::De || lacking.is_some() {
+    } else if lang == Lang::De || ours.is_some() {
         console.failure(&failure);
     } else {
         text.lines().for_each(|line| console.line(line));
@@ -147,7 +219,7 @@ fn lacks_command(error: &clap::Error, words: &[Cow<'_, str>]) -> Option<Failure>
     if !matches!(error.kind(), DisplayHelpOnMissingArgumentOrSubcommand | MissingSubcommand) {
         return None;
     }
-    let root = tree();
+    let root = tree(Depth::Whole);
     let (path, command) = words.iter().skip(1).fold((String::new(), &root), |(path, command), word| {
         let inner = command.find_subcommand(word.as_ref());
         inner.map_or((path.clone(), command), |inner| (format!("{path}{} ", inner.get_name()), inner))
@@ -225,7 +297,7 @@ fn elsewhere(error: &clap::Error) -> Option<String> {
     let Some(clap::error::ContextValue::String(word)) = error.get(clap::error::ContextKind::InvalidSubcommand) else {
         return None;
     };
-    let root = tree();
+    let root = tree(Depth::Whole);
     let verb = root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
     Some(format!("{} {word}", verb.get_name()))
 }
@@ -244,7 +316,7 @@ mod tests {
             "antrieb decode status 0x0237",
         ] {
             let words: Vec<OsString> = typed.split(' ').map(Into::into).collect();
-            let [few, all] = [mentioned(&words), tree()].map(|tree| tree.try_get_matches_from(&words));
+            let [few, all] = [mentioned(&words), tree(Depth::Whole)].map(|tree| tree.try_get_matches_from(&words));
             let [few, all] = [few, all].map(|matches| Line::from_arg_matches(&matches.unwrap()).unwrap());
             assert_eq!(format!("{few:?}"), format!("{all:?}"), "{typed}");
         }

@@ -7,6 +7,7 @@ use super::{
     Context, Reader, addresses_to_read, addresses_to_write, connect, offline_family, plan, read_question,
     role_questions, summary, target, terms,
 };
+use crate::args::Takes;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, Upper};
 use crate::failure::{Class, Failure};
@@ -15,7 +16,7 @@ use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use crate::text::both;
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Shows, selects, copies and compares the four data sets of a drive.
+/// Shows, selects, copies and compares a drive's four data sets.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
@@ -26,11 +27,11 @@ pub struct Args {
 enum Action {
     /// Show parameters in all four data sets side by side
     Show {
-        /// Parameters, ranges or groups [default: every switchable parameter]
+        /// Parameters, ranges, groups [default: all switchable]
         #[arg(value_name = "PARAMETER")]
         params: Vec<String>,
     },
-    /// Show which data set the drive works with (P.249) and what selects it (P.414)
+    /// Show the data set in use (P.249), and what selects it (P.414)
     Active,
     /// Select a data set (P.414): 1-4, or 0 for the digital inputs
     Select {
@@ -49,7 +50,7 @@ enum Action {
         /// 1-4
         #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
         to: u8,
-        /// Parameters, ranges or groups [default: every switchable parameter]
+        /// Parameters, ranges, groups [default: all switchable]
         #[arg(value_name = "PARAMETER")]
         params: Vec<String>,
         /// Copy into RAM only, until power-off
@@ -64,7 +65,7 @@ enum Action {
         /// 1-4
         #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
         b: u8,
-        /// Parameters, ranges or groups [default: every switchable parameter]
+        /// Parameters, ranges, groups [default: all switchable]
         #[arg(value_name = "PARAMETER")]
         params: Vec<String>,
     },
@@ -72,6 +73,14 @@ enum Action {
 
 impl Verb for Args {
     const NAME: &'static str = "dataset";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 dataset show 372",
+        "antrieb --port sim -a 1 dataset active",
+        "antrieb --port sim -a 1 dataset select 2 --ram --yes",
+        "antrieb --port sim -a 1 dataset copy 1 2 480-483 --yes",
+        "antrieb --port sim -a 1 dataset diff 1 2 372",
+    ];
     const UPPER: Upper = Upper::drive(30).each(16, "parameter");
     type Prints = Document<OrWrite<Dataset>>;
 

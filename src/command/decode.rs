@@ -2,6 +2,7 @@
 
 use super::verb::{Verb, Working};
 use super::{Context, offline_family, telegram_reader};
+use crate::args::Takes;
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -20,9 +21,13 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
-    /// A telegram of Modbus or VABus: hex bytes, or an ASCII telegram from its colon on
+    /// A telegram of Modbus or VABus
+    ///
+    /// Hex bytes, or an ASCII telegram from its colon on.
     Telegram {
-        /// 01 03 21 74 00 01 CE 2C, or :01032174000166, or 04 41 30 32 33 37 32 05
+        /// 01 03 21 74 00 01 CE 2C, or :01032174000166
+        ///
+        /// Over VABus 04 41 30 32 33 37 32 05.
         #[arg(required = true, value_name = "BYTES")]
         bytes: Vec<String>,
     },
@@ -40,7 +45,9 @@ enum What {
     Control {
         /// The word
         word: String,
-        /// Control mode (P.412) that decides what the bits mean: 0 contacts, 1 state machine, 2 remote contacts
+        /// Control mode (P.412)
+        ///
+        /// It decides what the bits mean: 0 contacts, 1 state machine, 2 remote contacts.
         #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=44))]
         mode: u8,
     },
@@ -49,7 +56,9 @@ enum What {
         /// The word
         word: String,
     },
-    /// A fault code (P.260, FLT_err_num), such as F0500, EB303, 0x0500 or 1280
+    /// A fault code (P.260, FLT_err_num), such as F0500
+    ///
+    /// Or EB303, 0x0500, 1280.
     Fault {
         /// The code
         code: String,
@@ -63,6 +72,16 @@ enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "decode";
+    const TAKES: Takes = Takes::EXPLAINS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb decode telegram 01 03 21 74 00 01 CE 2C",
+        "antrieb decode trace line.txt",
+        "antrieb decode status 0x0237",
+        "antrieb decode control 0x000F",
+        "antrieb decode warnings 0x008B",
+        "antrieb decode fault F0500",
+        "antrieb decode error 11",
+    ];
     type Prints = Document<Decode>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

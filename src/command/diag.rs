@@ -2,7 +2,7 @@
 
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, is_over, plan, role_questions, target};
-use crate::args::Settings;
+use crate::args::{Settings, Takes};
 use crate::drive::motion::{missing, surroundings};
 use crate::drive::{
     AccessError, Inquiry, Session, Target, Upper, clear_counters, counters, describe, last_refusal, link_test,
@@ -30,7 +30,7 @@ pub struct Args {
     #[arg(long)]
     pub clear: bool,
 
-    /// Ask N harmless questions and show error rate and reply times
+    /// Ask N harmless questions: error rate, reply times
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub link_test: Option<u32>,
 
@@ -48,6 +48,12 @@ pub enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "diag";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1,2 diag --check",
+        "antrieb --port sim -a 1 diag --link-test 100",
+        "antrieb --port sim -a 1 diag line --count 50",
+    ];
     const UPPER: Upper = Upper::drive(90).each(1, "question of --link-test or --count");
     type Prints = Document<OrLine<Diag>>;
 

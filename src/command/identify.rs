@@ -2,7 +2,7 @@
 
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
-use crate::args::Settings;
+use crate::args::{Settings, Takes};
 use crate::drive::{AccessError, Session, Target, Upper, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
@@ -35,6 +35,9 @@ const IN_FORCE: [Role; 2] = [Role::Watchdog, Role::ControlMode];
 
 impl Verb for Args {
     const NAME: &'static str = "identify";
+    const TAKES: Takes = Takes::READS;
+    const EXAMPLES: &'static [&'static str] =
+        &["antrieb --port sim -a 1 identify", "antrieb --port sim -a 1,2 identify --json"];
     const UPPER: Upper = Upper::drive(60);
     type Prints = Document<OrPlan<Identify>>;
 

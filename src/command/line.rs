@@ -3,6 +3,7 @@
 use super::asking::denied;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
+use crate::args::Takes;
 use crate::drive::Upper;
 use crate::drive::relocate::{self, Course, Wish};
 use crate::failure::{Class, Failure};
@@ -36,13 +37,17 @@ enum What {
     /// Brings the drive to another speed, parity or address
     #[command(arg = present("baud", "now-baud"), arg = present("parity", "now-parity"), arg = present("address", "now-address"))]
     Set {
-        /// New speed; ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400
+        /// New speed in baud
+        ///
+        /// ACTIVE: 2400, 4800, 9600, 19200, 57600 or 115200, LXM05: 9600, 19200 or 38400
         #[arg(id = "new_baud", short = 'b', long = "baud", value_name = "BAUD")]
         baud: Option<u32>,
         /// New parity of Modbus: even, odd, none
         #[arg(id = "new_parity", long = "parity", value_name = "PARITY")]
         parity: Option<String>,
-        /// New address: of Modbus 1-247 (P.1376, MBadr), of VABus 1-30 (P.394)
+        /// New address: Modbus 1-247, VABus 1-30
+        ///
+        /// Of Modbus P.1376, MBadr; of VABus P.394.
         #[arg(id = "new_address", short = 'a', long = "address", value_name = "ADDRESS")]
         address: Option<u8>,
     },
@@ -57,6 +62,9 @@ fn present(option: &'static str, flag: &'static str) -> Arg {
 
 impl Verb for Args {
     const NAME: &'static str = "line";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] =
+        &["antrieb --port sim -a 1 line show", "antrieb --port sim -a 1 line set --baud 57600 --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
 

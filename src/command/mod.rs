@@ -21,7 +21,7 @@ pub mod statemachine;
 mod verb;
 pub mod write;
 
-pub use verb::{Entry, Flow, Typed, Verb, Working};
+pub use verb::{EXAMPLES, Entry, Flow, Typed, Verb, Working, exemplified};
 
 /// Every verb, in the order of the help.
 pub const VERBS: &[Entry] = &[

@@ -6,7 +6,7 @@
 
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, plan, read_question, terms};
-use crate::args::parse_span;
+use crate::args::{Takes, parse_span};
 use crate::drive::{Item, Rounds, Upper, watch};
 use crate::failure::Failure;
 use crate::outcome::{Outcome, Record};
@@ -15,9 +15,9 @@ use crate::text::Wrong;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
-/// Watches drives: state, setpoint, actual value, current, fault and warnings, or parameters of your choice.
+/// Watches drives: state, setpoint, actual value, current, fault.
 ///
-/// On a terminal a live view with a chart; into a pipe or a file one line a sample. `--format ndjson` (or --json: a
+/// Warnings too, or parameters of your choice. On a terminal a live view with a chart; into a pipe or a file one line a sample. `--format ndjson` (or --json: a
 /// stream has no end to wait for) and `--format csv` are for programs. Nothing is ever written to a drive.
 ///
 /// A drive that does not answer is a gap in the data, and the watch goes on. Ctrl-C is the usual way to end it, and
@@ -27,12 +27,15 @@ use clap::Args as ClapArgs;
 /// Parameters are named as for `read`.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What to watch: 210, 480@2, rated-speed, @actual [default: state, setpoint, actual frequency, current, fault,
-    /// warnings]
+    /// 210, 480@2, rated-speed, @actual
+    ///
+    /// Named as for `read`. [default: state, setpoint, actual frequency, current, fault, warnings]
     #[arg(value_name = "PARAMETER")]
     pub params: Vec<String>,
 
-    /// Time from round to round; 0 is as fast as the line allows
+    /// Time from round to round
+    ///
+    /// 0 is as fast as the line allows.
     #[arg(long, value_name = "TIME", default_value = "1s", value_parser = interval)]
     pub interval: Span,
 
@@ -44,9 +47,9 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub count: Option<u64>,
 
-    /// Wait for a port that is lost, such as an adapter that was unplugged, and go on when it is back
+    /// Wait for a port that is lost, and go on
     ///
-    /// A USB adapter is known by its serial number: it is found under another name, and another adapter under its old name
+    /// Such as an adapter that was unplugged. A USB adapter is known by its serial number: it is found under another name, and another adapter under its old name
     /// is left alone. One without a serial number is known by its socket, or by its name.
     #[arg(long)]
     pub reconnect: bool,
@@ -55,13 +58,20 @@ pub struct Args {
     #[arg(long)]
     pub line: bool,
 
-    /// On the built-in bench: do not follow the wall clock; minutes of the bench take milliseconds
+    /// On the bench: do not follow the wall clock
+    ///
+    /// Minutes of the bench take milliseconds.
     #[arg(long)]
     pub unpaced: bool,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "monitor";
+    const TAKES: Takes = Takes::READS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1,2 monitor --count 3 --interval 500ms",
+        "antrieb --port sim -a 1 monitor @actual --duration 1m --unpaced --format csv",
+    ];
     const UPPER: Upper = Upper::drive(30)
         .each(12, "parameter in each round")
         .unless("It goes on until Ctrl-C, which is its normal end, --duration or --count.");

@@ -2,6 +2,7 @@
 
 use super::verb::{Verb, Working};
 use super::{Context, offline_family};
+use crate::args::Takes;
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Outcome, Params};
@@ -14,13 +15,16 @@ use clap::Args as ClapArgs;
 /// unit, type, range, factory setting, data sets, values, bits, source. --drive act or acu picks the drive.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// Number, or words of a slug or name in English or German
+    /// Number, or words of a slug or name
     #[arg(value_name = "SEARCH")]
     pub search: Vec<String>,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "params";
+    const TAKES: Takes = Takes::BROWSES;
+    const EXAMPLES: &'static [&'static str] =
+        &["antrieb params 372", "antrieb params rated", "antrieb --drive lxm05 params nenn --format csv"];
     type Prints = Document<Params>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -3,6 +3,7 @@
 use super::Context;
 use super::line::{move_drive, show};
 use super::verb::{Verb, Working};
+use crate::args::Takes;
 use crate::drive::Upper;
 use crate::drive::relocate::Wish;
 use crate::failure::Failure;
@@ -10,7 +11,7 @@ use crate::outcome::{Document, OrRead, Outcome, Relocation};
 use crate::tick::Span;
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Shows or changes the protocol of a drive: Modbus RTU, Modbus ASCII, VABus.
+/// Shows or changes what a drive speaks: RTU, ASCII, VABus.
 ///
 /// A drive leaves the factory speaking VABus. `protocol set rtu` brings it to Modbus without a keypad: it writes P.395,
 /// which holds at once, follows the drive, and proves that it answers. If it does not, but the old protocol still does,
@@ -37,6 +38,9 @@ enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "protocol";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] =
+        &["antrieb --port sim -a 1 protocol show", "antrieb --port sim -a 1 protocol set ascii --dry-run"];
     const UPPER: Upper = Upper::drive(120).besides(Span::from_secs(60));
     type Prints = Document<OrRead<Relocation>>;
 

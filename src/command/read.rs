@@ -5,6 +5,7 @@ use super::{
     Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, known_somewhere, offline,
     plan, read_question, target,
 };
+use crate::args::Takes;
 use crate::drive::{Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
@@ -21,21 +22,27 @@ use clap::Args as ClapArgs;
 /// Where the four data sets differ, set 0 cannot be read; then all four are shown side by side.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What to read: 372, 372@2, rated-speed@all, 480-483, @actual
+    /// 372, 372@2, rated-speed@all, 480-483, @actual
     #[arg(value_name = "PARAMETER")]
     pub params: Vec<String>,
 
-    /// Read with this type, whatever the catalogue says: uint, int, word, long
+    /// uint, int, word or long, whatever the catalogue says
     #[arg(long = "type", value_name = "TYPE")]
     pub kind: Option<Type>,
 
-    /// Show this many decimals, whatever the catalogue says
+    /// Decimals, whatever the catalogue says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
     pub decimals: Option<u8>,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "read";
+    const TAKES: Takes = Takes::READS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 read 372@2 481 @actual",
+        "antrieb --port sim -a 1 read rated-speed@all",
+        "antrieb --port sim -a 1 read 1234 --type uint --decimals 2 --dry-run",
+    ];
     const UPPER: Upper = Upper::drive(30).each(12, "parameter");
     type Prints = Document<OrPlan<Read>>;
 

@@ -4,7 +4,7 @@ mod resume;
 
 use super::Context;
 use super::verb::{Verb, Working};
-use crate::args::{Addresses, Settings};
+use crate::args::{Addresses, Settings, Takes};
 use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
@@ -35,10 +35,14 @@ use std::task::Poll;
 /// Ctrl-C ends the search and shows what was found so far; `--resume` goes on from a result that was saved with --json.
 #[derive(Clone, Debug, Default, ClapArgs)]
 pub struct Args {
-    /// By the book: gives every address its full time before the next is asked
+    /// By the book: every address gets its full time
+    ///
+    /// Nobody else is asked before it is over.
     #[arg(long, conflicts_with = "fast")]
     pub thorough: bool,
-    /// One time around, nothing is asked again; the first setting with a drive ends the search for settings
+    /// One time around, nothing is asked again
+    ///
+    /// The first setting with a drive ends the search for settings.
     #[arg(long)]
     pub fast: bool,
     /// The first drive ends the search
@@ -51,6 +55,12 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "scan";
+    const TAKES: Takes = Takes::SEARCHES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim scan",
+        "antrieb --port sim -a 1-10 scan --until-first",
+        "antrieb --port sim --baud auto --parity auto -a 1,2 scan",
+    ];
     const UPPER: Upper =
         Upper::drive(30).each(4, "address and setting").unless("Ctrl-C ends it before, and shows what was found.");
     type Prints = Document<OrPlan<Scan>>;

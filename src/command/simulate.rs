@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::verb::{Verb, Working};
-use crate::args::parse_span;
+use crate::args::{Takes, parse_span};
 use crate::drive::bench;
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, Outcome, Simulate};
@@ -11,7 +11,7 @@ use clap::Args as ClapArgs;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
-/// Serves simulated drives in real time on a pseudo terminal or a TCP port.
+/// Serves simulated drives on a pseudo terminal or a TCP port.
 ///
 /// Any Modbus master may talk to them, one after the other: this program from another window, mbpoll, pymodbus, a PLC
 /// programming tool. A drive stays silent when baud rate, parity or width do not fit its own, as a real one does.
@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, ClapArgs)]
 #[command(after_long_help = bench::FILE_HELP)]
 pub struct Args {
-    /// Bench file that sets up the drives [default: an ACT at 1 and an ACU at 2]
+    /// Bench file [default: an ACT at 1, an ACU at 2]
     #[arg(value_name = "BENCH.toml")]
     pub bench: Option<PathBuf>,
 
@@ -27,7 +27,9 @@ pub struct Args {
     #[arg(long, value_name = "PATH", conflicts_with = "tcp")]
     pub link: Option<PathBuf>,
 
-    /// Serve on this loopback address instead of a pseudo terminal, such as 127.0.0.1:5020
+    /// Serve on a loopback address, such as 127.0.0.1:5020
+    ///
+    /// In place of a pseudo terminal.
     #[arg(long, value_name = "ADDR:PORT")]
     pub tcp: Option<SocketAddr>,
 
@@ -38,6 +40,9 @@ pub struct Args {
 
 impl Verb for Args {
     const NAME: &'static str = "simulate";
+    const TAKES: Takes = Takes::SERVES;
+    const EXAMPLES: &'static [&'static str] =
+        &["antrieb simulate --link drive --for 1m", "antrieb simulate bench.toml --tcp 127.0.0.1:5020"];
     type Prints = Document<Simulate>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -2,7 +2,7 @@
 
 use super::verb::{Flow, Verb, Working};
 use super::{Context, connect, offline_family, telegram_reader};
-use crate::args::parse_span;
+use crate::args::{Takes, parse_span};
 use crate::drive::{Listening, Port, sniff};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff};
@@ -10,8 +10,9 @@ use crate::text::both;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 
-/// Listens on a line and tells every telegram: when, who speaks, the bytes, and what they say. Never sends.
+/// Listens on a line and tells every telegram. Never sends.
 ///
+/// When it came, who speaks, the bytes, and what they say.
 /// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`. Parameters are named as in the
 /// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
 /// record; --json and CSV tell all at the end.
@@ -37,6 +38,11 @@ const QUIET: Span = Span::from_secs(10);
 
 impl Verb for Args {
     const NAME: &'static str = "sniff";
+    const TAKES: Takes = Takes::LISTENS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --for 1m",
+        "antrieb --port tape:line.txt sniff --drive act --format ndjson",
+    ];
     type Prints = Document<OrPlan<Sniff>>;
 
     fn streams(&self) -> Option<Flow> {

@@ -8,7 +8,7 @@ use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
-use crate::args::{MotionArgs, Settings, parse_span};
+use crate::args::{MotionArgs, Settings, Takes, parse_span};
 use crate::drive::motion::{self, Motor};
 use crate::drive::{Session, Upper};
 use crate::failure::{Class, Failure};
@@ -22,7 +22,7 @@ use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use wanted::{Spoken, Wanted, spoken, understand};
 
-/// Shows setpoints and actual values side by side, or gives a setpoint.
+/// Shows setpoint and actual value, or gives one.
 ///
 /// Without a value it only reads: setpoints, actual values, and what decides how the setpoint is formed. With a value it
 /// asks, and then writes it; a plain 0 only takes motion away and asks nobody, unless it changed the operating mode or
@@ -35,48 +35,67 @@ use wanted::{Spoken, Wanted, spoken, understand};
 /// shaft is set to 0 before it is enabled.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// The setpoint: 25Hz, -12,5Hz, 30%, 1450rpm, 48usr, 10A, 2/3; with --mode also without a unit
+    /// 25Hz, -12,5Hz, 30%, 1450rpm, 48usr, 10A, 2/3
+    ///
+    /// With --mode also without a unit.
     #[arg(value_name = "SETPOINT", allow_hyphen_values = true)]
     pub value: Option<String>,
 
-    /// What is set: frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)
+    /// What is set, where the unit does not tell
+    ///
+    /// frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)
     #[arg(long, value_name = "MODE")]
     pub mode: Option<String>,
 
-    /// Set a parameter of the mode first, such as RAMPacc=2000; with --hold it is given back
+    /// Set a parameter first, such as RAMPacc=2000
+    ///
+    /// One of the mode. With --hold it is given back.
     #[arg(long = "set", value_name = "PARAMETER=VALUE")]
     pub options: Vec<String>,
 
-    /// How the movement starts, in modes that need it: absolute (default), relative
+    /// absolute (default) or relative
+    ///
+    /// How the movement starts, in modes that need it.
     #[arg(long, value_name = "START")]
     pub start: Option<String>,
 
-    /// Wait for something before the program goes on: `reached` (status bit 10); the time of --duration begins there
-    #[arg(long, value_name = "WHAT")]
+    /// Wait until the setpoint is `reached`
+    ///
+    /// Waits before the program goes on (status bit 10); the time of --duration begins there.
+    #[arg(long, value_name = "WHAT", hide_possible_values = true)]
     pub until: Option<Until>,
 
-    /// Walk the state machine to "operation enabled" first
+    /// Walk to "operation enabled" first
     #[arg(long)]
     pub enable: bool,
 
-    /// Set what forms the setpoint for the run, in RAM; ACTIVE P.434: line = line setpoint only, sum = internal and line
-    /// setpoint added
+    /// ACTIVE: line or sum forms the setpoint
+    ///
+    /// Set for the run, in RAM. P.434: line = line setpoint only, sum = internal and line setpoint added.
     #[arg(long, value_name = "SOURCE")]
     pub source: Option<String>,
 
-    /// Lead the setpoint on a straight line: FROM:TO:TIME, such as 0Hz:50Hz:20s
+    /// Lead the setpoint, such as 0Hz:50Hz:20s
+    ///
+    /// On a straight line: FROM:TO:TIME.
     #[arg(long, value_name = "FROM:TO:TIME", allow_hyphen_values = true, conflicts_with_all = ["value", "profile"])]
     pub ramp: Option<String>,
 
-    /// Lead the setpoint by a file of lines `TIME, SETPOINT`, such as `5s, 25Hz`
+    /// Lead the setpoint by lines such as `5s, 25Hz`
+    ///
+    /// TIME, SETPOINT: at this time this setpoint.
     #[arg(long, value_name = "FILE", conflicts_with = "value")]
     pub profile: Option<PathBuf>,
 
-    /// Enable, run for this time, stop: the same as --enable --hold --duration TIME
+    /// Enable, run for this time, stop
+    ///
+    /// The same as --enable --hold --duration TIME.
     #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "value", conflicts_with_all = ["hold", "duration", "until"])]
     pub jog: Option<Span>,
 
-    /// Give also a setpoint beyond its limit, and let the drive judge
+    /// Give also a setpoint beyond its limit
+    ///
+    /// The drive judges it.
     #[arg(long)]
     pub force: bool,
 
@@ -94,6 +113,13 @@ pub enum Until {
 
 impl Verb for Args {
     const NAME: &'static str = "sollwert";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 sollwert",
+        "antrieb --port sim -a 1 sollwert 25Hz --jog 5s --take-control --yes",
+        "antrieb --port sim -a 1 sollwert --ramp 0Hz:9Hz:5s --hold --enable --dry-run",
+        "antrieb --port sim -a 1 sollwert 0Hz",
+    ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp, and --hold for \
          --duration or Ctrl-C. A plain 0 is said at once, and ends within 20 s unless the shaft becomes slower.",

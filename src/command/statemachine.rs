@@ -6,7 +6,7 @@ use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
-use crate::args::{MotionArgs, Settings};
+use crate::args::{MotionArgs, Settings, Takes};
 use crate::drive::motion::{self, Motor, Situation, missing, no_control, no_fault, surroundings, upon_enabling};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
@@ -16,7 +16,7 @@ use crate::profile::{DriveState, Family, Registry};
 use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Shows the state of the drive, and walks it through its state machine.
+/// Shows a drive's state, and walks it to another.
 ///
 /// `show` (the default) reads only: the state, status and control word bit by bit, who controls the drive, what is
 /// missing to run, and where each state leads. `disable`, `disable-voltage` and `quick-stop` only take motion away and act
@@ -30,15 +30,17 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Action {
-    /// Show state, words, control mode, what is missing (the default)
+    /// Show state, words, what is missing (the default)
     Show,
     /// Shut down: to "ready to switch on"
     Shutdown(MotionArgs),
     /// Walk to "switched on"; the shaft does not turn yet
     SwitchOn(MotionArgs),
-    /// Walk to "operation enabled": the motor is powered and follows its setpoint
+    /// Walk to "operation enabled": the motor follows its setpoint
     Enable(MotionArgs),
-    /// Disable operation: transition 5, which coasts, brakes or ramps as P.392 says
+    /// Disable operation: coasts, brakes or ramps as P.392 says
+    ///
+    /// Transition 5.
     Disable(MotionArgs),
     /// Disable voltage: the shaft coasts
     DisableVoltage(MotionArgs),
@@ -48,12 +50,16 @@ enum Action {
     Reset(MotionArgs),
     /// Walk to a state, the shortest way
     Goto {
+        /// switched-on, operation-enabled …
+        ///
         /// switch-on-disabled, ready-to-switch-on, switched-on, operation-enabled
         state: String,
         #[command(flatten)]
         motion: MotionArgs,
     },
-    /// Set virtual contacts through the control word (P.412 = 2): S1IND … S6IND, MFI1D, EM-S1IND … EM-S3IND
+    /// Set virtual contacts through the control word (P.412 = 2)
+    ///
+    /// S1IND … S6IND, MFI1D, EM-S1IND … EM-S3IND.
     Contacts {
         /// Contacts that are closed; all others are open
         contacts: Vec<String>,
@@ -67,6 +73,19 @@ const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"
 
 impl Verb for Args {
     const NAME: &'static str = "statemachine";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 statemachine show",
+        "antrieb --port sim -a 1 statemachine shutdown --take-control --yes",
+        "antrieb --port sim -a 1 statemachine switch-on --take-control --dry-run",
+        "antrieb -p sim -a 1 state enable --hold --duration 5s --take-control --yes",
+        "antrieb --port sim -a 1 statemachine quick-stop --dry-run",
+        "antrieb --port sim -a 1 statemachine disable --dry-run",
+        "antrieb --port sim -a 1 statemachine disable-voltage --dry-run",
+        "antrieb --port sim -a 1 statemachine reset --dry-run",
+        "antrieb -p sim -a 1 statemachine goto switched-on --take-control --dry-run",
+        "antrieb --port sim -a 1 statemachine contacts S2IND S3IND --dry-run",
+    ];
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp; `reset` waits for the \
          15 s of the drive's lock, and --hold for --duration or Ctrl-C. `disable`, `disable-voltage` and `quick-stop` are said \

@@ -2,6 +2,7 @@
 //! [`VERBS`](super::VERBS): dispatch, help, completions, man pages, schemas and the matrix of tests walk that list.
 
 use super::Context;
+use crate::args::Takes;
 use crate::drive::Upper;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
@@ -23,6 +24,10 @@ pub trait Verb: clap::Args + Debug + 'static {
     const TURNS: bool = false;
     /// The longest that it takes, whatever comes over the line.
     const UPPER: Upper = Upper::OFFLINE;
+    /// Which of the options of every verb it takes.
+    const TAKES: Takes;
+    /// Command lines that its help shows, and a test runs. Of what it does, each at least once.
+    const EXAMPLES: &'static [&'static str];
     /// What it prints as JSON: `Document<D>` with what it finds, or the lines of its stream.
     type Prints: JsonSchema;
 
@@ -75,6 +80,10 @@ pub struct Entry {
     pub turns: bool,
     /// The longest that it takes, whatever comes over the line.
     pub upper: Upper,
+    /// Which of the options of every verb it takes.
+    pub takes: Takes,
+    /// Command lines that its help shows.
+    pub examples: &'static [&'static str],
     /// Its arguments and its help.
     pub command: fn() -> clap::Command,
     /// JSON Schema of what it prints.
@@ -90,6 +99,8 @@ pub(super) const fn entry<V: Verb>() -> Entry {
         alias: V::ALIAS,
         turns: V::TURNS,
         upper: V::UPPER,
+        takes: V::TAKES,
+        examples: V::EXAMPLES,
         command: command::<V>,
         schema: schema::<V>,
         typed: typed::<V>,
@@ -97,10 +108,29 @@ pub(super) const fn entry<V: Verb>() -> Entry {
 }
 
 fn command<V: Verb>() -> clap::Command {
-    let command = V::augment_args(clap::Command::new(V::NAME));
-    let command = V::UPPER.told().into_iter().fold(command, clap::Command::after_long_help);
+    let command = V::TAKES.fit(V::augment_args(clap::Command::new(V::NAME)));
+    let more = command.get_after_long_help().map(ToString::to_string).into_iter().chain(V::UPPER.told());
+    let more = more.collect::<Vec<_>>().join("\n\n");
+    let command = exemplified(command, &more, V::EXAMPLES);
     V::ALIAS.into_iter().fold(command, clap::Command::visible_alias)
 }
+
+/// The command with what its long help ends with: this, and the examples. Of them a subcommand shows those that name it.
+pub fn exemplified(command: clap::Command, more: &str, examples: &[&str]) -> clap::Command {
+    let ending = |more: &str, examples: &[&str]| {
+        let examples = examples.iter().fold(EXAMPLES.to_owned(), |text, line| format!("{text}\n  {line}"));
+        if more.is_empty() { examples } else { format!("{more}\n\n{examples}") }
+    };
+    let command = command.mut_subcommands(|inner| {
+        let named = examples.iter().filter(|line| line.split(' ').any(|word| word == inner.get_name()));
+        let named: Vec<_> = named.copied().collect();
+        inner.after_long_help(ending("", &named))
+    });
+    command.after_long_help(ending(more, examples))
+}
+
+/// What the examples of a help stand behind.
+pub const EXAMPLES: &str = "Examples:";
 
 fn schema<V: Verb>() -> serde_json::Value {
     schema_for!(V::Prints).to_value()

@@ -3,6 +3,7 @@
 use super::read::select_failure;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target, terms};
+use crate::args::Takes;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
@@ -25,25 +26,32 @@ use clap::Args as ClapArgs;
 /// read back. What the drive has already is not sent again.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// What to write: `PARAMETER[@SET]=VALUE`, such as 376@4=1.5kW
+    /// PARAMETER[@SET]=VALUE, such as 376@4=1.5kW
     #[arg(value_name = "PARAMETER=VALUE", required = true)]
     pub assignments: Vec<String>,
 
-    /// Write with this type, whatever the catalogue says: uint, int, word, long
+    /// uint, int, word or long, whatever the catalogue says
     #[arg(long = "type", value_name = "TYPE")]
     pub kind: Option<Type>,
 
-    /// Take the value with this many decimals, whatever the catalogue says
+    /// Decimals, whatever the catalogue says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
     pub decimals: Option<u8>,
 
-    /// Send also what the catalogue forbids or what would change nothing, and let the drive judge
+    /// Send also what is forbidden or changes nothing
+    ///
+    /// What the catalogue forbids is judged by the drive then.
     #[arg(long)]
     pub force: bool,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "write";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 write 376@4=1.5kW 480@1=6Hz --yes",
+        "antrieb --port sim -a 1 write 480@1ram=6,5 --dry-run",
+    ];
     const UPPER: Upper = Upper::drive(30).each(16, "value");
     type Prints = Document<Write>;
 

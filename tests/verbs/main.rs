@@ -66,6 +66,7 @@ mod offline {
 mod output {
     mod exits;
     mod forms;
+    mod help;
     mod regressions;
     mod screens;
     mod words;

@@ -1,0 +1,119 @@
+//! What the help says: short enough for a screen, true, and with examples that work.
+
+use crate::run::antrieb;
+use antrieb::command::VERBS;
+use std::collections::BTreeSet;
+
+/// Every command with those within it, as it is typed.
+fn commands() -> Vec<String> {
+    let mut found = vec!["schema".to_owned(), "completions".to_owned()];
+    for verb in VERBS {
+        found.push(verb.name.to_owned());
+        found.extend((verb.command)().get_subcommands().map(|inner| format!("{} {}", verb.name, inner.get_name())));
+    }
+    found
+}
+
+/// Lines of an 80 x 24 terminal that are left above the next prompt.
+const SCREEN: usize = 23;
+
+/// Those whose own options need more. The numbers only become smaller.
+const LONGER: &[(&str, usize)] =
+    &[("dataset", 24), ("decode", 24), ("diag", 24), ("monitor", 27), ("sollwert", 38), ("statemachine", 29)];
+
+#[test]
+fn short_help_has_a_line_for_each_option_and_fits_a_screen() {
+    for command in commands() {
+        let page = antrieb(&format!("{command} -h")).exits(0).out;
+        for line in page.lines() {
+            assert!(line.chars().count() <= 80, "{command}: {line}");
+        }
+        let folded = page.lines().filter(|line| line.starts_with("                  "));
+        assert_eq!(folded.count(), 0, "{command}: an option takes two lines\n{page}");
+        let motion = if page.contains("--take-control") { 5 } else { 0 };
+        let most = LONGER.iter().find(|row| row.0 == command).map_or(SCREEN + motion, |row| row.1);
+        assert!(page.lines().count() <= most, "{command}: {} lines, {most} are allowed\n{page}", page.lines().count());
+        let common = page.lines().skip_while(|line| !line.starts_with("Options of every verb")).skip(1);
+        assert!(common.take_while(|line| !line.is_empty()).count() <= 10, "{command}\n{page}");
+    }
+}
+
+#[test]
+fn long_help_tells_all_that_a_verb_takes_and_short_help_nothing_else() {
+    for verb in VERBS {
+        let [short, long] = ["-h", "--help"].map(|help| antrieb(&format!("{} {help}", verb.name)).exits(0).out);
+        for (option, flag) in [("port", "--port"), ("baud", "--baud"), ("trace", "--trace"), ("drive", "--drive")] {
+            assert_eq!(long.contains(&format!("{flag} <")), verb.takes.offers(option), "{} {flag}", verb.name);
+            assert!(!short.contains(&format!("{flag} <")) || verb.takes.offers(option), "{} {flag}", verb.name);
+        }
+    }
+}
+
+/// Behind the verb what it has no use for is refused; before it settings are those of the bus. What would have to
+/// happen and will not is refused in both places.
+#[test]
+fn an_option_without_use_is_refused_behind_its_verb() {
+    for line in [
+        "params --baud 9600",
+        "params -p sim 372",
+        "params 372 --parity=even",
+        "params -a 1",
+        "decode status 0x0237 --timeout 1s",
+        "decode --port sim status 0x0237",
+        "simulate --drive act",
+        "simulate --dry-run",
+        "--dry-run simulate",
+        "schema --baud 9600",
+        "completions bash -b 9600",
+        "--trace {dir}/x params 372",
+        "params --trace {dir}/x",
+        "--trace {dir}/x schema",
+    ] {
+        let english = antrieb(line).exits(2);
+        assert!(english.err.starts_with("error: `") && english.err.contains("has no use for --"), "{}", english.err);
+        assert!(english.err.contains("\nhint: "), "{}", english.err);
+        let german = antrieb(&format!("--lang de {line}")).exits(2);
+        assert!(german.err.starts_with("Fehler: `"), "{}", german.err);
+    }
+    let document = antrieb("params --baud 9600").json().exits(2);
+    assert_eq!(document.error()["code"], "usage.no_use");
+    for line in
+        ["-p sim -b 9600 -a 1 params 372", "--yes --drive act decode status 0x0237", "params 372 --dry-run --yes"]
+    {
+        antrieb(line).exits(0);
+    }
+}
+
+/// Every example of every help, each on the bench; ports of its own become the bench or a recording of it.
+#[test]
+fn every_example_works() {
+    let mut examples = BTreeSet::new();
+    for command in commands() {
+        let page = antrieb(&format!("{command} --help")).exits(0).out;
+        let shown: Vec<&str> = page.split("Examples:\n").nth(1).unwrap_or_default().lines().map(str::trim).collect();
+        assert!(!shown.is_empty(), "{command} shows no example");
+        shown.iter().for_each(|line| assert!(line.chars().count() <= 78, "{command}: {line}"));
+        examples.extend(shown.into_iter().filter(|line| !line.is_empty()).map(str::to_owned));
+    }
+    let record = antrieb("-p sim -a 1 --trace {dir}/line.txt read 372").exits(0);
+    let recorded = std::fs::read_to_string(record.directory().join("line.txt")).unwrap();
+    // As somebody hears it who only listens.
+    let overheard = recorded.replace(" > ", " < ");
+    for example in &examples {
+        let line = example.strip_prefix("antrieb ").unwrap();
+        let line = line.replace("line.txt", "{dir}/line.txt").replace("bench.toml", "{dir}/bench.toml");
+        let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");
+        // What is paced by the wall clock need not take its time here.
+        let line = line.replace(":5s", ":300ms").replace(" 5s", " 300ms").replace(":5020", ":0");
+        let paced = if line.contains("simulate") { line.replace("1m", "20ms") } else { line };
+        let paced = if paced.contains("--tcp") { format!("{paced} --for 20ms") } else { paced };
+        let bench = "[[drive]]\naddress = 1\nmodel = \"act\"\n";
+        let ended = antrieb(&paced)
+            .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
+            .file("bench.toml", bench)
+            .run();
+        // Two data sets that differ are an answer.
+        let fine = ended.exit == 0 || ended.exit == 1 && example.contains(" diff ");
+        assert!(fine, "{example}: exit {}\n{}\n{}", ended.exit, ended.out, ended.err);
+    }
+}
