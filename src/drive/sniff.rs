@@ -1,24 +1,14 @@
-//! Listens on a line without ever sending: cuts what comes into telegrams and says what they say.
-//!
-//! A listener may miss the silences that part RTU telegrams, because adapters deliver bytes in chunks. So an RTU telegram
-//! is taken when it is one of a known function code with a right CRC; what such a cut leaves is settled by a longer silence.
+//! Listens on a line without ever sending: what comes is cut into telegrams, and they are told in words.
 
 use super::access::AccessError;
 use super::decode::Reader;
 use super::session::Session;
+use crate::exchange::Cutter;
 use crate::outcome::{Decimal, Event, Record, Sniff, SniffSummary, TelegramDoc};
-use crate::protocol::Protocol;
-use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{EXCEPTION_BIT, Reply, Request};
-use crate::protocol::modbus::{Framing, ascii, rtu};
-use crate::protocol::vabus;
 use crate::tick::{Span, Tick};
 use crate::transport::Wake;
 use std::collections::VecDeque;
 use std::iter::repeat_n;
-
-/// Longer than adapters hold back the rest of a telegram (docs/measured.md: 16 ms): what is open then stays so.
-const PATIENCE: Span = Span::from_millis(50);
 
 /// How long to listen, and what to keep.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +27,8 @@ pub struct Listening {
 /// an error only if the port is lost. Never sends.
 pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<AccessError>) {
     let begin = session.now();
-    let mut ear = Ear::new(*reader, session.line(), session.limits().reply_timeout);
+    let cutter = Cutter::new(reader.protocol, session.line());
+    let mut ear = Ear::new(*reader, cutter, session.limits().reply_timeout);
     let mut log = Log { plan, heard: 0, garbled: 0, kept: Vec::new() };
     let mut last = begin;
     let (because, error) = loop {
@@ -124,8 +115,6 @@ struct Ear<'r> {
     cutter: Cutter,
     /// When each of the bytes came that belong to no telegram yet.
     arrivals: VecDeque<Tick>,
-    /// A silence that leaves nothing open.
-    pause: Span,
     /// How long a reply may take.
     patience: Span,
     /// Who was asked what last, and when: address and function code.
@@ -135,18 +124,13 @@ struct Ear<'r> {
 }
 
 impl<'r> Ear<'r> {
-    fn new(reader: Reader<'r>, line: LineSetting, patience: Span) -> Self {
-        let (cutter, pause) = match reader.protocol {
-            Protocol::Modbus(Framing::Ascii) => (Cutter::Ascii(Vec::new()), ascii::MAX_PAUSE),
-            Protocol::Modbus(_) => (Cutter::Rtu(Rtu::default()), PATIENCE.longer(line.t35())),
-            Protocol::Vabus => (Cutter::Vabus(vabus::Receiver::default()), PATIENCE.longer(line.t35())),
-        };
-        Ear { reader, cutter, arrivals: VecDeque::new(), pause, patience, asked: None, is_in: false }
+    fn new(reader: Reader<'r>, cutter: Cutter, patience: Span) -> Self {
+        Ear { reader, cutter, arrivals: VecDeque::new(), patience, asked: None, is_in: false }
     }
 
     /// When what is open will stay so, if the last byte came at `last`.
     fn ends(&self, last: Tick) -> Option<Tick> {
-        (!self.arrivals.is_empty()).then(|| last + self.pause)
+        (!self.arrivals.is_empty()).then(|| last + self.cutter.pause())
     }
 
     fn feed(&mut self, at: Tick, bytes: &[u8]) -> Vec<TelegramDoc> {
@@ -182,116 +166,19 @@ impl<'r> Ear<'r> {
     }
 }
 
-/// Cuts bytes into telegrams and what is none; every byte comes out once, in order.
-enum Cutter {
-    Rtu(Rtu),
-    /// The telegram that has begun.
-    Ascii(Vec<u8>),
-    Vabus(vabus::Receiver),
-}
-
-impl Cutter {
-    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
-        match self {
-            Cutter::Rtu(rtu) => rtu.feed(bytes),
-            Cutter::Ascii(open) => bytes.iter().flat_map(|byte| cut_ascii(open, byte & 0x7F)).collect(),
-            Cutter::Vabus(receiver) => receiver.feed(bytes).into_iter().map(heard).collect(),
-        }
-    }
-
-    fn silence(&mut self) -> Vec<Vec<u8>> {
-        match self {
-            Cutter::Rtu(rtu) => rtu.cut(true),
-            Cutter::Ascii(open) => some(std::mem::take(open)).into_iter().collect(),
-            Cutter::Vabus(receiver) => receiver.silence().into_iter().map(heard).collect(),
-        }
-    }
-}
-
-fn heard(heard: vabus::Heard) -> Vec<u8> {
-    match heard {
-        vabus::Heard::Telegram(_, bytes) | vabus::Heard::Noise(bytes, _) => bytes,
-    }
-}
-
-fn some(bytes: Vec<u8>) -> Option<Vec<u8>> {
-    (!bytes.is_empty()).then_some(bytes)
-}
-
-/// What a character ends: the telegram before a colon that was never finished, and the one that a line feed finishes.
-fn cut_ascii(open: &mut Vec<u8>, byte: u8) -> Vec<Vec<u8>> {
-    let torn = if byte == ascii::START { some(std::mem::take(open)) } else { None };
-    open.push(byte);
-    let is_over = byte == b'\n' || open.len() > ascii::MAX_FRAME;
-    let whole = is_over.then(|| std::mem::take(open));
-    torn.into_iter().chain(whole).collect()
-}
-
-/// Telegrams of RTU among bytes whose silences nobody knows.
-#[derive(Default)]
-struct Rtu {
-    open: Vec<u8>,
-    noise: Vec<u8>,
-}
-
-impl Rtu {
-    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
-        self.open.extend(bytes);
-        self.cut(false)
-    }
-
-    /// `is_over`: a silence came, nothing that is open will be completed.
-    fn cut(&mut self, is_over: bool) -> Vec<Vec<u8>> {
-        let mut pieces = Vec::new();
-        while !self.open.is_empty() {
-            if let Some(len) = self.telegram(is_over) {
-                pieces.extend(some(std::mem::take(&mut self.noise)));
-                pieces.push(self.open.drain(..len).collect());
-            } else if is_over || self.open.len() >= rtu::MAX_FRAME {
-                self.noise.push(self.open.remove(0));
-                if self.noise.len() >= rtu::MAX_FRAME {
-                    pieces.push(std::mem::take(&mut self.noise));
-                }
-            } else {
-                break;
-            }
-        }
-        if is_over {
-            pieces.extend(some(std::mem::take(&mut self.noise)));
-        }
-        pieces
-    }
-
-    /// Length of the telegram that the open bytes begin with. One with an unknown function code is believed only where
-    /// a telegram must begin, and when nothing more comes: inside noise some CRC is right by chance.
-    fn telegram(&self, is_over: bool) -> Option<usize> {
-        let frames = || (rtu::MIN_FRAME..=self.open.len().min(rtu::MAX_FRAME)).filter_map(|len| self.open.get(..len));
-        let known = frames().find(|frame| is_known(frame) && rtu::decode(frame).is_ok());
-        let any = || frames().find(|frame| is_over && self.noise.is_empty() && rtu::decode(frame).is_ok());
-        known.or_else(any).map(<[u8]>::len)
-    }
-}
-
-/// Whether the bytes between station and CRC are a request or a reply of a function code that we know.
-fn is_known(frame: &[u8]) -> bool {
-    let pdu = frame.get(1..frame.len().saturating_sub(2)).unwrap_or_default();
-    let is_exception = pdu.first().is_some_and(|function| function & EXCEPTION_BIT != 0);
-    let is_reply = || Reply::decode(pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. }));
-    let is_request = || Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }));
-    is_reply() || !is_exception && is_request()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::protocol::line::Parity;
+    use crate::protocol::line::{LineSetting, Parity};
+    use crate::protocol::modbus::{Framing, rtu};
+    use crate::protocol::{Protocol, vabus};
 
     const LINE: LineSetting = LineSetting::rtu(19_200, Parity::Even);
     const READ: &[u8] = &[0x01, 0x03, 0x21, 0x74, 0x00, 0x01, 0xCE, 0x2C];
 
     fn ear(protocol: Protocol) -> Ear<'static> {
         let reader = Reader { protocol, node: 0, family: None, order: None };
-        Ear::new(reader, LINE, Span::from_millis(500))
+        Ear::new(reader, Cutter::new(protocol, LINE), Span::from_millis(500))
     }
 
     fn rtu() -> Ear<'static> {

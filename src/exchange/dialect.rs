@@ -12,6 +12,7 @@ use crate::protocol::modbus::pdu;
 use crate::protocol::vabus as telegrams;
 use crate::tick::Span;
 use modbus::Modbus;
+use std::fmt::Debug;
 use std::ops::{Deref, DerefMut, Range};
 use vabus::Vabus;
 
@@ -162,6 +163,15 @@ pub(super) struct Found {
     pub(super) said: Said,
 }
 
+/// Telegrams among bytes that nobody asked for; every byte comes out once, in order.
+pub(super) trait Cut: Debug {
+    /// The pieces that are certain now that these bytes came.
+    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>>;
+
+    /// The pieces of everything that is open, as a silence came: nothing of it will be completed.
+    fn silence(&mut self) -> Vec<Vec<u8>>;
+}
+
 /// Bytes of one telegram may come in pieces with pauses between them: USB adapters hold them for up to 16 ms.
 const STRAGGLE: Span = Span::from_millis(50);
 
@@ -194,6 +204,9 @@ pub(super) trait Speech {
     fn has_form_of_question(&self, _: &[u8]) -> bool {
         true
     }
+
+    /// Cuts what is only listened to, with the silence that leaves nothing open.
+    fn cutter(&self, line: LineSetting) -> (Box<dyn Cut>, Span);
 
     /// Whether telegrams carry numbers, so that no reply is taken for another.
     fn is_numbered(&self) -> bool {

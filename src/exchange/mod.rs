@@ -4,6 +4,7 @@
 //! [`Master`] asks one station, [`Survey`] looks for all of them; [`dialect`] is what the protocols differ in. This room
 //! knows no drive and reads no clock.
 
+mod cut;
 mod debt;
 pub mod dialect;
 mod ear;
@@ -16,6 +17,7 @@ pub mod master;
 pub mod survey;
 mod twins;
 
+pub use cut::Cutter;
 pub use dialect::{Question, Said};
 pub use limits::{INSIST, Limits};
 pub use master::Master;

@@ -95,7 +95,6 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::scan",
             "drive::scan::order",
             "drive::session",
-            "drive::sniff",
             "drive::target",
             "drive::terms",
             "drive::transfer",

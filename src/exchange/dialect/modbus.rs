@@ -1,7 +1,9 @@
 //! Modbus in a conversation: a reply names its station and its function code, in TCP its question as well, and a refusal the
 //! function code. Fences are counters (code 8).
 
-use super::{Asks, Found, Old, Question, STRAGGLE, Said, Says, Speech};
+mod cut;
+
+use super::{Asks, Cut, Found, Old, Question, STRAGGLE, Said, Says, Speech};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};
@@ -147,13 +149,13 @@ impl Speech for Modbus {
     }
 
     fn has_form_of_question(&self, bytes: &[u8]) -> bool {
+        has_form_of_question(self.framing, bytes)
+    }
+
+    fn cutter(&self, line: LineSetting) -> (Box<dyn Cut>, Span) {
         match self.framing {
-            Framing::Rtu => {
-                let pdu = bytes.get(1..bytes.len().saturating_sub(2)).unwrap_or_default();
-                Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }))
-            }
-            Framing::Ascii => is_line(bytes),
-            Framing::Tcp => true,
+            Framing::Ascii => (Box::new(cut::Ascii::default()), ascii::MAX_PAUSE),
+            Framing::Rtu | Framing::Tcp => (Box::new(cut::Rtu::default()), STRAGGLE.longer(line.t35())),
         }
     }
 
@@ -256,6 +258,18 @@ pub(super) fn has_form_of_reply(framing: Framing, bytes: &[u8]) -> bool {
         }
         Framing::Ascii => is_line(bytes),
         Framing::Tcp => false,
+    }
+}
+
+/// Whether it looks like a question that we know, before its check value is computed.
+fn has_form_of_question(framing: Framing, bytes: &[u8]) -> bool {
+    match framing {
+        Framing::Rtu => {
+            let pdu = bytes.get(1..bytes.len().saturating_sub(2)).unwrap_or_default();
+            Request::decode(pdu).is_ok_and(|request| !matches!(request, Request::Other { .. }))
+        }
+        Framing::Ascii => is_line(bytes),
+        Framing::Tcp => true,
     }
 }
 

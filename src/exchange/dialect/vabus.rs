@@ -1,10 +1,10 @@
 //! VABus in a conversation: a value names its parameter, an ACK and a NAK name nothing, and every exchange is ended on the
 //! line. Fences are questions that the drive has answered before.
 
-use super::{Asks, Found, Question, Said, Says, Speech};
+use super::{Asks, Cut, Found, Question, STRAGGLE, Said, Says, Speech};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::vabus::{Arrival, EOT, Header, ParamNumber, Reply, Request, arrival};
+use crate::protocol::vabus::{Arrival, EOT, Header, Heard, ParamNumber, Receiver, Reply, Request, arrival};
 use crate::tick::Span;
 
 /// VABus, which has nothing to remember.
@@ -76,6 +76,10 @@ impl Speech for Vabus {
         Request::decode(bytes).ok().map(|asked| (asked.address().id(), asked.into()))
     }
 
+    fn cutter(&self, line: LineSetting) -> (Box<dyn Cut>, Span) {
+        (Box::new(Receiver::default()), STRAGGLE.longer(line.t35()))
+    }
+
     fn names_its_question(&self) -> bool {
         true
     }
@@ -105,5 +109,21 @@ impl Speech for Vabus {
             (Select { .. }, Select { .. }) => true,
             _ => false,
         }
+    }
+}
+
+impl Cut for Receiver {
+    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        Receiver::feed(self, bytes).into_iter().map(bytes_of).collect()
+    }
+
+    fn silence(&mut self) -> Vec<Vec<u8>> {
+        Receiver::silence(self).into_iter().map(bytes_of).collect()
+    }
+}
+
+fn bytes_of(heard: Heard) -> Vec<u8> {
+    match heard {
+        Heard::Telegram(_, bytes) | Heard::Noise(bytes, _) => bytes,
     }
 }
