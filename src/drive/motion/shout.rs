@@ -53,6 +53,8 @@ const TO_TELL: Span = Span::from_millis(700);
 const LOOKING: Span = Span::from_millis(600);
 /// How long one telegram of it may take with its answer, whatever comes over the line.
 const BRIEF: Span = Span::from_millis(450);
+/// The pause before the same is asked again: a drive may say no, or say nothing that can be read, at once.
+const PAUSE: Span = Span::from_millis(10);
 /// How often the stop is said while nobody acknowledges it: replies of 900 ms (CM-485 manual 6.8 promises less) are in time.
 const TIMES: u8 = 5;
 
@@ -90,12 +92,7 @@ async fn say(
         None => presumed(session, registry, meant.address).await?,
     };
     let (said, refused) = say_to(session, meant, &families, act).await?;
-    if refused
-        && let [named] = families.as_slice()
-        && named.is_movable()
-    {
-        // Who refuses the word of its family may be of another one, and runs.
-        let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect::<Vec<_>>();
+    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
         session.tell(Event::Note(both!(
             "the drive refuses the stop of a {drive}: is --drive right? The stop of the other families goes out too",
             "der Antrieb lehnt den Halt eines {drive} ab: stimmt --drive? Der Halt der anderen Familien geht auch hinaus",
@@ -104,6 +101,13 @@ async fn say(
         say_to(session, meant, &others, act).await?;
     }
     Ok(said)
+}
+
+/// Who refuses the words of its family may be of another one, and runs: the families of the other kinds, if there was one.
+fn others(registry: &Registry, families: &[Rc<Family>]) -> Option<(Rc<Family>, Vec<Rc<Family>>)> {
+    let [named] = families else { return None };
+    let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect();
+    named.is_movable().then(|| (named.clone(), others))
 }
 
 /// Says it in the words of these families; whether nobody acknowledged it and somebody refused it.
@@ -187,22 +191,46 @@ async fn say_zero(
         Some(family) => vec![family.clone()],
         None => presumed(session, registry, meant.address).await?,
     };
-    let mut wholes = Vec::new();
-    for family in &families {
+    let (mut said, refused) = say_zero_to(session, meant, &families, modes).await?;
+    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
+        session.tell(Event::Note(both!(
+            "the drive refuses the setpoint of a {drive}: is --drive right? A zero of the other families goes out too, \
+             where they know it",
+            "der Antrieb lehnt den Sollwert eines {drive} ab: stimmt --drive? Die Null der anderen Familien geht auch \
+             hinaus, wo sie sie kennen",
+            drive = named.drive
+        )));
+        said |= say_zero_to(session, meant, &others, modes).await?.0;
+    }
+    Ok(said)
+}
+
+/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it.
+async fn say_zero_to(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    families: &[Rc<Family>],
+    modes: &dyn Fn(&Family) -> Vec<Mode>,
+) -> Result<(bool, bool), AccessError> {
+    let (mut wholes, mut unspeakable) = (Vec::new(), false);
+    for family in families {
         // Each acts in its own mode only, so one that is acknowledged is not enough.
         let mut zeros = Vec::new();
         for mode in acting(session, meant, family, modes(family)).await? {
             if mode.source.is_none() || only_slows(session, meant, family).await? {
                 let param = family.param_or_unknown(mode.setpoint);
                 let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Long), 0);
-                zeros.extend(meant.questions(session.protocol(), session.node(), family, inquiry, false));
+                let zero = meant.questions(session.protocol(), session.node(), family, inquiry, false);
+                // What the protocol has no telegram for was refused before it went out.
+                unspeakable |= zero.is_empty();
+                zeros.extend(zero);
             }
         }
         wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
     }
     let said = !wholes.is_empty();
-    repeat(session, meant, wholes).await?;
-    Ok(said)
+    let refused = repeat(session, meant, wholes).await?;
+    Ok((said, refused || (unspeakable && !said)))
 }
 
 /// Of these modes the one that the drive shows; all, where it shows none.
@@ -233,7 +261,7 @@ async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family
         match (internal, line) {
             (Some(0), _) | (_, Some(0)) => return Ok(true),
             (Some(internal), Some(line)) => return Ok(internal.signum() == line.signum()),
-            _ => {}
+            _ => session.rest(PAUSE).await?,
         }
     }
     Ok(internal.is_none() && line.is_none())
@@ -358,10 +386,11 @@ async fn asked(
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
             Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
-            told => break told,
+            told => break in_short(told),
         }
+        session.rest(PAUSE).await?;
     };
-    in_short(session.within(patient, tell).await)
+    session.within(patient, tell).await
 }
 
 /// The telegrams that carry a control word: in both orders where it is not known which half comes first.

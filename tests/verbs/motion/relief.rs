@@ -1,6 +1,11 @@
 //! What stops goes out before anything is asked, also where nothing, or little, or the wrong thing comes back.
 
+use super::runs::with_motor;
+use super::to_the_letter::zeros;
 use crate::run::antrieb;
+use antrieb::drive::motion::{Meant, Motor, shout, shout_zero};
+use antrieb::gate::Relief;
+use antrieb::profile::Registry;
 use antrieb::tick::Span;
 use antrieb::transport::witness;
 use serde_json::json;
@@ -56,25 +61,82 @@ fn under_the_name_of_another_family_a_drive_is_stopped_and_nothing_is_claimed() 
     let vabus = inverter.replace("baud = 115200", "protocol = \"vabus\"");
     let stops = ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage"];
     let mut sins = Vec::new();
-    for (bench, drive, word) in [
-        (inverter.as_str(), "-b 115200 --drive lxm05", "> 01 06 01 9A 00"),
+    for (bench, drive, words) in [
+        (inverter.as_str(), "-b 115200 --drive lxm05", ["> 01 06 01 9A 00", "> 01 65 01 E4 00 00 00 00"]),
         // It has no telegram for the other family.
-        (vabus.as_str(), "--protocol vabus --drive lxm05", ""),
-        // DCOMcontrol, 6914 = 1B02h.
-        (servo, "--drive act", "> 01 10 1B 02 00 02 04 00 00 00"),
+        (vabus.as_str(), "--protocol vabus --drive lxm05", ["", "write P.484"]),
+        // DCOMcontrol, 6914 = 1B02h, and PVn_target.
+        (servo, "--drive act", ["> 01 10 1B 02 00 02 04 00 00 00", "> 01 10 1B 1A 00 02 04 00 00 00 00"]),
     ] {
         for act in stops.iter().chain(&["sollwert 0"]) {
             let line = format!("-v {drive} -a 1 {act}");
             let (_, exit, err, turning) = stopped(&line, bench, &[]);
             let is_told = err.contains("THE SHAFT MAY STILL TURN") && !err.contains("stop was acknowledged");
-            let is_stopped = *act == "sollwert 0" || turning == 0 && err.contains(word);
+            let is_told = is_told && err.contains("is --drive right?");
+            let word = words[usize::from(*act == "sollwert 0")];
             let code = if drive.contains("vabus") { 7 } else { 6 };
-            if exit != code || !is_told || !is_stopped {
+            if exit != code || !is_told || turning > 0 || !err.contains(word) {
                 sins.push(format!("{line}: exit {exit}, {turning} turning, {err}"));
             }
         }
     }
     assert!(sins.is_empty(), "{}", sins.join("\n"));
+}
+
+/// What turns when the wrong name is given stands afterwards.
+#[test]
+fn a_servo_that_turns_is_stopped_under_the_name_of_an_inverter() {
+    for act in [Relief::QuickStop, Relief::Disable, Relief::DisableVoltage, Relief::Zero] {
+        with_motor(
+            "lxm05",
+            "[[drive]]\nmodel = \"lxm05\"\nset = { RAMPacc = 3000, RAMPdecel = 3000 }\n",
+            async |session, target, permit| {
+                let velocity = target.family.mode("velocity").unwrap().clone();
+                let setpoint = target.family.param_or_unknown(velocity.setpoint);
+                let mut motor = Motor::new(session, target, permit, None);
+                motor.prepare(&velocity);
+                motor.walk("operation-enabled").await.unwrap();
+                motor.enter().await.unwrap();
+                motor.give(&setpoint, 300, "rpm").await.unwrap();
+                motor.until_reached().await.unwrap();
+                assert_eq!(session.bench().unwrap().totals().turning, 1);
+                let registry = Registry::open(&[]).unwrap();
+                let meant = Meant { address: 1, family: registry.family("act"), order: None };
+                match act {
+                    Relief::Zero => assert!(shout_zero(session, &registry, &meant, &zeros).await.unwrap()),
+                    act => drop(shout(session, &registry, &meant, act).await.unwrap()),
+                }
+                session.rest(Span::from_secs(20)).await.unwrap();
+            },
+            |bench| assert_eq!(bench.totals().turning, 0, "{act:?}"),
+        );
+    }
+}
+
+/// What a zero would do more than stop is not done under any name: behind a line setpoint of 0 the internal one is left.
+#[test]
+fn a_zero_that_would_turn_the_shaft_the_other_way_goes_out_under_no_name() {
+    for drive in ["lxm05", "acu"] {
+        let bench = active("acu", 1, "").replace("\"434\" = 2", "\"434\" = 3, \"228\" = -40");
+        let run = antrieb(&format!("-v -b 115200 -a 1 --drive {drive} sollwert 0")).on(&bench).run();
+        assert!(!run.sent().iter().any(|hex| hex.starts_with(ZEROS[0])), "{drive}: {}", run.err);
+    }
+}
+
+/// A device that refuses at once is not asked thousands of times in the time that it is given.
+#[test]
+fn who_says_no_at_once_is_asked_again_behind_a_pause() {
+    for kind in ["exception", "garbled"] {
+        let how = format!("reply_delay = \"0ms\"\n[[disturb]]\nevery = 1\nkind = \"{kind}\"\n");
+        let bench = active("acu", 1, &how).replace("baud = 19200", "baud = 115200");
+        for act in ["sollwert 0", "statemachine disable"] {
+            let run = antrieb(&format!("-v -b 115200 -a 1 --drive acu {act}")).on(&bench).run();
+            // P.228; P.410 by code 3.
+            let asked = ["01 64 00 E4", "01 03 01 9A"];
+            let times = run.sent().iter().filter(|hex| asked.iter().any(|asked| hex.starts_with(asked))).count();
+            assert!(times < 60, "{kind}, {act}: {times} times");
+        }
+    }
 }
 
 /// P.410: 00h, 02h, 07h; by code 6, or a SELECT of VABus.

@@ -232,7 +232,7 @@ fn a_quick_stop_walks_the_transitions_of_the_machine() {
 }
 
 /// Modes in which a bare zero stops.
-fn zeros(family: &Family) -> Vec<Mode> {
+pub(super) fn zeros(family: &Family) -> Vec<Mode> {
     family.modes.iter().filter(|mode| mode.zero_stops() && mode.starts.is_empty()).cloned().collect()
 }
 
