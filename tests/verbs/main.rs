@@ -45,6 +45,7 @@ mod motion {
     mod kept;
     mod leftovers;
     mod question;
+    mod refused;
     mod relief;
     mod runs;
     mod stopping;

@@ -80,7 +80,8 @@ impl Motor<'_, '_> {
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.
                 (Class::Refused, None) if tries >= STOP_TRIES => {
-                    self.zero_as_the_last().await;
+                    self.notes.push(failure.message);
+                    stop.standing = self.zero_as_the_last().await;
                     break;
                 }
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
@@ -340,13 +341,17 @@ impl Motor<'_, '_> {
         self.until(STOPPED, row.takes, true).await
     }
 
-    /// A drive that refuses its control word may still obey its setpoint.
-    async fn zero_as_the_last(&mut self) {
+    /// A drive that refuses its control word may still obey its setpoint. Whether its shaft stands then, as far as it tells.
+    async fn zero_as_the_last(&mut self) -> Option<bool> {
         let given = self.setpoint.as_ref().map(|setpoint| setpoint.param);
-        if given.is_some() && self.mode.as_ref().is_none_or(Mode::zero_stops) {
-            self.zeroed = None;
-            let _told_by_the_last_look = self.zero().await;
-        }
+        given.filter(|_| self.mode.as_ref().is_none_or(Mode::zero_stops))?;
+        self.zeroed = None;
+        self.zero().await.ok()?;
+        self.notes.push(both!(
+            "it refuses its control word; the setpoint went to 0 in its place",
+            "er lehnt sein Steuerwort ab; stattdessen ging der Sollwert auf 0"
+        ));
+        self.standstill().await.ok().flatten()
     }
 
     async fn ramp_down(&mut self) -> Result<(), Failure> {

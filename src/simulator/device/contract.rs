@@ -218,6 +218,8 @@ pub(crate) enum Action {
     PowerCycle,
     /// Off the bus for so long.
     Silent(Span),
+    /// Writes to this parameter or register are refused from now on.
+    Refuses(u16),
     Mains(bool),
     /// S1IND: STOA of an ACU.
     StoA(bool),

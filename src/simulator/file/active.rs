@@ -236,6 +236,7 @@ impl BenchFile<'_> {
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
+        actions.extend(row.refuses.map(Action::Refuses));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
         actions.extend(row.mains.map(Action::Mains));
         actions.extend(row.enable.into_iter().flat_map(|on| match model {
@@ -253,8 +254,8 @@ impl BenchFile<'_> {
             actions.push(Action::Torque(self.torque(torque)?));
         }
         if actions.is_empty() {
-            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, mains, enable, \
-                           stoa, stob, start_right, start_left or torque";
+            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, refuses, mains, \
+                           enable, stoa, stob, start_right, start_left or torque";
             return Err(self.error(table.span(), message.to_owned()));
         }
         let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;

@@ -144,6 +144,7 @@ impl BenchFile<'_> {
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
+        actions.extend(row.refuses.map(Action::Refuses));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
         let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
         let others =
@@ -151,7 +152,8 @@ impl BenchFile<'_> {
         let others = others || row.lasts.is_some();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
-            let message = "expected fault (with class and qualifier), power_cycle or silent, as an LXM05 knows them";
+            let message =
+                "expected fault (with class and qualifier), power_cycle, silent or refuses, as an LXM05 knows them";
             return Err(self.error(table.span(), message.to_owned()));
         }
         Ok(actions)

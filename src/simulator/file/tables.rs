@@ -124,6 +124,7 @@ pub(crate) struct EventTable {
     pub(crate) warning: Option<u16>,
     pub(crate) power_cycle: Option<bool>,
     pub(crate) silent: Option<Spanned<String>>,
+    pub(crate) refuses: Option<u16>,
     pub(crate) mains: Option<bool>,
     pub(crate) enable: Option<bool>,
     pub(crate) stoa: Option<Spanned<bool>>,

@@ -14,7 +14,7 @@ use super::setup::Setup;
 use super::vabus;
 use super::voice::{QueuedReply, Voice};
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::pdu::{Reply, Request};
+use crate::protocol::modbus::pdu::{Exception, Reply, Request};
 use crate::protocol::modbus::{BROADCAST, FrameError, Framing};
 use crate::protocol::vabus as bus;
 use crate::simulator::device::contract::{Action, Device, Effect, Fault, Goes, NodeSetting, RESTART, Response, Servo};
@@ -34,6 +34,8 @@ pub struct Drive {
     voice: Voice,
     counters: Counters,
     script: Script,
+    /// Writes to it are refused.
+    refused: Option<u16>,
     /// Off the bus until then.
     away: Option<Tick>,
     /// Without power: an ACT without mains.
@@ -53,6 +55,7 @@ impl Drive {
             voice: Voice::new(&setup),
             counters: Counters::default(),
             script: Script::new(setup.script),
+            refused: None,
             away: None,
             dead: device.lives_by_mains() == Some(false),
             own_last: None,
@@ -214,6 +217,7 @@ impl Drive {
             match action {
                 Action::Silent(span) => self.leave_bus(now + span),
                 Action::PowerCycle => self.power_cycle(now),
+                Action::Refuses(place) => self.refused = Some(place),
                 action => {
                     self.feed(now, action);
                     self.device.act(now, action);
@@ -315,6 +319,12 @@ impl Drive {
     /// Executes a request of Modbus; `None` if it is not answered.
     fn execute(&mut self, now: Tick, pdu: &[u8], is_write: bool) -> Option<Response<Reply>> {
         self.script.count(is_write);
+        if let &[function, high, low, ..] = pdu
+            && is_write
+            && self.refused == Some(u16::from_be_bytes([high, low]))
+        {
+            return Some(Response::plain(Reply::Exception { function, code: Exception::DeviceFailure }));
+        }
         self.device.modbus()?.answer(&mut self.counters, now, pdu)
     }
 

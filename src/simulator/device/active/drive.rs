@@ -71,7 +71,7 @@ impl Device for Drive {
             Action::StoB(on) => active.wire(now, |contacts| contacts.sto_b = on),
             Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
             Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
-            Action::PowerCycle | Action::Silent(_) => {}
+            Action::PowerCycle | Action::Silent(_) | Action::Refuses(_) => {}
         }
     }
 
