@@ -1,12 +1,12 @@
 //! Arguments, environment and streams into [`antrieb::run`], its exit code out.
 
 use antrieb::args::Environment;
-use antrieb::render::{Outlet, Streams};
+use antrieb::render::{Outlet, Patience, Stdout, Streams};
 use std::io::{self, BufReader, IsTerminal};
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// How long a run that somebody ended waits for a reader of stderr that takes nothing.
+/// How long the last words wait for a reader of stderr that takes nothing.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 fn main() -> ExitCode {
@@ -17,15 +17,17 @@ fn main() -> ExitCode {
         directory: std::env::current_dir().unwrap_or_default(),
         user_config: antrieb::args::user_config_directory(),
     };
-    let err = Outlet::new(io::stderr());
+    let patience = Patience::default();
+    let err = Outlet::new(io::stderr(), patience.clone());
     let streams = Streams {
-        out: Box::new(io::stdout()),
+        out: Box::new(Stdout::new(patience.clone())),
         err: Box::new(err.clone()),
         input: Box::new(BufReader::new(io::stdin())),
         out_is_terminal: io::stdout().is_terminal(),
         err_is_terminal: io::stderr().is_terminal(),
         input_is_terminal: io::stdin().is_terminal(),
         width: antrieb::render::terminal_width(),
+        patience,
     };
     let arguments: Vec<_> = std::env::args_os().collect();
     let code =

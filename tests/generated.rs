@@ -5,7 +5,7 @@
 
 use antrieb::args::Environment;
 use antrieb::command::VERBS;
-use antrieb::render::Streams;
+use antrieb::render::{Patience, Streams};
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -99,6 +99,7 @@ fn printed(arguments: &[&str]) -> String {
         err_is_terminal: false,
         input_is_terminal: false,
         width: None,
+        patience: Patience::default(),
     };
     let arguments: Vec<_> = std::iter::once("antrieb").chain(arguments.iter().copied()).map(Into::into).collect();
     assert_eq!(antrieb::run(&arguments, &Environment::default(), streams), 0, "{arguments:?}");

@@ -10,7 +10,7 @@ use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
-use crate::render::{self, Console, Format, Manner, Stream, Streams, Terminal, View};
+use crate::render::{self, Console, Format, Manner, Patience, Stream, Streams, Terminal, View};
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
@@ -19,12 +19,19 @@ use signals::{Signals, obey_keys, raise_on_closed_output};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::time::Duration;
 use typed::What;
+
+/// How long a run that is over waits for a reader who takes nothing of what it says. Everything else waits for its reader as
+/// long as he takes, as any program does: a pager is read page by page.
+const UNTAKEN: Duration = Duration::from_secs(5);
+/// The same where somebody wished the end.
+const UNTAKEN_BY_WISH: Duration = Duration::from_secs(2);
 
 /// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
 /// name, and the port.
 pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
-    let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width } = streams;
+    let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width, patience } = streams;
     let (globals, what) = match typed::parse(arguments) {
         Ok(typed::Line { globals, what }) => (globals, what),
         Err(error) => return typed::explain(&error, arguments, environment, out.as_mut(), err),
@@ -50,7 +57,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             let present = input_is_terminal && err_is_terminal;
             let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
             let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
-            work(entry, verb.as_ref(), &settings, &mut ask, &console, stream)
+            work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), stream)
         });
         outcome.unwrap_or_else(Outcome::from)
     };
@@ -59,7 +66,10 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Some(view) => Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
             let stream = RefCell::new(stream);
             let outcome = carry_out(Some(&stream));
-            stream.into_inner().finish(&outcome, entry.name).map(|()| outcome)
+            match stream.into_inner().finish(&outcome, entry.name) {
+                Err(error) if is_untaken(&error) => Ok(outcome),
+                printed => printed.map(|()| outcome),
+            }
         }),
     };
     match printed {
@@ -100,10 +110,17 @@ fn whole(
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
         Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
             render::print_end(&outcome, console);
-            if outcome.failure.is_some() { Ok(outcome) } else { Err(error) }
+            if outcome.failure.is_some() || is_untaken(&error) { Ok(outcome) } else { Err(error) }
         }
+        Err(error) if is_untaken(&error) => Ok(outcome),
         printed => printed.map(|()| outcome),
     }
+}
+
+/// The reader took nothing any more, and was waited for long enough: what could not be said is lost, what came of the work is
+/// not.
+fn is_untaken(error: &io::Error) -> bool {
+    error.kind() == io::ErrorKind::TimedOut
 }
 
 /// In which form, and whether in colour; of settings that cannot be had, what was typed.
@@ -161,7 +178,7 @@ fn work(
     verb: &dyn Typed,
     settings: &Settings,
     ask: &mut Terminal,
-    console: &Console,
+    (console, patience): (&Console, &Patience),
     stream: Option<&RefCell<Stream<'_>>>,
 ) -> Result<Outcome, Failure> {
     let registry = Registry::open(&settings.catalogues)
@@ -199,6 +216,11 @@ fn work(
         outcome
     });
     signals::act_as_usual();
+    if interrupt.is_raised() {
+        patience.limit(UNTAKEN_BY_WISH);
+    } else if outcome.as_ref().map_or(entry.turns, Outcome::is_run) {
+        patience.limit(UNTAKEN);
+    }
     console.waits(true);
     outcome
 }

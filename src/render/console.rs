@@ -1,7 +1,7 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
-use super::clean;
 use super::words::word;
+use super::{Patience, clean};
 use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive};
 use crate::text::{Lang, Text};
@@ -35,6 +35,8 @@ pub struct Streams {
     pub input_is_terminal: bool,
     /// Columns of the terminal.
     pub width: Option<u16>,
+    /// How long the readers of both are waited for.
+    pub patience: Patience,
 }
 
 impl std::fmt::Debug for Streams {

@@ -12,7 +12,7 @@ mod words;
 pub use ask::Terminal;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
-pub use outlet::{Outlet, write_from_the_background};
+pub use outlet::{Outlet, Patience, Stdout, write_from_the_background};
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use crate::text::{Wrong, both};

@@ -2,7 +2,7 @@
 //! hands it on. Nobody who writes here ever waits.
 
 use std::io::{self, Write};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -11,10 +11,26 @@ const ROOM: usize = 1 << 20;
 /// Bytes that are handed on at a time.
 const PIECE: usize = 4096;
 
+/// How long a reader is waited for that takes nothing: for ever, as any program does, until that is limited. All clones are one.
+#[derive(Clone, Debug, Default)]
+pub struct Patience {
+    most: Arc<OnceLock<Duration>>,
+}
+
+impl Patience {
+    /// From now on no longer than this; the first one counts.
+    pub fn limit(&self, most: Duration) {
+        self.most.get_or_init(|| most);
+    }
+}
+
 /// The writing end; every clone writes into the same queue.
 #[derive(Clone, Debug)]
 pub struct Outlet {
     shared: Arc<Shared>,
+    patience: Patience,
+    /// Most bytes that wait.
+    room: usize,
 }
 
 #[derive(Debug, Default)]
@@ -32,15 +48,17 @@ struct Queue {
     taken: u64,
     /// Writes that found no room.
     left_out: usize,
-    /// The reader has gone away.
-    broken: bool,
+    /// The reader has gone away, or nothing can be written.
+    broken: Option<io::Error>,
+    /// It was waited for in vain: it is waited for no more.
+    given_up: bool,
 }
 
 impl Outlet {
     /// Begins to hand on to `to`, in a thread that ends with the program.
-    pub fn new(to: impl Write + Send + 'static) -> Self {
+    pub fn new(to: impl Write + Send + 'static, patience: Patience) -> Self {
         let shared = Arc::<Shared>::default();
-        let outlet = Outlet { shared: shared.clone() };
+        let outlet = Outlet { shared: shared.clone(), patience, room: ROOM };
         thread::spawn(move || {
             write_from_the_background();
             shared.hand_on(to);
@@ -51,16 +69,75 @@ impl Outlet {
     /// Waits until everything is out: as long as it takes, or until the reader has taken nothing for as long as this.
     pub fn drain(&self, patience: Option<Duration>) {
         let mut queue = self.shared.lock();
-        while !(queue.broken || queue.waiting.is_empty() && !queue.on_its_way) {
+        while queue.broken.is_none() && !queue.given_up && !(queue.waiting.is_empty() && !queue.on_its_way) {
             let taken = queue.taken;
             let step = patience.unwrap_or(Duration::MAX);
             let waited = self.shared.changed.wait_timeout(queue, step).unwrap_or_else(PoisonError::into_inner);
-            if waited.1.timed_out() && waited.0.taken == taken {
-                return;
-            }
             queue = waited.0;
+            queue.given_up |= waited.1.timed_out() && queue.taken == taken;
         }
     }
+}
+
+/// stdout. It is written to as any program does it, so that a slow reader slows us down and loses nothing; but where
+/// patience has an end, what is written goes through an [`Outlet`], and the reader who takes nothing loses it.
+#[derive(Debug)]
+pub struct Stdout {
+    plain: io::Stdout,
+    patience: Patience,
+    outlet: Option<Outlet>,
+}
+
+impl Stdout {
+    /// Waits for its reader as this says.
+    pub fn new(patience: Patience) -> Self {
+        Stdout { plain: io::stdout(), patience, outlet: None }
+    }
+
+    fn to(&mut self) -> &mut dyn Write {
+        if self.outlet.is_none() && self.patience.most.get().is_some() {
+            let outlet = Outlet::new(Unbuffered, self.patience.clone());
+            self.outlet = Some(Outlet { room: usize::MAX, ..outlet });
+        }
+        match &mut self.outlet {
+            Some(outlet) => outlet,
+            None => &mut self.plain,
+        }
+    }
+}
+
+impl Write for Stdout {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.to().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to().flush()
+    }
+}
+
+/// stdout without the buffer that the end of the program would write out, and wait for.
+#[derive(Debug)]
+struct Unbuffered;
+
+impl Write for Unbuffered {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        #[cfg(unix)]
+        return Ok(rustix::io::write(rustix::stdio::stdout(), bytes)?);
+        #[cfg(not(unix))]
+        io::stdout().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        #[cfg(not(unix))]
+        io::stdout().flush()?;
+        Ok(())
+    }
+}
+
+/// The same error once more.
+fn again(error: &io::Error) -> io::Error {
+    error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 /// Lets this thread write to the terminal also as a job in the background (`stty tostop`): it would be stopped for it, and with
@@ -77,15 +154,15 @@ pub fn write_from_the_background() {
 impl Write for Outlet {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let mut queue = self.shared.lock();
-        if queue.broken {
-            return Err(io::ErrorKind::BrokenPipe.into());
+        if let Some(error) = &queue.broken {
+            return Err(again(error));
         }
         if queue.left_out > 0 && queue.waiting.len() < ROOM / 2 {
             let told = format!("(… {} messages left out / Meldungen ausgelassen …)\n", queue.left_out);
             queue.waiting.extend_from_slice(told.as_bytes());
             queue.left_out = 0;
         }
-        match queue.left_out == 0 && queue.waiting.len() + bytes.len() <= ROOM {
+        match queue.left_out == 0 && queue.waiting.len().saturating_add(bytes.len()) <= self.room {
             true => queue.waiting.extend_from_slice(bytes),
             false => queue.left_out += 1,
         }
@@ -93,10 +170,15 @@ impl Write for Outlet {
         Ok(bytes.len())
     }
 
-    /// Waits until the reader has taken everything.
+    /// Waits until the reader has taken everything, as long as patience lasts.
     fn flush(&mut self) -> io::Result<()> {
-        self.drain(None);
-        Ok(())
+        self.drain(self.patience.most.get().copied());
+        let queue = self.shared.lock();
+        match &queue.broken {
+            Some(error) => Err(again(error)),
+            None if queue.given_up => Err(io::ErrorKind::TimedOut.into()),
+            None => Ok(()),
+        }
     }
 }
 
@@ -119,9 +201,9 @@ impl Shared {
             let mut queue = self.lock();
             queue.on_its_way = false;
             queue.taken += 1;
-            queue.broken = written.is_err();
+            queue.broken = written.err();
             self.changed.notify_all();
-            if queue.broken {
+            if queue.broken.is_some() {
                 return;
             }
         }

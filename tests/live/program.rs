@@ -201,15 +201,19 @@ pub(crate) fn full_pipe() -> (std::io::PipeReader, std::io::PipeWriter) {
 
 /// The program with stderr into this.
 pub(crate) struct Mute {
-    child: Child,
+    pub(crate) child: Child,
     trace: PathBuf,
 }
 
 impl Mute {
     /// Records the line to `trace`, the only thing that tells what it does.
     pub(crate) fn start(line: &str, err: std::io::PipeWriter, trace: &Path) -> Self {
+        Self::start_into(line, Stdio::null(), err.into(), trace)
+    }
+
+    pub(crate) fn start_into(line: &str, out: Stdio, err: Stdio, trace: &Path) -> Self {
         let line = format!("--trace {} {line}", trace.display());
-        let child = antrieb(&line).stdin(Stdio::null()).stdout(Stdio::null()).stderr(err).spawn().unwrap();
+        let child = antrieb(&line).stdin(Stdio::null()).stdout(out).stderr(err).spawn().unwrap();
         Mute { child, trace: trace.to_owned() }
     }
 

@@ -132,6 +132,69 @@ fn a_run_is_held_and_stopped_where_nobody_takes_what_it_says() {
     }
 }
 
+/// Whoever reads nothing holds up neither the stop nor, behind it, the end of the program; its exit code stands.
+#[test]
+fn a_run_that_is_over_ends_where_nobody_takes_what_it_says() {
+    let _alone = alone();
+    let (directory, port) = bench(OBEYS);
+    for (signal, exit, stuck) in [
+        (None, 0, ["err"].as_slice()),
+        (Some("-TERM"), 130, &["err"]),
+        (Some("-INT"), 130, &["out"]),
+        (Some("-HUP"), 130, &["out", "err"]),
+    ] {
+        let (_reader, writer) = full_pipe();
+        let end = if signal.is_some() { "" } else { "--duration 1s" };
+        let line = format!("-p {port} -a 1 --force --yes -v sollwert 5Hz --enable --hold {end}");
+        let to = |name: &str| if stuck.contains(&name) { writer.try_clone().unwrap().into() } else { Stdio::null() };
+        let err = if stuck.contains(&"err") { to("err") } else { Stdio::piped() };
+        let mut run = Mute::start_into(&line, to("out"), err, &directory.path().join("trace"));
+        run.sends("01 65 01 E4 00 00 01 F4");
+        if let Some(signal) = signal {
+            thread::sleep(Duration::from_millis(700));
+            run.signal(signal);
+        }
+        run.sends("01 06 01 9A 00 07");
+        let begun = Instant::now();
+        let said = run.child.stderr.take().map(|err| thread::spawn(move || std::io::read_to_string(err).unwrap()));
+        assert_eq!(run.ends(), Some(exit), "{signal:?} {stuck:?}");
+        assert!(begun.elapsed() < Duration::from_secs(20), "{signal:?} {stuck:?}: {:?}", begun.elapsed());
+        // Where only stdout is stuck, the fate of the stop is told on stderr.
+        if let Some(said) = said {
+            let said = said.join().unwrap();
+            assert!(said.contains("; ramp: ") || said.contains("note: ramp: "), "{said}");
+        }
+    }
+}
+
+/// A pager that is read page by page gets everything, however long that takes, where nothing turned.
+#[test]
+fn a_slow_reader_loses_nothing_of_what_is_only_read() {
+    let _alone = alone();
+    let (directory, port) = bench(OBEYS);
+    let line = format!("-p {port} -a 1 -v read 480 372");
+    let whole = crate::program::Piped::run(&line).1;
+    for stuck in ["out", "err"] {
+        let (mut reader, writer) = full_pipe();
+        let (out, err) = match stuck {
+            "out" => (writer.into(), Stdio::null()),
+            _ => (Stdio::null(), writer.into()),
+        };
+        let mut run = Mute::start_into(&line, out, err, &directory.path().join(stuck));
+        thread::sleep(Duration::from_secs(7));
+        assert!(run.child.try_wait().unwrap().is_none(), "{stuck}");
+        let read = thread::spawn(move || {
+            let mut read = Vec::new();
+            std::io::Read::read_to_end(&mut reader, &mut read).unwrap();
+            String::from_utf8_lossy(&read).into_owned()
+        });
+        assert_eq!(run.ends(), Some(0), "{stuck}");
+        let read = read.join().unwrap();
+        let expected = if stuck == "out" { whole.trim() } else { "read P.372" };
+        assert!(read.contains(expected), "{stuck}: {}", read.trim());
+    }
+}
+
 #[test]
 fn no_signal_that_can_be_heard_leaves_a_shaft_turning() {
     let _alone = alone();

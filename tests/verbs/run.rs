@@ -3,7 +3,7 @@
 use crate::german;
 use antrieb::args::Environment;
 use antrieb::command::VERBS;
-use antrieb::render::Streams;
+use antrieb::render::{Patience, Streams};
 use jsonschema::Validator;
 use serde_json::Value;
 use std::cell::RefCell;
@@ -118,6 +118,7 @@ impl Run {
             err_is_terminal: terminal,
             input_is_terminal: terminal,
             width: self.columns,
+            patience: Patience::default(),
         };
         let exit = antrieb::run(&words, &self.environment, streams);
         let text = |buffer: &Buffer| String::from_utf8(buffer.borrow().clone()).unwrap();
