@@ -69,7 +69,7 @@ impl Outlet {
     /// Waits until everything is out: as long as it takes, or until the reader has taken nothing for as long as this.
     pub fn drain(&self, patience: Option<Duration>) {
         let mut queue = self.shared.lock();
-        while queue.broken.is_none() && !queue.given_up && !(queue.waiting.is_empty() && !queue.on_its_way) {
+        while (queue.on_its_way || !queue.waiting.is_empty()) && !queue.given_up && queue.broken.is_none() {
             let taken = queue.taken;
             let step = patience.unwrap_or(Duration::MAX);
             let waited = self.shared.changed.wait_timeout(queue, step).unwrap_or_else(PoisonError::into_inner);
