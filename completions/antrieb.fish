@@ -1901,3 +1901,12 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l catalogue -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
+
+# Values come from the program itself.
+function __fish_antrieb_values
+    set -l typed (commandline -opc)
+    set -l program $typed[1]
+    set -e typed[1]
+    $program complete fish -- $typed (commandline -ct) 2>/dev/null
+end
+complete -c antrieb -n "string length -q -- (__fish_antrieb_values)" -f -a "(__fish_antrieb_values)"

@@ -64,6 +64,40 @@ fn the_environment_chooses_the_language() {
     assert!(String::from_utf8_lossy(&ended.stdout).contains("Rated Speed"));
 }
 
+/// The script that bash loads, in a bash: values by the program, the rest by the script.
+#[cfg(unix)]
+#[test]
+fn bash_completes_values_and_options() {
+    let script = antrieb(&["completions", "bash"]).output().unwrap().stdout;
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("script"), script).unwrap();
+    std::fs::write(directory.path().join("antrieb.toml"), "[drives.pump]\naddress = 1\n").unwrap();
+    // As readline parts a line: `=` and `@` are words of their own.
+    for (line, words, completed) in [
+        ("antrieb read rated-sp", "antrieb read rated-sp", "rated-speed"),
+        ("antrieb read 372@al", "antrieb read 372 @ al", "all allram"),
+        (
+            "antrieb write 395=",
+            "antrieb write 395 =",
+            "vcb-bus-vabus p-bus-special-applications modbus-rtu modbus-ascii",
+        ),
+        ("antrieb -a pu", "antrieb -a pu", "pump"),
+        ("antrieb diag --link", "antrieb diag --link", "--link-test"),
+        ("antrieb sni", "antrieb sni", "sniff"),
+    ] {
+        let ask = format!(
+            "source ./script; COMP_LINE='{line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({words}); \
+             COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); cur=${{COMP_WORDS[COMP_CWORD]}}; \
+             _antrieb_values '{}' \"$cur\" \"${{COMP_WORDS[COMP_CWORD-1]}}\" 2>/dev/null; echo \"${{COMPREPLY[*]}}\"",
+            env!("CARGO_BIN_EXE_antrieb")
+        );
+        let Ok(told) = Command::new("bash").args(["--norc", "-c", &ask]).current_dir(&directory).output() else {
+            return;
+        };
+        assert_eq!(String::from_utf8_lossy(&told.stdout).trim(), completed, "{line}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn arguments_need_not_be_text() {

@@ -1,7 +1,7 @@
 //! What was typed, and where: flags, environment, project file, user configuration, in this order.
 
 use super::address::{Addresses, parse_addresses, parse_node};
-use super::globals::Globals;
+use super::globals::{AUTO, Globals};
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -109,6 +109,13 @@ pub(super) struct Low<'a> {
     origins: BTreeMap<&'static str, Origin>,
 }
 
+impl NamedDrive {
+    /// What it says of its line.
+    fn line(&self) -> (Option<&str>, Option<&str>, Option<u32>, Option<&str>) {
+        (self.port.as_deref(), self.protocol.as_deref(), self.baud, self.parity.as_deref())
+    }
+}
+
 impl<'a> Low<'a> {
     /// Reads the files.
     pub(super) fn read(flags: &'a Globals, environment: &'a Environment) -> Result<Self, Failure> {
@@ -147,6 +154,9 @@ impl<'a> Low<'a> {
         if let Some(address) = self.call(&text) {
             return Ok((Addresses::Named(vec![address]), 0));
         }
+        if let Some(list) = self.call_several(&text)? {
+            return Ok((Addresses::Named(list), 0));
+        }
         let names: Vec<&str> = self.files.iter().flat_map(|(_, file)| file.drives.keys()).map(String::as_str).collect();
         let (drive, node) = match text.split_once('.') {
             Some((drive, node)) => (drive, parse_node(drive, node)?),
@@ -166,6 +176,48 @@ impl<'a> Low<'a> {
         let address = drive.address;
         self.named = Some((origin, drive));
         Some(address)
+    }
+
+    /// Takes the drives of a list in which there is a name, and numbers beside them. They share a line, so what the file
+    /// says of it must be the same for all; what they are may differ, and is asked then.
+    fn call_several(&mut self, text: &str) -> Result<Option<Vec<u8>>, Failure> {
+        let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+        let is_name = |part: &&str| self.files.iter().any(|(_, file)| file.drives.contains_key(*part));
+        if !parts.iter().any(|part| is_name(&part)) {
+            return Ok(None);
+        }
+        let mut list = Vec::new();
+        let mut line: Option<(Origin, NamedDrive)> = None;
+        for part in parts {
+            let Some(address) = self.call(part) else {
+                list.extend(parse_addresses(part, &[])?);
+                continue;
+            };
+            list.push(address);
+            let Some((origin, drive)) = self.named.take() else { continue };
+            match &mut line {
+                None => line = Some((origin, drive)),
+                Some((_, first)) if first.line() != drive.line() => {
+                    let message = both!(
+                        "'{text}': antrieb.toml says that {part} is not on the line of the others",
+                        "'{text}': laut antrieb.toml ist {part} nicht an der Leitung der anderen"
+                    );
+                    return Err(bad_setting("address", message)
+                        .hint(both!("one call for each line", "ein Aufruf für jede Leitung")));
+                }
+                Some((_, first)) if first.drive != drive.drive => first.drive = Some(AUTO.to_owned()),
+                Some(_) => {}
+            }
+        }
+        let mut seen = Vec::new();
+        list.retain(|address| {
+            !seen.contains(address) && {
+                seen.push(*address);
+                true
+            }
+        });
+        self.named = line;
+        Ok(Some(list))
     }
 
     /// What an environment variable says, if it is set.

@@ -1,6 +1,7 @@
 //! From the command line, the environment and files (`low`: what was typed) to [`Settings`] (what holds), resolved once.
 
 mod address;
+mod choices;
 mod globals;
 mod low;
 mod motion;
@@ -9,6 +10,7 @@ mod takes;
 mod wrong;
 
 pub use address::{Addresses, parse_addresses};
+pub use choices::{named_drives, ports_there};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin};
 pub use motion::{MotionArgs, StopArg};

@@ -1,9 +1,11 @@
 //! The program: dispatch over the list of verbs, the forms of their output, the exit code.
 
+mod complete;
 mod manual;
 mod printed;
 mod signals;
 mod typed;
+mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language};
 use crate::command::{Context, Entry, Flow, Typed};
@@ -43,7 +45,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let console = Console::new(err, lang, quiet, err_is_terminal && !quiet && !globals.no_progress);
     let (entry, verb) = match what {
         What::Work(entry, verb) => (entry, verb),
-        What::Print(page, matches) => return print(page, &matches, &globals, out.as_mut(), &console),
+        What::Print(page, matches) => return print(page, &matches, (&globals, environment), out.as_mut(), &console),
     };
     let (format, choice) = form(&settings, &globals);
     let color = may_color(choice, environment, out_is_terminal);
@@ -80,10 +82,16 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
 }
 
 /// Prints what the program knows of itself.
-fn print(page: &Printed, matches: &ArgMatches, globals: &Globals, out: &mut dyn Write, console: &Console) -> u8 {
+fn print(
+    page: &Printed,
+    matches: &ArgMatches,
+    (globals, environment): (&Globals, &Environment),
+    out: &mut dyn Write,
+    console: &Console,
+) -> u8 {
     let printed = match page.takes.unkept(page.name, globals) {
         Some(failure) => Ok(Some(failure)),
-        None => (page.print)(matches, out),
+        None => (page.print)(matches, environment, out),
     };
     match printed {
         Ok(None) => 0,

@@ -1,8 +1,9 @@
 //! What the program tells of itself, without settings and without a line: schemas, completions, man pages.
 
+use super::complete::Complete;
 use super::manual;
 use super::typed::{Depth, offered, tree};
-use crate::args::Takes;
+use crate::args::{Environment, Takes};
 use crate::command::{VERBS, exemplified};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
@@ -20,16 +21,17 @@ pub(super) struct Printed {
     /// Its arguments and its help.
     pub(super) command: fn() -> Command,
     /// Prints it, or says why there is none.
-    pub(super) print: fn(&ArgMatches, &mut dyn Write) -> io::Result<Option<Failure>>,
+    pub(super) print: fn(&ArgMatches, &Environment, &mut dyn Write) -> io::Result<Option<Failure>>,
 }
 
 /// All of them.
-pub(super) const PRINTED: &[Printed] = &[entry::<Schema>(), entry::<Completions>(), entry::<Man>()];
+pub(super) const PRINTED: &[Printed] =
+    &[entry::<Schema>(), entry::<Completions>(), entry::<Man>(), entry::<Complete>()];
 
-trait Page: Args {
+pub(super) trait Page: Args {
     const NAME: &'static str;
     const EXAMPLES: &'static [&'static str];
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>>;
+    fn print(&self, environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>>;
 }
 
 const fn entry<P: Page>() -> Printed {
@@ -41,9 +43,9 @@ fn command<P: Page>() -> Command {
     exemplified(Takes::TELLS.fit(P::augment_args(Command::new(P::NAME))), "", P::EXAMPLES)
 }
 
-fn print<P: Page>(matches: &ArgMatches, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+fn print<P: Page>(matches: &ArgMatches, environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     match P::from_arg_matches(matches) {
-        Ok(page) => page.print(out),
+        Ok(page) => page.print(environment, out),
         Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", Text::quoted(error)))),
     }
 }
@@ -59,7 +61,7 @@ impl Page for Schema {
     const NAME: &'static str = "schema";
     const EXAMPLES: &'static [&'static str] = &["antrieb schema read"];
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let schema = match self.verb.as_deref() {
             None => schemars::schema_for!(Document<Data>).to_value(),
             Some(typed) => match VERBS.iter().find(|verb| verb.name == typed || verb.alias == Some(typed)) {
@@ -91,11 +93,28 @@ impl Page for Completions {
     const NAME: &'static str = "completions";
     const EXAMPLES: &'static [&'static str] = &["antrieb completions bash"];
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut offered(), "antrieb", &mut script);
-        out.write_all(&script)?;
+        out.write_all(hooked(self.shell, &String::from_utf8_lossy(&script)).as_bytes())?;
         out.flush().map(|()| None)
+    }
+}
+
+/// The script with what asks this program for values.
+fn hooked(shell: clap_complete::Shell, script: &str) -> String {
+    use clap_complete::Shell::{Bash, Fish, PowerShell, Zsh};
+    const ZSH: &str = "_antrieb() {\n";
+    const POWERSHELL: &str = "param($wordToComplete, $commandAst, $cursorPosition)\n";
+    match shell {
+        Bash => format!("{script}{}", include_str!("hooks/antrieb.bash")),
+        Fish => format!("{script}{}", include_str!("hooks/antrieb.fish")),
+        Zsh => {
+            let asks = format!("{}{ZSH}    _antrieb_values && return 0\n", include_str!("hooks/antrieb.zsh"));
+            script.replacen(ZSH, &asks, 1)
+        }
+        PowerShell => script.replacen(POWERSHELL, &format!("{POWERSHELL}{}", include_str!("hooks/antrieb.ps1")), 1),
+        _ => script.to_owned(),
     }
 }
 
@@ -111,7 +130,7 @@ impl Page for Man {
     const NAME: &'static str = "man";
     const EXAMPLES: &'static [&'static str] = &["antrieb man statemachine enable"];
 
-    fn print(&self, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut root = tree(Depth::Whole);
         root.build();
         let found = self.verb.iter().try_fold(&root, |command, verb| command.find_subcommand(verb));

@@ -159,7 +159,7 @@ pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
 }
 
 /// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
-fn mentioned(arguments: &[OsString]) -> clap::Command {
+pub(super) fn mentioned(arguments: &[OsString]) -> clap::Command {
     let stands = |name: &str| arguments.iter().any(|word| word == name);
     let root = clap::Command::new("antrieb").disable_help_subcommand(true);
     let verbs = VERBS.iter().filter(|verb| stands(verb.name) || verb.alias.is_some_and(stands));
@@ -225,6 +225,12 @@ fn lacks_command(error: &clap::Error, words: &[Cow<'_, str>]) -> Option<Failure>
         inner.map_or((path.clone(), command), |inner| (format!("{path}{} ", inner.get_name()), inner))
     });
     let known: Vec<_> = command.get_subcommands().map(clap::Command::get_name).filter(|name| *name != "help").collect();
+    if path.is_empty() && error.kind() == MissingSubcommand {
+        let shown = command.get_subcommands().filter(|verb| !verb.is_hide_set()).map(clap::Command::get_name);
+        let known = shown.collect::<Vec<_>>().join(", ");
+        let message = both!("expected a verb: {known}", "erwartet: ein Befehl: {known}");
+        return Some(Failure::new(Class::Usage, "usage.arguments", message).hint(Text::name("antrieb --help")));
+    }
     (!path.is_empty() && !known.is_empty()).then(|| {
         let (verb, known) = (path.trim_end(), known.join(", "));
         let message = both!("expected behind `{verb}`: {known}", "erwartet hinter `{verb}`: {known}");

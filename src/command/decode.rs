@@ -110,11 +110,11 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let decode = match &args.what {
         What::Telegram { bytes } => {
             let input = bytes.join(" ");
-            let doc =
+            let docs =
                 reader.typed(&input).map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.text()))?;
-            let failure =
-                (!doc.check_ok).then(|| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
-            let data = Data::Decode(Decode { telegrams: vec![doc], ..blank("telegram", &input) });
+            let broken = docs.iter().find(|doc| !doc.check_ok);
+            let failure = broken.map(|doc| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
+            let data = Data::Decode(Decode { telegrams: docs, ..blank("telegram", &input) });
             return Ok(Outcome { data: Some(data), warnings: Vec::new(), failure });
         }
         What::Trace { file } => {

@@ -8,9 +8,9 @@ use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Writing};
-use crate::outcome::{Data, Document, Outcome, Warning, Write, Written};
+use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
 use crate::profile::value::{self, ValueError, format_decimal};
-use crate::profile::{Family, Param, Selector, Type};
+use crate::profile::{Family, Param, Role, Selector, Type};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -27,6 +27,8 @@ use clap::Args as ClapArgs;
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// PARAMETER[@SET]=VALUE, such as 376@4=1.5kW
+    ///
+    /// Or as two words: 376@4 1.5kW. A value below zero needs the `=`.
     #[arg(value_name = "PARAMETER=VALUE", required = true)]
     pub assignments: Vec<String>,
 
@@ -66,6 +68,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
     let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family))?;
+    if let Some(note) = better_by_line(&planned, &family) {
+        (context.observe)(Event::Note(note));
+    }
     if context.settings.dry_run {
         return plan_only(&terms, &addresses, &family, &planned);
     }
@@ -111,25 +116,56 @@ pub(super) async fn permit(
     }
 }
 
-fn halves(text: &str) -> Result<(&str, &str), Failure> {
-    text.split_once('=').ok_or_else(|| {
-        let message = both!("expected PARAMETER=VALUE, got '{text}'", "erwartet: PARAMETER=WERT; angegeben: '{text}'");
-        Failure::new(Class::Usage, "usage.assignment", message)
-            .hint(both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW"))
-    })
+/// What was typed as `PARAMETER=VALUE`, or as two words: `PARAMETER VALUE`.
+fn assignments(args: &Args) -> Result<Vec<(&str, &str)>, Failure> {
+    let mut found = Vec::new();
+    let mut words = args.assignments.iter();
+    while let Some(text) = words.next() {
+        let behind = || words.clone().next().filter(|value| !value.contains('='));
+        match (text.split_once('='), behind()) {
+            (Some(halves), _) => found.push(halves),
+            (None, Some(value)) => {
+                found.push((text.as_str(), value.as_str()));
+                words.next();
+            }
+            (None, None) => {
+                let message =
+                    both!("expected PARAMETER=VALUE, got '{text}'", "erwartet: PARAMETER=WERT; angegeben: '{text}'");
+                return Err(Failure::new(Class::Usage, "usage.assignment", message)
+                    .hint(both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW")));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// What is a setting of the line has a verb of its own, which goes with it.
+fn better_by_line(steps: &[Step], family: &Family) -> Option<Text> {
+    let verbs = [
+        (Role::Address, "line set --address"),
+        (Role::BaudRate, "line set --baud"),
+        (Role::Parity, "line set --parity"),
+        (Role::Protocol, "protocol set"),
+    ];
+    let is_written = |role: Role| family.role(role).filter(|param| steps.iter().any(|step| step.param.id == param.id));
+    let (param, verb) = verbs.into_iter().find_map(|(role, verb)| Some((is_written(role)?, verb)))?;
+    Some(both!(
+        "{label} is a setting of the line: `{verb}` changes it, follows the drive and proves that it answers",
+        "{label} ist eine Einstellung der Leitung: `{verb}` ändert sie, folgt dem Antrieb und prüft, dass er antwortet",
+        label = param.label()
+    ))
 }
 
 /// What the assignments name.
 fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
-    let parsed = |text: &String| halves(text)?.0.parse().map_err(|error| select_failure(&error));
-    args.assignments.iter().map(parsed).collect()
+    let parsed = |(who, _): (&str, &str)| who.parse().map_err(|error| select_failure(&error));
+    assignments(args)?.into_iter().map(parsed).collect()
 }
 
 /// Reads the assignments; nothing is sent until all of them make sense.
 fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
-    for text in &args.assignments {
-        let (who, what) = halves(text)?;
+    for (who, what) in assignments(args)? {
         let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
         if selector.is_group() {
             let message = both!(

@@ -95,12 +95,24 @@ fn parse_input(text: &str) -> Result<(Protocol, Vec<u8>), InputError> {
     Ok((protocol, bytes))
 }
 
+/// Fewer bytes than this are no telegram that is checked: address, function code, CRC.
+const MIN_TELEGRAM: usize = 4;
+
 impl Reader<'_> {
     /// Takes one telegram apart as people type it. It shows what it is spoken in; only a damaged one of VABus does not.
-    pub fn typed(&self, text: &str) -> Result<TelegramDoc, InputError> {
+    pub fn typed(&self, text: &str) -> Result<Vec<TelegramDoc>, InputError> {
         let (shown, bytes) = parse_input(text)?;
         let protocol = if self.protocol == Protocol::Vabus { self.protocol } else { shown };
-        Ok(Reader { protocol, ..*self }.telegram(&bytes, None))
+        let reader = Reader { protocol, ..*self };
+        let one = reader.telegram(&bytes, None);
+        let pair = || (MIN_TELEGRAM..bytes.len()).find_map(|cut| reader.pair(bytes.get(..cut)?, bytes.get(cut..)?));
+        Ok(if one.check_ok { vec![one] } else { pair().unwrap_or_else(|| vec![one]) })
+    }
+
+    /// A request and its reply, if these are two whole telegrams.
+    fn pair(&self, request: &[u8], reply: &[u8]) -> Option<Vec<TelegramDoc>> {
+        let docs = [(request, true), (reply, false)].map(|(bytes, asks)| self.telegram(bytes, Some(asks)));
+        docs.iter().all(|doc| doc.check_ok).then(|| docs.into())
     }
 
     /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.

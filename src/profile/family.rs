@@ -3,7 +3,7 @@
 use super::link::Link;
 use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
-use super::names::{fold, same, starts};
+use super::names::{fold, near, same, starts};
 use super::param::Param;
 use super::role::Role;
 use super::row::{BitRow, CounterRow, DriveState, ErrorRow, FaultCodes, FaultGroup, FaultRow};
@@ -179,8 +179,20 @@ impl Family {
                 }
             }
         }
-        let near = self.search(query).into_iter().take(5).map(|param| format!("{} ({})", param.id, param.slug));
+        let mut near = self.search(query);
+        if near.is_empty() {
+            near = self.resembling(query);
+        }
+        let near = near.into_iter().take(5).map(|param| format!("{} ({})", param.id, param.slug));
         Err(LookupError::Unknown { query: query.to_owned(), near: near.collect() })
+    }
+
+    /// Parameters with a name that was perhaps meant, the likeliest first.
+    fn resembling(&self, query: &str) -> Vec<&Param> {
+        let slips = |param: &Param| param.names().filter_map(|name| near(name, query)).min();
+        let mut found: Vec<_> = self.params.values().filter_map(|param| Some((slips(param)?, param))).collect();
+        found.sort_by_key(|(slips, param)| (*slips, param.id));
+        found.into_iter().map(|(_, param)| param).collect()
     }
 
     /// The mode with this word.

@@ -26,6 +26,32 @@ pub(super) fn same(name: &str, query: &str) -> bool {
     compare(name, query, |name, query| name == query)
 }
 
+/// How many slips of the keyboard make `query` (as typed) of `name`, if they are few: one in four letters, three at most.
+pub(super) fn near(name: &str, query: &str) -> Option<usize> {
+    let (name, query) = (fold(name), fold(query));
+    let most = (query.chars().count() / 4).min(3);
+    Some(slips(&name, &query)).filter(|slips| (1..=most).contains(slips))
+}
+
+/// How many letters were left out, put in, taken for another, or swapped with the next (Damerau's distance).
+fn slips(one: &str, other: &str) -> usize {
+    let other: Vec<char> = other.chars().collect();
+    let (mut before, mut last): (Vec<usize>, Vec<usize>) = (Vec::new(), (0..=other.len()).collect());
+    let mut previous = None;
+    for (row, letter) in one.chars().enumerate() {
+        let mut line = vec![row + 1];
+        for (column, &typed) in other.iter().enumerate() {
+            let at = |list: &[usize], index: usize| list.get(index).copied().unwrap_or(usize::MAX - 1);
+            let changed = at(&last, column) + usize::from(letter != typed);
+            let swapped = column > 0 && previous == Some(typed) && other.get(column - 1) == Some(&letter);
+            let swap = if swapped { at(&before, column - 1) + 1 } else { usize::MAX };
+            line.push(changed.min(swap).min(at(&last, column + 1) + 1).min(at(&line, column) + 1));
+        }
+        (before, last, previous) = (last, line, Some(letter));
+    }
+    last.last().copied().unwrap_or(0)
+}
+
 fn compare(name: &str, query: &str, fits: impl Fn(&str, &str) -> bool) -> bool {
     let query = fold(query);
     let dense = |text: &str| text.replace(' ', "");
@@ -59,6 +85,21 @@ fn fold_with(name: &str, spell: impl Fn(char) -> &'static str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn slips_of_the_keyboard_are_counted() {
+        for (name, query, slips) in [
+            ("rated-speed", "rated-sped", Some(1)),
+            ("rated-speed", "rtaed-speed", Some(1)),
+            ("rated-speed", "rated-speeed", Some(1)),
+            ("rated-speed", "rated-spoon", None),
+            ("rated-speed", "rated-speed", None),
+            ("Bemessungsdrehzahl", "Bemesungsdrehzal", Some(2)),
+            ("abc", "abd", None),
+        ] {
+            assert_eq!(near(name, query), slips, "{query}");
+        }
+    }
 
     #[test]
     fn umlauts_and_case_do_not_matter() {

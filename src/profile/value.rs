@@ -76,8 +76,8 @@ impl ValueError {
                 "die Einheit '{got}' passt nicht: dieser Parameter ist in {unit}"
             ),
             ValueError::Unit { got, expected: None } => both!(
-                "the unit '{got}' does not fit: this parameter is in no unit",
-                "die Einheit '{got}' passt nicht: dieser Parameter hat keine Einheit"
+                "the unit '{got}' does not fit: the unit of this parameter is unknown",
+                "die Einheit '{got}' passt nicht: die Einheit dieses Parameters ist unbekannt"
             ),
             ValueError::NoScale { unit } => both!(
                 "no source tells the decimals of this parameter in {unit}",

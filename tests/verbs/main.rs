@@ -58,8 +58,10 @@ mod motion {
 /// What needs no drive: catalogues, files, settings.
 mod offline {
     mod catalogues;
+    mod completing;
     mod decoding;
     mod files;
+    mod naming;
     mod settings;
 }
 

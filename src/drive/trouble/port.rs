@@ -11,6 +11,10 @@ pub(in crate::drive) fn link(error: &LinkError) -> Failure {
     let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
     match error {
         LinkError::NotFound(_) => Failure::new(class, "port.not_found", said(error)).hint(found_ports()),
+        LinkError::Setting { port, message } if NO_PORT.iter().any(|said| message.starts_with(said)) => {
+            let text = both!("{port} is no serial port", "{port} ist kein serieller Anschluss");
+            Failure::new(class, "port.no_serial_port", text).hint(found_ports())
+        }
         // A server that hung up is another matter than an adapter that was unplugged, but the same failure.
         LinkError::Lost(port) if port.contains("://") => {
             Failure { code: "port.lost".to_owned(), ..advised(class, "port.lost_server", said(error)) }
@@ -18,6 +22,9 @@ pub(in crate::drive) fn link(error: &LinkError) -> Failure {
         error => advised(class, code(error), said(error)),
     }
 }
+
+/// What the system says of a file that has no line settings (ENOTTY, EISDIR).
+const NO_PORT: &[&str] = &["Not a typewriter", "Inappropriate ioctl for device", "Is a directory"];
 
 fn code(error: &LinkError) -> &'static str {
     match error {

@@ -21,6 +21,10 @@ impl Page {
         match decode.telegrams.as_slice() {
             [] => {}
             [only] => text += &self.telegram(only),
+            // What was typed is told to the last field; a recording a line each.
+            pair if decode.kind == "telegram" => {
+                text += &pair.iter().map(|doc| self.telegram(doc)).collect::<Vec<_>>().join("\n");
+            }
             several => text += &self.telegrams(several),
         }
         if let Some(bits) = &decode.word {

@@ -1,0 +1,22 @@
+//! What could be said of a line, for completion: ports that are there, drives that have names.
+
+use super::globals::Globals;
+use super::low::{Environment, Low};
+use crate::transport::list_ports;
+
+/// The serial ports of this machine by each of their names, with what is plugged in there.
+pub fn ports_there() -> Vec<(String, String)> {
+    let names = list_ports().into_iter().flat_map(|port| {
+        let about = port.about;
+        [Some(port.name), port.by_id].into_iter().flatten().map(move |name| (name, about.clone()))
+    });
+    names.collect()
+}
+
+/// The drives that the project file and the user's configuration name, with their addresses; none of files that cannot be
+/// read.
+pub fn named_drives(flags: &Globals, environment: &Environment) -> Vec<(String, u8)> {
+    let Ok(low) = Low::read(flags, environment) else { return Vec::new() };
+    let drives = [low.project().1, low.user()].into_iter().flat_map(|file| &file.drives);
+    drives.map(|(name, drive)| (name.clone(), drive.address)).collect()
+}

@@ -1,0 +1,168 @@
+//! What could stand in each place, for completion: from the catalogues, the project file, and the ports of this machine.
+
+use crate::args::{Environment, Globals, Settings, named_drives, ports_there};
+use crate::command::VERBS;
+use crate::profile::{Family, Param, Registry, Sets, fold};
+use crate::text::Lang;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+/// Where something is typed.
+#[derive(Debug)]
+pub(super) struct Place<'w> {
+    /// Behind which verb; nothing before it.
+    pub(super) verb: String,
+    /// Which argument.
+    pub(super) value: String,
+    /// What the argument itself says that it can be.
+    pub(super) possible: Vec<String>,
+    /// What of it is typed.
+    pub(super) word: &'w str,
+    /// What was typed before it that is no option.
+    pub(super) row: Vec<&'w str>,
+    /// Options that were typed, by their names.
+    pub(super) said: BTreeMap<String, Vec<&'w str>>,
+}
+
+/// A candidate, and what it is.
+type Candidate = (String, String);
+
+/// What fits, in a useful order, nothing twice.
+pub(super) fn fitting(place: &Place<'_>, environment: &Environment) -> Vec<Candidate> {
+    let globals = place.globals();
+    let mut found = match (place.verb.as_str(), place.value.as_str()) {
+        (_, "port") => ports(),
+        (_, "address") => addresses(place, &globals, environment),
+        ("schema", "verb") => VERBS.iter().map(|verb| bare(verb.name)).collect(),
+        (_, name) => match WORDS.iter().find(|row| row.0 == name) {
+            Some((_, words)) => words.split(' ').map(bare).collect(),
+            None if !place.possible.is_empty() => place.possible.iter().map(|word| bare(word)).collect(),
+            None => of_catalogues(place, &globals, environment),
+        },
+    };
+    let typed = place.word.to_lowercase();
+    found.retain(|(value, _)| value.to_lowercase().starts_with(&typed));
+    let mut seen = std::collections::BTreeSet::new();
+    found.retain(|(value, _)| seen.insert(value.clone()));
+    found
+}
+
+/// Arguments whose values are words that no catalogue changes.
+const WORDS: &[(&str, &str)] = &[
+    ("baud", "auto 2400 4800 9600 19200 38400 57600 115200"),
+    ("new_baud", "2400 4800 9600 19200 38400 57600 115200"),
+    ("parity", "auto even odd none"),
+    ("new_parity", "even odd none"),
+    ("stop_bits", "1 2"),
+    ("data_bits", "7 8"),
+    ("protocol", "auto rtu ascii vabus"),
+    ("to", "rtu ascii vabus"),
+    ("rs485", "auto kernel rts adapter"),
+    ("format", "table json ndjson csv"),
+    ("lang", "en de"),
+    ("kind", "uint int word long"),
+    ("start", "absolute relative"),
+    ("state", "switch-on-disabled ready-to-switch-on switched-on operation-enabled"),
+    ("contacts", "S1IND S2IND S3IND S4IND S5IND S6IND MFI1D EM-S1IND EM-S2IND EM-S3IND"),
+];
+
+fn bare(word: &str) -> Candidate {
+    (word.to_owned(), String::new())
+}
+
+impl Place<'_> {
+    /// The options of every verb that matter here.
+    fn globals(&self) -> Globals {
+        let last = |option: &str| self.said.get(option).and_then(|said| said.last()).map(|&text| text.to_owned());
+        let files = self.said.get("catalogue").into_iter().flatten().map(PathBuf::from).collect();
+        Globals {
+            address: last("address"),
+            drive: last("drive"),
+            lang: last("lang").and_then(|lang| lang.parse().ok()),
+            config: last("config").map(PathBuf::from),
+            catalogue: files,
+            ..Globals::default()
+        }
+    }
+}
+
+fn ports() -> Vec<Candidate> {
+    let there = ports_there().into_iter();
+    there.chain([("sim".to_owned(), "the built-in bench".to_owned())]).collect()
+}
+
+/// The drives of the project file; behind a comma another one.
+fn addresses(place: &Place<'_>, globals: &Globals, environment: &Environment) -> Vec<Candidate> {
+    let before = place.word.rfind(',').map_or("", |comma| place.word.get(..=comma).unwrap_or_default());
+    let drives = named_drives(globals, environment).into_iter();
+    drives.map(|(name, address)| (format!("{before}{name}"), address.to_string())).collect()
+}
+
+fn of_catalogues(place: &Place<'_>, globals: &Globals, environment: &Environment) -> Vec<Candidate> {
+    let settings = Settings::resolve(globals, environment).ok();
+    let files = settings.as_ref().map_or(&[][..], |settings| &settings.catalogues);
+    let Ok(registry) = Registry::open(files).or_else(|_| Registry::open(&[])) else { return Vec::new() };
+    if place.value == "drive" {
+        let drives = registry.drives().into_iter().map(|drive| (drive.id, drive.title));
+        let lang = settings.map_or(Lang::En, |settings| settings.lang);
+        return [bare("auto")].into_iter().chain(drives.map(|(id, title)| (id, title.get(lang).to_owned()))).collect();
+    }
+    let (lang, drive) = settings.map_or((Lang::En, None), |settings| (settings.lang, settings.drive));
+    let named = drive.or_else(|| globals.drive.clone()).and_then(|drive| registry.family(&drive));
+    let families = named.map_or_else(|| registry.families(), |family| vec![family]);
+    families.iter().flat_map(|family| of_family(place, family, lang)).collect()
+}
+
+fn of_family(place: &Place<'_>, family: &Rc<Family>, lang: Lang) -> Vec<Candidate> {
+    match place.value.as_str() {
+        "mode" if place.verb == "sollwert" => family.modes.iter().map(|mode| bare(&mode.slug)).collect(),
+        "params" => parameters(place.word, family, lang, &|param| param.access.reads()),
+        "search" => parameters(place.word, family, lang, &|_| true),
+        "assignments" | "options" => match (place.word.split_once('='), place.row.last()) {
+            (Some((name, _)), _) => values(&format!("{name}="), name, family, lang),
+            // The space form: the value behind its parameter.
+            (None, Some(name)) if !name.contains('=') && place.value == "assignments" => values("", name, family, lang),
+            (None, _) => {
+                let names = parameters(place.word, family, lang, &|param| param.access.writes());
+                let names = names.into_iter().filter(|(name, _)| !name.starts_with('@'));
+                names.map(|(name, about)| (format!("{name}="), about)).collect()
+            }
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// Parameters by slug, short name or number; behind an `@` the data sets, or the groups.
+fn parameters(word: &str, family: &Family, lang: Lang, fits: &dyn Fn(&Param) -> bool) -> Vec<Candidate> {
+    if let Some((name, _)) = word.rsplit_once('@').filter(|(name, _)| !name.is_empty()) {
+        let four = name.starts_with('@') || find(name, family).is_none_or(|param| param.sets != Some(Sets::One));
+        let sets = if four { "0 1 2 3 4 all ram 1ram 2ram 3ram 4ram allram" } else { "0 ram" };
+        return sets.split(' ').map(|set| bare(&format!("{name}@{set}"))).collect();
+    }
+    let params = || family.params.values().filter(|param| fits(param));
+    if word.starts_with(|letter: char| letter.is_ascii_digit()) {
+        return params().map(|param| (param.id.to_string(), param.name(lang).to_owned())).collect();
+    }
+    let groups = family.group_names().map(|group| bare(&format!("@{group}")));
+    let names = params().flat_map(|param| {
+        let about = format!("{} {}", param.id, param.name(lang));
+        [Some(&param.slug), param.short.as_ref()].into_iter().flatten().map(move |name| (name.clone(), about.clone()))
+    });
+    groups.chain(names).collect()
+}
+
+/// The named values of a parameter, as they can be typed.
+fn values(head: &str, name: &str, family: &Family, lang: Lang) -> Vec<Candidate> {
+    let name = name.rsplit_once('@').map_or(name, |(name, _)| name);
+    let Some(param) = find(name, family) else { return Vec::new() };
+    let texts = family.choices(param).into_iter().map(|(raw, [en, de])| (raw, lang.pick(en, de).to_owned()));
+    texts.map(|(raw, text)| (format!("{head}{}", fold(&text).replace(' ', "-")), format!("{raw} = {text}"))).collect()
+}
+
+fn find<'f>(name: &str, family: &'f Family) -> Option<&'f Param> {
+    match name.parse() {
+        Ok(number) => family.param(number),
+        Err(_) => family.find(name).ok(),
+    }
+}

@@ -1,0 +1,82 @@
+//! `complete`, which the completion scripts call: what could stand where somebody types.
+
+use crate::run::{Run, antrieb};
+
+const PLANT: &str = "[drives.pump]\naddress = 1\ndrive = \"act\"\n[drives.fan]\naddress = 2\ndrive = \"acu\"\n\
+                     [drives.servo]\naddress = 3\ndrive = \"lxm05\"\n";
+
+fn asked(typed: &str) -> Run {
+    antrieb(&format!("complete bash -- {typed}")).file("antrieb.toml", PLANT)
+}
+
+#[track_caller]
+fn candidates(typed: &str) -> Vec<String> {
+    let ended = asked(typed).exits(0);
+    assert_eq!(ended.err, "", "{typed}");
+    ended.out.lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn every_kind_of_value_is_completed() {
+    for (typed, whole) in [
+        ("read rated-sp", "rated-speed"),
+        ("read 37", "372"),
+        ("read @act", "@actual"),
+        ("read 372@2", "372@2"),
+        ("read rated-speed@al", "rated-speed@all"),
+        ("monitor @mod", "@modbus"),
+        ("dataset copy 1 2 @mot", "@motor"),
+        ("params rated-sp", "rated-speed"),
+        ("write rated-sp", "rated-speed="),
+        ("write 395=modbus-r", "395=modbus-rtu"),
+        ("write 395 modbus-r", "modbus-rtu"),
+        ("--drive lxm05 read _p_a", "_p_act"),
+        ("-a servo read _p_a", "_p_act"),
+        ("sollwert --mode fre", "frequency"),
+        ("statemachine goto op", "operation-enabled"),
+        ("state goto op", "operation-enabled"),
+        ("protocol set a", "ascii"),
+        ("schema sta", "statemachine"),
+        ("-a p", "pump"),
+        ("-a pump,f", "pump,fan"),
+        ("-p si", "sim"),
+        ("read --port=si", "--port=sim"),
+        ("--drive lx", "lxm05"),
+        ("read --format nd", "ndjson"),
+        ("line set --parity o", "odd"),
+    ] {
+        assert!(candidates(typed).iter().any(|found| found == whole), "{typed}: {:?}", candidates(typed));
+    }
+}
+
+/// The named drive decides whose names are offered; without one all are.
+#[test]
+fn the_names_are_those_of_the_chosen_drive() {
+    assert!(candidates("-a servo read rated-sp").is_empty());
+    assert!(candidates("--drive act read _p_a").is_empty());
+    assert!(!candidates("read _p_a").is_empty() && !candidates("read rated-sp").is_empty());
+}
+
+/// A completion that has nothing to say, or cannot, is silent: it stands in somebody's command line.
+#[test]
+fn what_cannot_be_completed_is_left_to_the_shell() {
+    for typed in [
+        "decode trace fi",
+        "diag li",
+        "read --ba",
+        "nonsense x",
+        "read rated-speed --trace /tm",
+        "--drive nobody read 3",
+    ] {
+        let ended = asked(typed).exits(0);
+        assert!(ended.err.is_empty(), "{typed}: {}", ended.err);
+    }
+    let broken = antrieb("complete bash -- read rated-sp").file("antrieb.toml", "this is no TOML").exits(0);
+    assert_eq!((broken.out.as_str(), broken.err.as_str()), ("rated-speed\n", ""));
+    let told = antrieb("complete zsh -- read rated-sp").exits(0).out;
+    assert_eq!(told, "rated-speed\t372 Rated Speed\n");
+    let bare = antrieb("complete fish -- read --port=si").exits(0).out;
+    assert!(bare.starts_with("sim\t"), "fish keeps the option itself: {bare}");
+    let next = antrieb("complete powershell --next -- read").exits(0).out;
+    assert!(next.starts_with("@actual\t"), "{next}");
+}

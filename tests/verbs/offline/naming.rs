@@ -1,0 +1,83 @@
+//! How things are named, and what is said of a name that does not do.
+
+use crate::run::antrieb;
+
+const PLANT: &str = "port = \"sim\"\n[drives.pump]\naddress = 1\ndrive = \"act\"\n[drives.fan]\naddress = 2\ndrive = \"acu\"\n\
+                     [drives.far]\naddress = 3\nport = \"/dev/ttyUSB9\"\n";
+
+#[test]
+fn a_slip_of_the_keyboard_is_answered_with_what_was_meant() {
+    for (typed, meant) in [("rated-sped", "372 (rated-speed)"), ("rtaed-speed", "372 (rated-speed)")] {
+        let english = antrieb(&format!("-p sim -a 1 read {typed}")).exits(7).err;
+        assert!(english.contains(&format!("hint: did you mean {meant}")), "{english}");
+        let german = antrieb(&format!("--lang de -p sim -a 1 read {typed}")).exits(7).err;
+        assert!(german.contains(&format!("Hinweis: gemeint ist vielleicht {meant}")), "{german}");
+    }
+    let far = antrieb("-p sim -a 1 read frobnication").exits(7).err;
+    assert!(!far.contains("did you mean"), "{far}");
+}
+
+#[test]
+fn names_of_drives_stand_in_lists() {
+    let both = antrieb("-a pump,fan read 372").file("antrieb.toml", PLANT).json().exits(0);
+    let drives: Vec<_> = [0, 1].map(|row| both.data(&format!("/values/{row}/drive")).as_str().unwrap()).into();
+    assert_eq!(drives, ["act", "acu"], "each is what it is");
+    let mixed = antrieb("-a fan,1,fan read 372").file("antrieb.toml", PLANT).json().exits(0);
+    let addresses: Vec<_> =
+        mixed.data("/values").as_array().unwrap().iter().map(|row| row["address"].clone()).collect();
+    assert_eq!(addresses, [2, 1]);
+    let apart = antrieb("-a pump,far read 372").file("antrieb.toml", PLANT).exits(2).err;
+    assert!(apart.contains("far is not on the line of the others"), "{apart}");
+    antrieb("-a pump,fen read 372").file("antrieb.toml", PLANT).exits(2);
+}
+
+#[test]
+fn a_value_may_stand_behind_its_parameter() {
+    let document = antrieb("-p sim -a 1 write 376 1,5kW 480=6Hz 481@2 7.5 --dry-run").json().exits(0);
+    let rows: Vec<_> = document.data("/values").as_array().unwrap().iter().map(|row| row["param"].clone()).collect();
+    assert_eq!(rows, [376, 480, 481]);
+    for odd in ["376", "376=1 480", "376 1.5 kW"] {
+        antrieb(&format!("-p sim -a 1 write {odd} --dry-run")).exits(2);
+    }
+}
+
+/// The verb that follows the drive is named where one writes what would leave it behind.
+#[test]
+fn a_setting_of_the_line_is_told_its_verb() {
+    for (typed, verb) in
+        [("1376=5", "line set --address"), ("10=19200", "line set --baud"), ("395=ascii", "protocol set")]
+    {
+        let told = antrieb(&format!("-p sim -a 1 write {typed} --dry-run")).exits(0).err;
+        assert!(told.contains("is a setting of the line") && told.contains(verb), "{told}");
+    }
+    let quiet = antrieb("-p sim -a 1 write 480=6 --dry-run").exits(0).err;
+    assert!(!quiet.contains("setting of the line"), "{quiet}");
+}
+
+#[test]
+fn an_unknown_unit_is_said_to_be_unknown() {
+    let told = antrieb("-p sim -a 1 write 1600=5kW").exits(7).err;
+    assert!(told.contains("the unit of this parameter is unknown"), "{told}");
+}
+
+#[test]
+fn a_request_and_its_reply_are_told_as_a_pair() {
+    for (reply, exit) in [("01 03 02 05 6E 3A F8", 0), ("01 83 02 C0 F1", 0), ("01 03 02 05 6F 3A F8", 5)] {
+        let document = antrieb(&format!("decode telegram 01 03 21 74 00 01 CE 2C {reply}")).json().exits(exit);
+        if exit == 0 {
+            let directions = [0, 1].map(|at| document.data(&format!("/telegrams/{at}/direction")).clone());
+            assert_eq!(directions, ["request", "reply"]);
+        }
+    }
+    let page = antrieb("decode telegram 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8").exits(0).out;
+    assert!(page.contains("read P.372@2") && page.contains("value 1390"), "{page}");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_serial_port_is_said_to_be_none() {
+    let told = antrieb("-p /dev/null -a 1 read 372").exits(3).err;
+    assert!(told.contains("error: /dev/null is no serial port\nhint: "), "{told}");
+    let told = antrieb("--lang de -p /dev/null -a 1 read 372").exits(3).err;
+    assert!(told.contains("Fehler: /dev/null ist kein serieller Anschluss"), "{told}");
+}
