@@ -86,9 +86,10 @@ fn bash_completes_values_and_options() {
         ("antrieb sni", "antrieb sni", "sniff"),
     ] {
         let ask = format!(
-            "source ./script; COMP_LINE='{line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({words}); \
+            "source ./script; COMP_LINE='{line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({}); \
              COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); cur=${{COMP_WORDS[COMP_CWORD]}}; \
              _antrieb_values '{}' \"$cur\" \"${{COMP_WORDS[COMP_CWORD-1]}}\" 2>/dev/null; echo \"${{COMPREPLY[*]}}\"",
+            words.replacen("antrieb", env!("CARGO_BIN_EXE_antrieb"), 1),
             env!("CARGO_BIN_EXE_antrieb")
         );
         let Ok(told) = Command::new("bash").args(["--norc", "-c", &ask]).current_dir(&directory).output() else {

@@ -31,6 +31,11 @@ struct Known {
 }
 
 impl<'a> Account<'a> {
+    /// Whether every telegram is told.
+    pub(super) fn is_verbose(&self) -> bool {
+        self.verbose
+    }
+
     /// Tells this observer; every telegram only if `verbose`.
     pub(super) fn new(observe: &'a mut dyn FnMut(Event), verbose: bool) -> Self {
         Account { observe, known: BTreeMap::new(), twice: BTreeSet::new(), differing: BTreeSet::new(), verbose }

@@ -145,7 +145,10 @@ impl<'t, 'o> Reader<'t, 'o> {
                         "Parameter {param}: {bits} Bit breit, durch Fragen ermittelt",
                         param = param.id
                     );
-                    self.session.tell(Event::Note(found));
+                    // Of a number that no catalogue knows nobody else says how it was read.
+                    if self.session.is_verbose() || !param.is_known() {
+                        self.session.tell(Event::Note(found));
+                    }
                 }
                 if reading.corrected {
                     self.warnings.push(Warning {

@@ -359,6 +359,11 @@ impl<'a> Session<'a> {
         self.account.tell(event);
     }
 
+    /// Whether somebody wants to know everything.
+    pub fn is_verbose(&self) -> bool {
+        self.account.is_verbose()
+    }
+
     /// Counts of what happened on the line.
     pub fn tally(&self) -> Tally {
         self.master.tally()

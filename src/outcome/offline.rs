@@ -26,7 +26,7 @@ pub struct ParamDoc {
     /// Unit.
     pub unit: Option<String>,
     /// Data type, where a source tells it.
-    #[serde(rename = "type")]
+    #[serde(rename = "data_type")]
     pub kind: Option<&'static str>,
     /// Places behind the point, where a source tells them.
     pub decimals: Option<u8>,

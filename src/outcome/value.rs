@@ -67,7 +67,7 @@ pub struct Value {
     /// The bits, if the parameter is a word.
     pub word: Option<Word>,
     /// `uint`, `int`, `word`, `long`.
-    #[serde(rename = "type")]
+    #[serde(rename = "data_type")]
     pub kind: Option<&'static str>,
     /// Which catalogue the facts come from.
     pub origin: String,

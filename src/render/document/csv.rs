@@ -1,8 +1,10 @@
-//! The rows under a head line with the fields of all of them; lists and objects as JSON in a cell.
+//! The rows under a head line with the fields of all of them, each cell a plain value: of a word its hex and, in a column of
+//! their own, the names of the bits that are set; a list as its members with semicolons between them.
 
 use super::Print;
 use crate::render::spoken::pick;
 use crate::render::{clean, finding};
+use serde_json::{Map, Value};
 use std::io::{self, Write};
 
 pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
@@ -10,9 +12,14 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
     rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.manner.lang));
     // Rows of several kinds stand in one table: every field of any of them has its column.
     let mut columns: Vec<String> = Vec::new();
-    for column in rows.iter().flat_map(|row| row.fields.keys()) {
+    for (column, value) in rows.iter().flat_map(|row| &row.fields) {
         if !columns.contains(column) {
             columns.push(column.clone());
+        }
+        let bits = bits_of(column);
+        if is_word(value) && !columns.contains(&bits) {
+            let at = columns.iter().position(|known| known == column).map_or(columns.len(), |at| at + 1);
+            columns.insert(at, bits);
         }
     }
     if rows.is_empty() {
@@ -21,15 +28,52 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut writer = ::csv::Writer::from_writer(out);
     writer.write_record(&columns).map_err(io_error)?;
     for row in &rows {
-        writer
-            .write_record(columns.iter().map(|column| match row.fields.get(column) {
-                None | Some(serde_json::Value::Null) => String::new(),
-                Some(serde_json::Value::String(text)) => clean(text),
-                Some(other) => clean(&other.to_string()),
-            }))
-            .map_err(io_error)?;
+        writer.write_record(columns.iter().map(|column| clean(&cell(&row.fields, column)))).map_err(io_error)?;
     }
     writer.flush()
+}
+
+fn cell(fields: &Map<String, Value>, column: &str) -> String {
+    let word = column.strip_suffix(BITS).and_then(|word| fields.get(word)).filter(|word| is_word(word));
+    match (fields.get(column), word) {
+        (Some(value), _) => plain(value),
+        (None, Some(word)) => word.get("bits").map_or_else(String::new, plain),
+        (None, None) => String::new(),
+    }
+}
+
+/// What stands behind the name of a word over its bits.
+const BITS: &str = "_bits";
+
+fn bits_of(column: &str) -> String {
+    format!("{column}{BITS}")
+}
+
+fn is_word(value: &Value) -> bool {
+    value.get("hex").is_some_and(Value::is_string) && value.get("bits").is_some_and(Value::is_array)
+}
+
+/// A value without any JSON around it: of an object what it is called or says, else its fields by name.
+fn plain(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(list) => {
+            let is_clear = |item: &&Value| item.get("set") == Some(&Value::Bool(false));
+            list.iter().filter(|item| !is_clear(item)).map(plain).collect::<Vec<_>>().join("; ")
+        }
+        Value::Object(fields) => {
+            let told =
+                ["hex", "name", "message"].iter().find_map(|name| fields.get(*name).filter(|field| field.is_string()));
+            let number = fields.get("bit").map(|bit| format!("bit {bit}"));
+            let all = || {
+                let filled = fields.iter().filter(|(_, field)| !field.is_null());
+                filled.map(|(name, field)| format!("{name} {}", plain(field))).collect::<Vec<_>>().join(", ")
+            };
+            told.map(plain).or(number).unwrap_or_else(all)
+        }
+        other => other.to_string(),
+    }
 }
 
 /// The I/O error inside, with its kind: a closed pipe must be known as one.

@@ -9,9 +9,7 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
     let tagged = |kind: &str, fields: serde_json::Map<String, serde_json::Value>| {
         let mut line = serde_json::Map::new();
         line.insert("type".to_owned(), kind.into());
-        line.extend(
-            fields.into_iter().map(|(key, value)| (if key == "type" { "data_type".to_owned() } else { key }, value)),
-        );
+        line.extend(fields);
         line
     };
     for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows()) {

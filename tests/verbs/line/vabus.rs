@@ -45,7 +45,7 @@ fn causes_of_the_system_bus_are_explained() {
 fn strings_are_read() {
     let document = on_cube("-a 3 read 19").json();
     let value = document.data("/values/0");
-    assert_eq!((&value["text"], &value["type"], &value["raw"]), (&json!("0041"), &json!("string"), &json!(null)));
+    assert_eq!((&value["text"], &value["data_type"], &value["raw"]), (&json!("0041"), &json!("string"), &json!(null)));
 }
 
 #[test]

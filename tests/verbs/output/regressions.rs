@@ -205,11 +205,17 @@ fn the_active_data_set_stands_in_every_format() {
 }
 
 #[test]
-fn a_width_that_was_found_out_is_said() {
-    let run = antrieb("-p sim -a 1 read 241").exits(0);
-    assert!(run.err.contains("241") && run.err.contains("32 bit"), "{}", run.err);
-    let document = antrieb("-p sim -a 1 read 373").json().exits(0);
-    assert!(document.err.contains("373") && document.err.contains("16 bit"), "{}", document.err);
+fn a_width_that_was_found_out_is_said_to_who_wants_to_know_or_cannot_know() {
+    let run = antrieb("-p sim -a 1 -v read 241").exits(0);
+    assert!(run.err.contains("parameter 241: 32 bit"), "{}", run.err);
+    let document = antrieb("-p sim -a 1 -v read 373").json().exits(0);
+    assert!(document.err.contains("parameter 373: 16 bit"), "{}", document.err);
+    for line in ["-p sim -a 1 read 241 373", "-p sim -a 1 read @all"] {
+        assert!(!antrieb(line).run().err.contains("found out by asking"), "the rows tell it: data_type");
+    }
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"1234\" = 5 }\n";
+    let raw = antrieb("-a 1 read 1234").on(bench).run();
+    assert!(raw.exit != 0 || raw.err.contains("parameter 1234: 16 bit"), "no catalogue knows it: {}", raw.err);
     assert!(!antrieb("-p sim -a 1 read 372").exits(0).err.contains("bit"), "what the catalogue tells is not asked");
 }
 
