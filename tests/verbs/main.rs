@@ -43,6 +43,7 @@ mod motion {
     mod counted;
     mod held;
     mod kept;
+    mod keypad;
     mod leftovers;
     mod question;
     mod refused;

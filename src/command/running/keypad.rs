@@ -55,10 +55,12 @@ pub(super) async fn open(
     }
     let verb = if plan.action == "sollwert" { "sollwert" } else { "statemachine" };
     let items = monitor::usual(&target.family);
+    if plan.args.dead_man {
+        panel.needs_holding();
+    }
     let mut watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone());
     let mut before = before;
     if plan.args.dead_man {
-        panel.needs_holding();
         session.tell(Event::Note(both!(
             "hold Enter or an arrow: it runs only as long",
             "Enter oder einen Pfeil halten: nur so lange läuft er"
