@@ -87,6 +87,19 @@ fn a_terminal_that_goes_away_stops_the_run() {
     }
 }
 
+/// Somebody looks at another screen: what is drawn is not taken.
+#[test]
+fn a_terminal_that_takes_nothing_holds_up_no_stop() {
+    let _alone = alone();
+    let (directory, port) = bench();
+    let trace = directory.path().join("trace");
+    let mut run = view(&port, &format!("--view --duration 4s --trace {}", trace.display()));
+    run.looks_away();
+    assert_eq!(run.ends(), Some(0), "what is not read is no reason for another end");
+    assert!(std::fs::read_to_string(&trace).unwrap().contains("01 06 01 9A 00 07"));
+    assert!(run.is_cooked());
+}
+
 #[test]
 fn a_dead_man_who_lets_go_stops_the_run() {
     let _alone = alone();

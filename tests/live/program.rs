@@ -184,6 +184,11 @@ impl AtTerminal {
         modes.contains(LocalModes::ICANON | LocalModes::ECHO)
     }
 
+    /// Nobody reads the screen from now on.
+    pub(crate) fn looks_away(&self) {
+        self.deaf.store(true, Ordering::Relaxed);
+    }
+
     /// The terminal goes away; returns the exit code.
     #[track_caller]
     pub(crate) fn hangs_up(self) -> Option<i32> {

@@ -78,10 +78,11 @@ impl Ear {
     /// Listens until nobody wants to hear, or the terminal is gone, which is the last thing that is said.
     pub(super) fn listen(self) {
         thread::spawn(move || {
+            let Ok(keyboard) = Keyboard::open() else { return };
             let mut typed = Typed::default();
             let mut size = None;
             while !self.over.load(Ordering::Relaxed) {
-                let keys = match arrived() {
+                let keys = match keyboard.arrived() {
                     Ok(None) => typed.pause().into_iter().collect(),
                     Ok(Some(bytes)) => typed.take(&bytes),
                     Err(_) => vec![Key::Gone],
@@ -98,11 +99,42 @@ impl Ear {
     }
 }
 
+/// Where keys come from: stdin, or the terminal of this process where stdin is something else.
+struct Keyboard {
+    #[cfg(unix)]
+    own: Option<std::fs::File>,
+}
+
+#[cfg(unix)]
+impl Keyboard {
+    fn open() -> io::Result<Self> {
+        let is_terminal = io::IsTerminal::is_terminal(&rustix::stdio::stdin());
+        Ok(Keyboard { own: if is_terminal { None } else { Some(std::fs::File::open("/dev/tty")?) } })
+    }
+
+    fn arrived(&self) -> io::Result<Option<Vec<u8>>> {
+        match &self.own {
+            Some(own) => arrived(std::os::fd::AsFd::as_fd(own)),
+            None => arrived(rustix::stdio::stdin()),
+        }
+    }
+}
+
+#[cfg(not(unix))]
+impl Keyboard {
+    fn open() -> io::Result<Self> {
+        Ok(Keyboard {})
+    }
+
+    fn arrived(&self) -> io::Result<Option<Vec<u8>>> {
+        arrived()
+    }
+}
+
 /// What was typed within a moment; `None`: nothing. A terminal that is gone is an error.
 #[cfg(unix)]
-fn arrived() -> io::Result<Option<Vec<u8>>> {
+fn arrived(input: rustix::fd::BorrowedFd<'_>) -> io::Result<Option<Vec<u8>>> {
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
-    let input = rustix::stdio::stdin();
     let mut watched = [PollFd::new(&input, PollFlags::IN)];
     let look = Timespec { tv_sec: 0, tv_nsec: i64::from(LOOK.subsec_nanos()) };
     match poll(&mut watched, Some(&look)) {
