@@ -21,6 +21,7 @@ fn main() -> ExitCode {
     let err = Outlet::new(io::stderr(), patience.clone());
     let streams = Streams {
         out: Box::new(Stdout::new(patience.clone())),
+        queued: Some(Outlet::of_stdout),
         err: Box::new(err.clone()),
         input: Box::new(BufReader::new(io::stdin())),
         out_is_terminal: io::stdout().is_terminal(),

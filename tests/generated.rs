@@ -119,6 +119,7 @@ fn printed(arguments: &[&str]) -> String {
     let out = Rc::new(RefCell::new(Vec::new()));
     let streams = Streams {
         out: Box::new(Shared(out.clone())),
+        queued: None,
         err: Box::new(io::sink()),
         input: Box::new(io::empty()),
         out_is_terminal: false,

@@ -13,6 +13,6 @@ pub use address::{Addresses, parse_addresses};
 pub use choices::{named_drives, ports_there};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin};
-pub use motion::{MotionArgs, StopArg};
+pub use motion::{KeypadArgs, MotionArgs, StopArg};
 pub use settings::{Settings, Unknown, language, user_config_directory};
 pub use takes::{Takes, Useless};

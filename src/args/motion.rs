@@ -47,6 +47,48 @@ pub struct MotionArgs {
     /// and how long missing answers are borne where the drive has no watchdog (with one: half of its time).
     #[arg(long, value_name = "TIME", value_parser = parse_span, help_heading = "Run")]
     pub wait: Option<Span>,
+
+    /// With --hold: chart and keypad; space stops
+    ///
+    /// The whole terminal shows the run, and keys act as on a drive's keypad: space stops, q stops and ends, d shows the diagnosis;
+    /// arrows see `sollwert --step`.
+    #[arg(long, help_heading = "Run")]
+    pub view: bool,
+
+    /// Like --view: runs only while a key is held
+    ///
+    /// Enter or an arrow. Who lets go stops it, within 0.3 s, and a tap within 0.8 s: keyboards wait so long before they repeat.
+    #[arg(long, help_heading = "Run")]
+    pub dead_man: bool,
+}
+
+impl MotionArgs {
+    /// Whether the whole terminal and its keys are wanted.
+    pub fn wants_keys(&self) -> bool {
+        self.view || self.dead_man
+    }
+}
+
+/// What the arrows of the keypad do.
+#[derive(Clone, Debug, Args)]
+pub struct KeypadArgs {
+    /// With --view: the arrows change the setpoint by this
+    ///
+    /// Such as 0.5Hz, within --min and --max, which the question names.
+    #[arg(long, value_name = "STEP", help_heading = "Run")]
+    pub step: Option<String>,
+
+    /// With --step: no lower than this
+    ///
+    /// Without it the lowest setpoint of the run, or 0 if that is lower.
+    #[arg(long, value_name = "SETPOINT", allow_hyphen_values = true, requires = "step", help_heading = "Run")]
+    pub min: Option<String>,
+
+    /// With --step: no higher than this
+    ///
+    /// Without it the highest setpoint of the run, or 0 if that is higher.
+    #[arg(long, value_name = "SETPOINT", allow_hyphen_values = true, requires = "step", help_heading = "Run")]
+    pub max: Option<String>,
 }
 
 /// A way to stop.

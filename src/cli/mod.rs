@@ -34,7 +34,8 @@ const UNTAKEN_BY_WISH: Duration = Duration::from_secs(2);
 /// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
 /// name, and the port.
 pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
-    let Streams { mut out, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width, patience } = streams;
+    let Streams { mut out, queued, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width, patience } =
+        streams;
     let (globals, what) = match typed::parse(arguments) {
         Ok(typed::Line { globals, what }) => (globals, what),
         Err(error) => return typed::explain(&error, arguments, environment, out.as_mut(), err),
@@ -51,21 +52,34 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let color = may_color(choice, environment, out_is_terminal);
     let width = width.filter(|_| out_is_terminal);
     let manner = Manner { lang, width, full: globals.verbose > 0, color, holds_stderr: err_is_terminal };
-    let view = verb.streams().and_then(|flow| {
-        let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
-        view(flow, format, sends, environment, out_is_terminal)
-    });
+    let flow = verb.streams();
+    let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
+    let at_terminal = out_is_terminal && input_is_terminal;
+    let view = flow.and_then(|flow| view(flow, format, sends, environment, (out_is_terminal, at_terminal)));
+    let is_run = sends && matches!(flow, Some(Flow::Run { .. }));
+    // The line of a run is progress; where its records or its view have the terminal there is none.
+    let line = is_run && err_is_terminal && !quiet && !globals.no_progress && !(view.is_some() && out_is_terminal);
+    let watch = (is_run && (view.is_some() || line)).then_some(Watch { keys: view == Some(View::Live), line });
     let carry_out = |stream: Option<&RefCell<Stream<'_>>>| {
         let outcome = settings.and_then(|settings| {
             let present = input_is_terminal && err_is_terminal;
             let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
             let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
-            work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), stream)
+            let looks = Looks { stream, watch, terminal: err_is_terminal };
+            work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), looks)
         });
         outcome.unwrap_or_else(Outcome::from)
     };
     let printed = match view {
         None => whole(carry_out(None), entry, format, manner, out.as_mut(), &console),
+        Some(view) if is_run => {
+            let stream =
+                Stream::of_run(view, queued.map(|queued| queued(patience.clone())), out.as_mut(), manner, &console);
+            let stream = RefCell::new(stream);
+            let outcome = carry_out(Some(&stream));
+            stream.into_inner().close();
+            whole(outcome, entry, format, manner, out.as_mut(), &console)
+        }
         Some(view) => Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
             let stream = RefCell::new(stream);
             let outcome = carry_out(Some(&stream));
@@ -145,10 +159,36 @@ fn form(settings: &Result<Settings, Failure>, globals: &Globals) -> (Format, Col
     }
 }
 
+/// Who looks at a run that is held.
+#[derive(Clone, Copy)]
+struct Watch {
+    /// By a view with keys.
+    keys: bool,
+    /// By a line on stderr.
+    line: bool,
+}
+
+/// Who looks at what a verb does on its way.
+struct Looks<'s, 'o> {
+    stream: Option<&'s RefCell<Stream<'o>>>,
+    watch: Option<Watch>,
+    /// stderr is a terminal.
+    terminal: bool,
+}
+
 /// The form of a stream; `None` where everything is printed at the end.
-fn view(flow: Flow, format: Format, sends: bool, environment: &Environment, out_is_terminal: bool) -> Option<View> {
+fn view(
+    flow: Flow,
+    format: Format,
+    sends: bool,
+    environment: &Environment,
+    (out_is_terminal, at_terminal): (bool, bool),
+) -> Option<View> {
     let is_dumb = environment.variables.get("TERM").is_some_and(|term| term == "dumb");
     match (flow, format) {
+        (Flow::Run { .. }, _) if !sends => None,
+        (Flow::Run { view: true }, _) if at_terminal && !is_dumb && Stream::has_terminal() => Some(View::Live),
+        (Flow::Run { view: true }, _) => None,
         (_, Format::Ndjson) => Some(View::Ndjson),
         // Without an end to wait for there is no document: its JSON is one object a line.
         (Flow::Samples { .. }, Format::Json) => Some(View::Ndjson),
@@ -192,8 +232,9 @@ fn work(
     settings: &Settings,
     ask: &mut Terminal,
     (console, patience): (&Console, &Patience),
-    stream: Option<&RefCell<Stream<'_>>>,
+    looks: Looks<'_, '_>,
 ) -> Result<Outcome, Failure> {
+    let Looks { stream, watch, terminal } = looks;
     let registry = Registry::open(&settings.catalogues)
         .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.text()))?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
@@ -207,6 +248,12 @@ fn work(
         Some(stream) if !stream.borrow_mut().observe(event) => ends.raise(),
         Some(_) => {}
     };
+    if let Some(Watch { keys, line }) = watch {
+        interrupt.panel().watch(keys);
+        if line {
+            console.shows_run();
+        }
+    }
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
     settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
     let mut context =
@@ -215,12 +262,12 @@ fn work(
     console.waits(!entry.turns);
     let outcome = runtime.block_on(async {
         // A verb that turns a shaft must notice that nobody reads any more; others finish what they began.
-        let pipe = entry.turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone())));
+        let pipe = entry.turns.then(|| tokio::spawn(raise_on_closed_output(interrupt.clone(), terminal)));
         // From the first moment on a signal is heard, and does not just kill us.
         let signals = Signals::listen(entry.turns);
         let outcome = tokio::select! {
             outcome = verb.run(&mut context) => outcome,
-            () = obey_keys(keys, stream, &interrupt) => Ok(Outcome::default()),
+            () = obey_keys(keys, stream, &interrupt, watch.is_some()) => Ok(Outcome::default()),
             () = signals.obey(&interrupt, console) => Ok(Outcome::default()),
         };
         if let Some(pipe) = pipe {
@@ -233,6 +280,9 @@ fn work(
         patience.limit(UNTAKEN_BY_WISH);
     } else if outcome.as_ref().map_or(entry.turns, Outcome::is_run) {
         patience.limit(UNTAKEN);
+    }
+    if watch.is_some() {
+        console.finish();
     }
     console.waits(true);
     outcome

@@ -1,10 +1,12 @@
 //! What ends a run from outside: signals, keys, and a reader of stdout that goes away.
 
-use crate::drive::Interrupt;
-use crate::render::{self, Console, Keys, Stream};
+use crate::drive::{Button, Interrupt};
+use crate::render::{self, Console, Key, Keys, Stream};
 use crate::text::both;
+use crate::tick::{Span, Tick};
 use std::cell::RefCell;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
+use tokio::time::Instant;
 #[cfg(unix)]
 use {
     signal_hook::consts::signal::*,
@@ -13,21 +15,82 @@ use {
     tokio::signal::unix::{SignalKind, signal},
 };
 
-/// Hands the keys that are pressed to the view, for ever.
-pub(super) async fn obey_keys(keys: Option<Keys>, stream: Option<&RefCell<Stream<'_>>>, interrupt: &Interrupt) {
+/// Hands the keys that are pressed to the view, for ever; those of a run to its keypad as well.
+pub(super) async fn obey_keys(
+    keys: Option<Keys>,
+    stream: Option<&RefCell<Stream<'_>>>,
+    interrupt: &Interrupt,
+    is_run: bool,
+) {
     let (Some(mut keys), Some(stream)) = (keys, stream) else { return std::future::pending().await };
+    let mut hand = Hand { begun: Instant::now(), ctrl_c: None };
     loop {
-        let key = keys.next().await;
-        if stream.borrow_mut().press(key) {
+        let key = tokio::select! {
+            key = keys.next() => key,
+            () = hand.until(interrupt.panel().due()) => {
+                interrupt.look(hand.now());
+                continue;
+            }
+        };
+        let ends = stream.borrow_mut().press(key);
+        if is_run {
+            hand.obey(key, interrupt);
+        } else if ends {
             interrupt.raise();
         }
     }
 }
 
-/// Raises the interrupt when the reader of stdout has gone away.
+/// Who presses the keys of a run, by the clock.
+struct Hand {
+    begun: Instant,
+    /// When Ctrl-C came last.
+    ctrl_c: Option<Tick>,
+}
+
+/// A Ctrl-C that comes so soon behind one is the key repeating, and no second wish. A choice: keyboards repeat every 30 to
+/// 100 ms.
+const REPEATS: Span = Span::from_millis(150);
+
+impl Hand {
+    fn now(&self) -> Tick {
+        Tick::from_micros(u64::try_from(self.begun.elapsed().as_micros()).unwrap_or(u64::MAX))
+    }
+
+    #[expect(clippy::disallowed_methods, reason = "a hand on a key; no telegram depends on this time")]
+    async fn until(&self, due: Option<Tick>) {
+        let Some(due) = due else { return std::future::pending().await };
+        // It is over behind it, not with it.
+        let wait = due.since(self.now()) + Span::from_millis(1);
+        tokio::time::sleep(wait.into()).await;
+    }
+
+    fn obey(&mut self, key: Key, interrupt: &Interrupt) {
+        let now = self.now();
+        let button = match key {
+            Key::Up => Button::More,
+            Key::Down => Button::Less,
+            Key::Enter | Key::Next | Key::Previous => Button::Hold,
+            Key::Stop => Button::Stop,
+            Key::Quit => Button::End,
+            Key::Interrupt => {
+                let before = self.ctrl_c.replace(now);
+                if before.is_none_or(|before| now.since(before) > REPEATS) {
+                    interrupt.press();
+                }
+                return;
+            }
+            Key::Gone => return interrupt.raise(),
+            Key::Diagnosis | Key::Redraw => return,
+        };
+        interrupt.button(button, now);
+    }
+}
+
+/// Raises the interrupt when the reader of stdout has gone away, or the terminal that stderr was.
 #[expect(clippy::disallowed_methods, reason = "looks at a pipe now and then; no telegram depends on this time")]
-pub(super) async fn raise_on_closed_output(interrupt: Interrupt) {
-    while !render::output_is_closed() {
+pub(super) async fn raise_on_closed_output(interrupt: Interrupt, terminal: bool) {
+    while !(render::output_is_closed() || terminal && render::terminal_is_gone()) {
         tokio::time::sleep(std::time::Duration::from_millis(100)).await;
     }
     interrupt.raise();

@@ -32,7 +32,7 @@ pub(super) async fn off_line<K: Kind>(
     if interrupt.is_raised() { Err(interrupted()) } else { answer.map_err(denied) }
 }
 
-fn interrupted() -> Failure {
+pub(super) fn interrupted() -> Failure {
     let text =
         both!("interrupted at the question, nothing was sent", "bei der Frage abgebrochen, nichts wurde gesendet");
     Failure::new(Class::Interrupted, "interrupted.question", text)

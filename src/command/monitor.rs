@@ -123,15 +123,20 @@ const DEFAULT: [&[&str]; 7] = [
     &["warnings"],
 ];
 
+/// What is shown of a drive where nobody names anything.
+pub(super) fn usual(family: &Family) -> Vec<Item> {
+    let one_of = |roles: &&[&str]| {
+        let mut known = roles.iter().filter_map(|role| family.role(role));
+        known.clone().find(|param| param.has_scale()).or_else(|| known.next()).cloned()
+    };
+    let select = |param| Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true });
+    DEFAULT.iter().filter_map(one_of).filter(|param| !moves_on(family, param)).map(select).collect()
+}
+
 /// What the selectors mean in this family; without any, the roles of the default view.
 fn items(selectors: &[Selector], family: &Family) -> Result<Vec<Item>, Failure> {
     if selectors.is_empty() {
-        let one_of = |roles: &&[&str]| {
-            let mut known = roles.iter().filter_map(|role| family.role(role));
-            known.clone().find(|param| param.has_scale()).or_else(|| known.next()).cloned()
-        };
-        let select = |param| Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true });
-        return Ok(DEFAULT.iter().filter_map(one_of).filter(|param| !moves_on(family, param)).map(select).collect());
+        return Ok(usual(family));
     }
     let mut items = Vec::new();
     for selector in selectors {

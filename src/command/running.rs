@@ -9,11 +9,12 @@ use crate::drive::motion::{
 use crate::drive::{Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
-use crate::outcome::{Decimal, Event, Outcome};
+use crate::outcome::{Decimal, Event, Outcome, RunKeys};
 use crate::profile::{Family, Mode, Registry};
 use crate::text::{Text, both};
 
 mod done;
+mod keypad;
 mod report;
 mod verdict;
 
@@ -43,13 +44,26 @@ pub(super) struct Plan<'p> {
     pub(super) zero: Option<&'p Modes<'p>>,
     /// What takes motion away has gone out already.
     pub(super) said: bool,
+    /// What the arrows of the keypad do.
+    pub(super) keys: Option<RunKeys>,
 }
 
 impl<'p> Plan<'p> {
     /// Something that needs the control word, may turn the shaft, and leaves the drive as it comes to stand.
     pub(super) fn of(action: &'p str, announce: Text, args: &'p MotionArgs) -> Self {
         let (details, relief, zero) = (Vec::new(), None, None);
-        Plan { action, announce, details, args, needs_control: true, relief, runs: false, zero, said: false }
+        Plan {
+            action,
+            announce,
+            details,
+            args,
+            needs_control: true,
+            relief,
+            runs: false,
+            zero,
+            said: false,
+            keys: None,
+        }
     }
 
     /// What takes control or changes a setting does more than take motion away; what is held is a run.
@@ -123,6 +137,7 @@ pub(super) async fn run<'p, C>(
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
+    keypad::is_there(plan.args, interrupt.panel())?;
     let act = plan.relief;
     if act.is_some() {
         // A stop goes out and is proven whether or not somebody reads what comes of it.
@@ -149,6 +164,7 @@ pub(super) async fn run<'p, C>(
     if plan.args.hold {
         session.pace();
     }
+    let (watched, before) = keypad::open(&mut session, &mut target, &plan, interrupt.panel(), before).await?;
     let family = target.family.clone();
     let mut motor = Motor::new(&mut session, &mut target, &permit, plan.args.wait);
     if let Some(before) = &before {
@@ -156,6 +172,7 @@ pub(super) async fn run<'p, C>(
     }
     motor.relieving = plan.relief.map(|_| begun);
     motor.first_word = first_word;
+    motor.watched = watched;
     let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
             prepare(motor, &plan, &family, watchdog).await?;
@@ -163,6 +180,7 @@ pub(super) async fn run<'p, C>(
         })
         .await;
     let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
+    keypad::close(&mut motor, &mut ended, &plan, interrupt).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
     Ok(report(&plan, &target, seen, done, ended))
 }

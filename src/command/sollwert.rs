@@ -1,19 +1,20 @@
 //! `sollwert`: setpoints and actual values side by side, and giving a setpoint.
 
 mod check;
+mod keys;
 mod wanted;
 mod zero;
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
-use super::verb::{Verb, Working};
+use super::verb::{Flow, Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
-use crate::args::{MotionArgs, Settings, Takes, parse_span};
+use crate::args::{KeypadArgs, MotionArgs, Settings, Takes, parse_span};
 use crate::drive::motion::{self, Motor};
-use crate::drive::{Session, Upper};
+use crate::drive::{Panel, Session, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, SetpointReport, Sollwert, Value};
+use crate::outcome::{Data, Document, ErrorDoc, OrMotion, OrRecord, Outcome, SetpointReport, Sollwert, Value};
 use crate::profile::{DataSets, Family, Registry, Start};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -102,6 +103,10 @@ pub struct Args {
     /// How the run is bounded.
     #[command(flatten)]
     pub motion: MotionArgs,
+
+    /// What the arrows of its keypad do.
+    #[command(flatten)]
+    pub keypad: Box<KeypadArgs>,
 }
 
 /// What to wait for.
@@ -126,7 +131,12 @@ impl Verb for Args {
     );
     const ALIAS: Option<&'static str> = Some("setpoint");
     const TURNS: bool = true;
-    type Prints = Document<OrMotion<Sollwert>>;
+    type Prints = OrRecord<Document<OrMotion<Sollwert>>>;
+
+    fn streams(&self) -> Option<Flow> {
+        let is_held = self.motion.hold || self.jog.is_some() || self.ramp.is_some() || self.profile.is_some();
+        is_held.then_some(Flow::Run { view: self.motion.wants_keys() })
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))
@@ -156,6 +166,7 @@ async fn give(
     if args.jog.is_some() {
         (motion.hold, motion.duration) = (true, args.jog);
     }
+    let panel = context.interrupt.panel().clone();
     let enable = args.enable || args.jog.is_some();
     let bare = spoken.is_bare_zero() && args.mode.is_none();
     let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family).ok(), family);
@@ -192,11 +203,13 @@ async fn give(
             let mut check = Check { args, session, target, before };
             let wanted = check.run(wanted, enable, needs_control).await?;
             plan.announce = announce(&wanted, &target.family, enable);
+            plan.details.extend(wanted.told_keys(&target.family));
+            plan.keys = wanted.shown_keys();
             Ok((wanted, plan.relief))
         },
         async |motor, (wanted, relief)| match relief {
             Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
-            None => carry_out(motor, &wanted, enable, args.until.is_some(), &motion).await,
+            None => carry_out(motor, &wanted, (enable, args.until.is_some()), &motion, &panel).await,
         },
     )
     .await
@@ -206,9 +219,9 @@ async fn give(
 async fn carry_out(
     motor: &mut Motor<'_, '_>,
     wanted: &Wanted,
-    enable: bool,
-    until_reached: bool,
+    (enable, until_reached): (bool, bool),
     motion: &MotionArgs,
+    panel: &Panel,
 ) -> Result<(), Failure> {
     let unit = wanted.param.unit.as_deref().unwrap_or("");
     motor.prepare(&wanted.mode);
@@ -244,15 +257,46 @@ async fn carry_out(
         None => {}
     }
     if motion.hold {
-        let keeps = wanted.mode.zero;
-        motor
-            .hold(motion.duration, async |motor: &mut Motor<'_, '_>, _| match keeps {
-                true => motor.refresh(&wanted.param, last).await,
-                false => Ok(()),
-            })
-            .await?;
+        hold(motor, wanted, motion, panel).await?;
     }
     Ok(())
+}
+
+/// Gives the last setpoint again and again, or what the keypad has made of it.
+async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
+    let mut given = wanted.schedule.at(u64::MAX);
+    // What was pressed on the way meant nothing yet.
+    panel.take_steps();
+    motor
+        .hold(motion.duration, async |motor: &mut Motor<'_, '_>, _| {
+            let steps = panel.take_steps();
+            let (next, refused) = wanted.keys.map_or((given, false), |keys| keys.after(given, &steps));
+            if let Some(told) = wanted.refused_key().filter(|_| refused) {
+                motor.tell(told);
+            }
+            if next != given {
+                let before = std::mem::replace(&mut given, next);
+                if nudge(motor, wanted, next).await? {
+                    return Ok(());
+                }
+                given = before;
+            }
+            // Whatever keys come, it is given again.
+            if wanted.mode.zero { motor.refresh(&wanted.param, given).await } else { Ok(()) }
+        })
+        .await
+}
+
+/// Gives another setpoint in a run that is held; `false`: the drive refuses it, and the one before stands.
+async fn nudge(motor: &mut Motor<'_, '_>, wanted: &Wanted, raw: i64) -> Result<bool, Failure> {
+    motor.expects = wanted.effective.and_then(|effective| effective.of(raw)).map(|sum| (raw, sum));
+    match motor.give(&wanted.param, raw, wanted.param.unit.as_deref().unwrap_or("")).await {
+        Err(failure) if failure.class == Class::Refused => {
+            motor.tell(failure.message);
+            Ok(false)
+        }
+        given => given.map(|()| true),
+    }
 }
 
 /// What a drive bends to its limits is not reached, whatever its own bit says.
@@ -274,6 +318,7 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<
         return Ok(());
     }
     let mut last = wanted.schedule.at(0);
+    motor.is_led(true);
     motor
         .hold(Some(Span::from_micros(end)), async |motor: &mut Motor<'_, '_>, gone| {
             let value = wanted.schedule.at(gone.as_micros());
@@ -284,6 +329,7 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<
             Ok(())
         })
         .await?;
+    motor.is_led(false);
     let value = wanted.schedule.at(end);
     if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
 }

@@ -4,14 +4,14 @@ mod contacts;
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
-use super::verb::{Verb, Working};
+use super::verb::{Flow, Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, Takes};
 use crate::drive::motion::{self, Motor, Situation, missing, no_control, no_fault, surroundings, upon_enabling};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, Document, ErrorDoc, OrMotion, Outcome, StateReport, StateRow, Statemachine};
+use crate::outcome::{Data, Document, ErrorDoc, OrMotion, OrRecord, Outcome, StateReport, StateRow, Statemachine};
 use crate::profile::{DriveState, Family, Registry};
 use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
@@ -68,6 +68,23 @@ enum Action {
     },
 }
 
+impl Action {
+    fn motion(&self) -> Option<&MotionArgs> {
+        match self {
+            Action::Show => None,
+            Action::Shutdown(motion)
+            | Action::SwitchOn(motion)
+            | Action::Enable(motion)
+            | Action::Disable(motion)
+            | Action::DisableVoltage(motion)
+            | Action::QuickStop(motion)
+            | Action::Reset(motion)
+            | Action::Goto { motion, .. }
+            | Action::Contacts { motion, .. } => Some(motion),
+        }
+    }
+}
+
 /// Roles that are read, in this order.
 const ROLES: [&str; 4] = ["status-word", "control-mode", "control-word", "fault"];
 
@@ -93,7 +110,12 @@ impl Verb for Args {
     );
     const ALIAS: Option<&'static str> = Some("state");
     const TURNS: bool = true;
-    type Prints = Document<OrMotion<Statemachine>>;
+    type Prints = OrRecord<Document<OrMotion<Statemachine>>>;
+
+    fn streams(&self) -> Option<Flow> {
+        let motion = self.action.as_ref().and_then(Action::motion)?;
+        (motion.hold || motion.wants_keys()).then_some(Flow::Run { view: motion.wants_keys() })
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))

@@ -50,6 +50,11 @@ pub enum Flow {
     },
     /// Telegrams.
     Telegrams,
+    /// A run that is held, and a document at its end.
+    Run {
+        /// The whole terminal is wanted, with its keys.
+        view: bool,
+    },
 }
 
 /// A verb with its arguments as they were typed.

@@ -1,5 +1,7 @@
 //! The wish to stop, from Ctrl-C and other signals.
 
+use super::panel::{Button, Panel};
+use crate::tick::Tick;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use tokio::sync::Notify;
@@ -11,18 +13,44 @@ pub struct Interrupt {
     inner: Arc<(AtomicU32, Notify)>,
     /// Wishes that were taken note of and no longer count here.
     noted: u32,
+    panel: Panel,
 }
 
 impl Interrupt {
+    /// What the same somebody sees of a held run, and its keypad.
+    pub fn panel(&self) -> &Panel {
+        &self.panel
+    }
+
+    /// A button of the keypad was pressed. What stops a run is a wish like another.
+    pub fn button(&self, button: Button, at: Tick) {
+        if self.panel.press(button, at) {
+            self.wish();
+        }
+    }
+
+    /// Looks whether a key is still held that must be.
+    pub fn look(&self, at: Tick) {
+        if self.panel.look(at) {
+            self.wish();
+        }
+    }
+
     /// Wishes that everything ends, where nobody has wished that before: for what comes of itself and perhaps more than
     /// once, such as a hang-up and the closed pipe behind it.
     pub fn raise(&self) {
+        self.panel.leave();
         let _was_raised = self.inner.0.compare_exchange(0, OF_ITSELF, Ordering::Relaxed, Ordering::Relaxed);
         self.inner.1.notify_waiters();
     }
 
     /// Wishes it once more, as somebody does who presses Ctrl-C again.
     pub fn press(&self) {
+        self.panel.leave();
+        self.wish();
+    }
+
+    fn wish(&self) {
         self.inner.0.fetch_add(PRESS, Ordering::Relaxed);
         self.inner.1.notify_waiters();
     }

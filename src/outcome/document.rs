@@ -1,6 +1,6 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
-use super::{ErrorDoc, LineCheck, Motion, Plan, Read, Warning, Write};
+use super::{ErrorDoc, LineCheck, Motion, Plan, Read, Record, Warning, Write};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -58,6 +58,16 @@ pub enum OrMotion<D> {
     Motion(Box<Motion>),
     /// What would be sent.
     Plan(Plan),
+}
+
+/// One document, or, where a run is held, the records of `--format ndjson` while it goes on.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrRecord<D> {
+    /// The document.
+    Document(D),
+    /// A line while the run goes on.
+    Record(Box<Record>),
 }
 
 /// What ails the drives, or the line to them, or what would be asked under `--dry-run`.

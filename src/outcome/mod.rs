@@ -13,7 +13,7 @@ mod stream;
 mod transfer;
 mod value;
 
-pub use document::{Document, Envelope, OrLine, OrMotion, OrPlan, OrRead, OrWrite};
+pub use document::{Document, Envelope, OrLine, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
 };
@@ -22,8 +22,8 @@ pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
-    Column, Monitor, PortChange, Record, Sample, SampleValue, Sniff, SniffSummary, StreamEnd, StreamStart,
-    StreamSummary, WatchedDrive,
+    Column, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary, StreamEnd,
+    StreamStart, StreamSummary, WatchedDrive,
 };
 pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};

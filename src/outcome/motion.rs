@@ -118,7 +118,7 @@ pub struct Stop {
     /// The stronger way that was taken in the end, because somebody interrupted again or the drive did not obey; null if
     /// none was.
     pub escalated: Option<&'static str>,
-    /// Why: `end`, `interrupted`, `error`.
+    /// Why: `end`, `key` (of its keypad), `dead-man` (nobody held a key any more), `interrupted`, `error`.
     pub because: &'static str,
     /// Whether the drive's state, and its shaft where that is waited for, prove that it was obeyed.
     pub acknowledged: bool,

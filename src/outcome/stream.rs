@@ -1,11 +1,11 @@
-//! What `monitor` and `sniff` tell as it comes.
+//! What `monitor`, `sniff` and a run that is held tell as it comes.
 
 use super::{Decimal, ErrorDoc, State, TelegramDoc, Value, Warning};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A line of a stream: of `monitor` or `sniff`. Times are seconds since the port was opened, by the clock of the line.
+/// A line of a stream: of `monitor`, `sniff`, or a run that is held. Times are seconds since the port was opened, by the clock of the line.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum Record {
@@ -13,6 +13,8 @@ pub enum Record {
     Start(StreamStart),
     /// The values of one drive in one round.
     Sample(Sample),
+    /// Where a run that is held has come to; again whenever that changes.
+    Run(RunNews),
     /// The port was lost; the samples until `reopened` are gaps.
     Lost(PortChange),
     /// The port is back.
@@ -90,6 +92,40 @@ impl Column {
     pub fn holds(&self, value: &Value) -> bool {
         (self.param, self.data_set, self.store) == (value.param, value.data_set, value.store)
     }
+}
+
+/// Where a run that is held has come to.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RunNews {
+    /// Seconds.
+    pub t: Decimal,
+    /// Address.
+    pub address: u8,
+    /// `waiting` for a key to be held (`--dead-man`), `starting`, `led` along its ramp or profile, `held`, `stopping`, `ended`.
+    pub phase: &'static str,
+    /// Setpoint as given last; null if none was, and from the stop on.
+    pub setpoint: Option<Decimal>,
+    /// Its unit.
+    pub unit: Option<String>,
+    /// Seconds at which this part of the run ends by itself; null if it has no end.
+    pub ends: Option<Decimal>,
+    /// How it is stopped: `ramp`, `quick-stop`, `coast`, `keep`.
+    pub stop: &'static str,
+    /// What the arrows of the keypad do; null where they do nothing.
+    pub keys: Option<RunKeys>,
+}
+
+/// What the arrows of the keypad do.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RunKeys {
+    /// By how much a press changes the setpoint.
+    pub step: Decimal,
+    /// It goes no lower.
+    pub min: Decimal,
+    /// And no higher.
+    pub max: Decimal,
+    /// Unit.
+    pub unit: String,
 }
 
 /// The values of one drive in one round.

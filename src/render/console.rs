@@ -1,9 +1,10 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
+use super::run_line::RunLine;
 use super::words::word;
-use super::{Patience, clean};
+use super::{Outlet, Patience, clean};
 use crate::failure::Failure;
-use crate::outcome::{Event, FoundDrive};
+use crate::outcome::{Event, FoundDrive, Record};
 use crate::text::{Lang, Text};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
@@ -23,6 +24,8 @@ pub type Input = Box<dyn BufRead + Send>;
 pub struct Streams {
     /// Data.
     pub out: Box<dyn Write>,
+    /// The same once more, opened where nobody may wait for its reader; `None`: it never makes anybody wait.
+    pub queued: Option<fn(Patience) -> Outlet>,
     /// Everything else.
     pub err: Box<dyn Write>,
     /// Answers to questions.
@@ -66,6 +69,8 @@ struct Inner {
     waits: bool,
     /// The bars on the terminal, as long as there are any.
     drawn: Option<MultiProgress>,
+    /// The line of a run that is held, if there is to be one.
+    run: Option<RunLine>,
     /// By what they are called; the bar of a verb that does one thing at a time has no name.
     bars: BTreeMap<String, ProgressBar>,
 }
@@ -73,7 +78,7 @@ struct Inner {
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
-        let inner = Inner { err, lang, quiet, progress, waits: true, drawn: None, bars: BTreeMap::new() };
+        let inner = Inner { err, lang, quiet, progress, waits: true, drawn: None, run: None, bars: BTreeMap::new() };
         Console { inner: Rc::new(RefCell::new(inner)) }
     }
 
@@ -139,8 +144,9 @@ impl Console {
                     inner.line(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
                 }
             }
-            // A record is data: it goes to stdout, by the stream.
-            Event::Note(_) | Event::Record(_) => {}
+            // A record is data, and goes to stdout by the stream; here it is at most progress.
+            Event::Record(record) => inner.shows(&record),
+            Event::Note(_) => {}
         }
     }
 
@@ -156,9 +162,17 @@ impl Console {
         inner.settle();
     }
 
-    /// Takes the bars away.
+    /// From now on a line tells where a run is that is held, on a terminal.
+    pub fn shows_run(&self) {
+        let mut inner = self.inner.borrow_mut();
+        let lang = inner.lang;
+        inner.run = inner.progress.then(|| RunLine::new(lang));
+    }
+
+    /// Takes the bars, and the line of a run, away.
     pub fn finish(&self) {
         let mut inner = self.inner.borrow_mut();
+        inner.clear();
         std::mem::take(&mut inner.bars).values().for_each(ProgressBar::finish_and_clear);
         inner.drawn = None;
     }
@@ -167,6 +181,7 @@ impl Console {
 impl Inner {
     fn line(&mut self, text: &str) {
         let text = clean(text);
+        self.clear();
         // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
         let Inner { err, drawn, .. } = self;
         let mut write = || {
@@ -177,6 +192,20 @@ impl Inner {
             None => write(),
         }
         self.settle();
+    }
+
+    /// Takes away the line of a run until it is shown again.
+    fn clear(&mut self) {
+        if let Some(wiped) = self.run.as_mut().and_then(RunLine::wiped) {
+            let _closed = write!(self.err, "{wiped}");
+        }
+    }
+
+    fn shows(&mut self, record: &Record) {
+        if let Some(line) = self.run.as_mut().and_then(|run| run.record(record)) {
+            let _closed = write!(self.err, "{line}");
+            self.settle();
+        }
     }
 
     fn settle(&mut self) {

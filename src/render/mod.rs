@@ -5,6 +5,7 @@ mod console;
 mod document;
 mod finding;
 mod outlet;
+mod run_line;
 mod spoken;
 mod stream;
 mod words;
@@ -12,7 +13,7 @@ mod words;
 pub use ask::Terminal;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
-pub use outlet::{Outlet, Patience, Stdout, write_from_the_background};
+pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};
 pub use stream::{Key, Keys, Manner, Stream, View};
 
 use crate::text::{Wrong, both};
@@ -86,19 +87,52 @@ pub fn terminal_width() -> Option<u16> {
     None
 }
 
+/// Columns and lines of the terminal on stdout.
+fn terminal_size() -> Option<(u16, u16)> {
+    #[cfg(unix)]
+    return rustix::termios::tcgetwinsize(rustix::stdio::stdout()).ok().map(|size| (size.ws_col, size.ws_row));
+    #[cfg(not(unix))]
+    None
+}
+
+/// Columns of the terminal on stderr, if it is one.
+fn progress_width() -> Option<u16> {
+    #[cfg(unix)]
+    return rustix::termios::tcgetwinsize(rustix::stdio::stderr())
+        .ok()
+        .map(|size| size.ws_col)
+        .filter(|&columns| columns > 0);
+    #[cfg(not(unix))]
+    None
+}
+
 /// Whether the reader of stdout has gone away.
 pub fn output_is_closed() -> bool {
     #[cfg(unix)]
     {
-        use rustix::event::{PollFd, PollFlags, Timespec, poll};
-        let out = rustix::stdio::stdout();
-        let mut watched = [PollFd::new(&out, PollFlags::empty())];
-        let now = Timespec { tv_sec: 0, tv_nsec: 0 };
-        poll(&mut watched, Some(&now)).is_ok()
-            && watched.iter().any(|fd| fd.revents().intersects(PollFlags::ERR | PollFlags::NVAL | PollFlags::HUP))
+        is_closed(rustix::stdio::stdout())
     }
     #[cfg(not(unix))]
     false
+}
+
+/// Whether the terminal that stderr was has gone away.
+pub fn terminal_is_gone() -> bool {
+    #[cfg(unix)]
+    {
+        is_closed(rustix::stdio::stderr())
+    }
+    #[cfg(not(unix))]
+    false
+}
+
+#[cfg(unix)]
+fn is_closed(stream: rustix::fd::BorrowedFd<'_>) -> bool {
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    let mut watched = [PollFd::new(&stream, PollFlags::empty())];
+    let now = Timespec { tv_sec: 0, tv_nsec: 0 };
+    poll(&mut watched, Some(&now)).is_ok()
+        && watched.iter().any(|fd| fd.revents().intersects(PollFlags::ERR | PollFlags::NVAL | PollFlags::HUP))
 }
 
 /// Characters that show nothing, or turn the direction of a line around, and so can make it read as something else,

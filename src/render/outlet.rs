@@ -48,6 +48,8 @@ struct Queue {
     taken: u64,
     /// Writes that found no room.
     left_out: usize,
+    /// That something was left out is not told among what is written.
+    lossy: bool,
     /// The reader has gone away, or nothing can be written.
     broken: Option<io::Error>,
     /// It was waited for in vain: it is waited for no more.
@@ -64,6 +66,24 @@ impl Outlet {
             shared.hand_on(to);
         });
         outlet
+    }
+
+    /// stdout for data that nobody waits for: what is left out is not told among it.
+    pub fn of_stdout(patience: Patience) -> Self {
+        let outlet = Self::new(Unbuffered, patience);
+        outlet.shared.lock().lossy = true;
+        outlet
+    }
+
+    /// The writing end once more, on which not even flushing waits for the reader.
+    pub fn at_once(&self) -> AtOnce {
+        AtOnce(self.clone())
+    }
+
+    /// Whether the reader has taken everything.
+    pub fn is_idle(&self) -> bool {
+        let queue = self.shared.lock();
+        queue.broken.is_some() || queue.waiting.is_empty() && !queue.on_its_way
     }
 
     /// Waits until everything is out: as long as it takes, or until the reader has taken nothing for as long as this.
@@ -151,15 +171,32 @@ pub fn write_from_the_background() {
     }
 }
 
+/// An [`Outlet`] that nobody waits for.
+#[derive(Debug)]
+pub struct AtOnce(Outlet);
+
+impl Write for AtOnce {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 impl Write for Outlet {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let mut queue = self.shared.lock();
         if let Some(error) = &queue.broken {
             return Err(again(error));
         }
-        if queue.left_out > 0 && queue.waiting.len() < ROOM / 2 {
+        if queue.left_out > 0 && queue.waiting.len() < ROOM / 2 && !queue.lossy {
             let told = format!("(… {} messages left out / Meldungen ausgelassen …)\n", queue.left_out);
             queue.waiting.extend_from_slice(told.as_bytes());
+            queue.left_out = 0;
+        }
+        if queue.lossy {
             queue.left_out = 0;
         }
         match queue.left_out == 0 && queue.waiting.len().saturating_add(bytes.len()) <= self.room {

@@ -69,6 +69,8 @@ const GERMAN: &[(&str, &str)] = &[
     ("no stop", "kein Halt"),
     ("not known", "nicht bekannt"),
     ("interrupted", "unterbrochen"),
+    ("key", "Taste"),
+    ("dead-man", "Totmann"),
     ("error", "Fehler"),
     ("standstill NOT proven", "Stillstand NICHT belegt"),
     ("actual value", "Istwert"),

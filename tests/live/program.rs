@@ -1,14 +1,17 @@
 //! The program as a process: at a terminal of its own, or with what it prints read line by line.
 
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+use rustix::termios::{LocalModes, Winsize};
 use serde_json::Value;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::fd::OwnedFd;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, channel};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -62,12 +65,60 @@ fn signal(child: &Child, name: &str) {
     assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
 }
 
+/// What was drawn, one behind the other: where the cursor goes elsewhere there is a blank, because blanks are not drawn.
+fn picture(seen: &str) -> String {
+    let mut parts = seen.split("\u{1b}[");
+    let first = parts.next().unwrap_or_default().to_owned();
+    let drawn = parts.map(|part| match part.split_once(|letter: char| letter.is_ascii_alphabetic()) {
+        Some((code, text)) if part[code.len()..].starts_with('H') => format!(" {text}"),
+        Some((_, text)) => text.to_owned(),
+        None => String::new(),
+    });
+    std::iter::once(first).chain(drawn).collect()
+}
+
+/// A terminal: what a person has before him, and what a program gets.
+fn terminal() -> (File, OwnedFd) {
+    let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC).unwrap();
+    grantpt(&master).unwrap();
+    unlockpt(&master).unwrap();
+    let name = ptsname(&master, Vec::new()).unwrap();
+    let slave = File::options().read(true).write(true).open(name.to_str().unwrap()).unwrap().into();
+    (File::from(master), slave)
+}
+
+fn resize(keyboard: &File, columns: u16, lines: u16) {
+    let size = Winsize { ws_col: columns, ws_row: lines, ws_xpixel: 0, ws_ypixel: 0 };
+    rustix::termios::tcsetwinsize(keyboard, size).unwrap();
+}
+
+/// A terminal that is read until nobody wants to hear of it, so that it can be closed.
+struct Until {
+    terminal: File,
+    deaf: Arc<AtomicBool>,
+}
+
+impl Read for Until {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let look = Timespec { tv_sec: 0, tv_nsec: 20_000_000 };
+        while !self.deaf.load(Ordering::Relaxed) {
+            let mut watched = [PollFd::new(&self.terminal, PollFlags::IN)];
+            if poll(&mut watched, Some(&look)).unwrap() > 0 {
+                return self.terminal.read(buffer);
+            }
+        }
+        Ok(0)
+    }
+}
+
 /// The program at a terminal of its own.
 pub(crate) struct AtTerminal {
     pub(crate) child: Child,
     keyboard: File,
     pub(crate) seen: String,
     screen: Receiver<Vec<u8>>,
+    /// Nobody reads the screen any more.
+    deaf: Arc<AtomicBool>,
 }
 
 impl AtTerminal {
@@ -76,20 +127,77 @@ impl AtTerminal {
     }
 
     pub(crate) fn start_into(line: &str, out: Stdio) -> Self {
-        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
-        grantpt(&master).unwrap();
-        unlockpt(&master).unwrap();
-        let name = ptsname(&master, Vec::new()).unwrap();
-        let slave: OwnedFd = File::options().read(true).write(true).open(name.to_str().unwrap()).unwrap().into();
-        let keyboard = File::from(master);
+        let (keyboard, slave) = terminal();
         let child = antrieb(line)
             .stdin(Stdio::from(slave.try_clone().unwrap()))
             .stdout(out)
             .stderr(Stdio::from(slave))
             .spawn()
             .unwrap();
-        let screen = chunks(keyboard.try_clone().unwrap());
-        AtTerminal { child, keyboard, screen, seen: String::new() }
+        Self::of(child, keyboard)
+    }
+
+    /// With stdout at the terminal as well, of 80 columns and 24 lines.
+    pub(crate) fn whole(line: &str) -> Self {
+        let (keyboard, slave) = terminal();
+        resize(&keyboard, 80, 24);
+        let mut command = antrieb(line);
+        command.env("TERM", "xterm-256color").stdin(Stdio::from(slave.try_clone().unwrap()));
+        let child = command.stdout(Stdio::from(slave.try_clone().unwrap())).stderr(Stdio::from(slave)).spawn().unwrap();
+        // What is handed to the child is open here as long as the command is.
+        drop(command);
+        Self::of(child, keyboard)
+    }
+
+    fn of(child: Child, keyboard: File) -> Self {
+        let deaf = Arc::<AtomicBool>::default();
+        let screen = chunks(Until { terminal: keyboard.try_clone().unwrap(), deaf: deaf.clone() });
+        AtTerminal { child, keyboard, screen, deaf, seen: String::new() }
+    }
+
+    /// Gives the terminal another size.
+    pub(crate) fn resizes(&self, columns: u16, lines: u16) {
+        resize(&self.keyboard, columns, lines);
+    }
+
+    /// Waits until this stands in a picture that is drawn anew, as it is for each new size.
+    #[track_caller]
+    pub(crate) fn draws(&mut self, text: &str) {
+        self.seen.clear();
+        let deadline = Instant::now() + LIMIT;
+        for columns in [81, 80].into_iter().cycle() {
+            self.resizes(columns, 24);
+            let drawn = Instant::now() + Duration::from_millis(500);
+            while let Ok(bytes) = self.screen.recv_timeout(drawn.saturating_duration_since(Instant::now())) {
+                self.seen += &String::from_utf8_lossy(&bytes);
+                if picture(&self.seen).contains(text) {
+                    return;
+                }
+            }
+            assert!(Instant::now() < deadline, "no '{text}' in:\n{}", self.seen);
+        }
+    }
+
+    /// Whether the terminal hands on whole lines and shows what is typed, as before.
+    pub(crate) fn is_cooked(&self) -> bool {
+        let modes = rustix::termios::tcgetattr(&self.keyboard).unwrap().local_modes;
+        modes.contains(LocalModes::ICANON | LocalModes::ECHO)
+    }
+
+    /// Nobody reads the screen from now on.
+    pub(crate) fn looks_away(&self) {
+        self.deaf.store(true, Ordering::Relaxed);
+    }
+
+    /// The terminal goes away; returns the exit code.
+    #[track_caller]
+    pub(crate) fn hangs_up(self) -> Option<i32> {
+        let AtTerminal { mut child, keyboard, seen, screen, deaf } = self;
+        deaf.store(true, Ordering::Relaxed);
+        drop(keyboard);
+        let exit = ends(&mut child, &seen);
+        drop(screen);
+        exit
     }
 
     /// Waits until this stands on the screen.

@@ -44,6 +44,7 @@ mod motion {
     mod hasty;
     mod held;
     mod kept;
+    mod keypad;
     mod leftovers;
     mod proofs;
     mod question;

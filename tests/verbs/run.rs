@@ -112,6 +112,7 @@ impl Run {
         let terminal = self.answer.is_some();
         let streams = Streams {
             out: Box::new(Pipe { buffer: out.clone(), room: self.pipe_holds }),
+            queued: None,
             err: Box::new(Pipe { buffer: err.clone(), room: usize::MAX }),
             input: Box::new(io::Cursor::new(self.answer.unwrap_or_default())),
             out_is_terminal: self.columns.is_some(),

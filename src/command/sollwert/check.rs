@@ -39,10 +39,17 @@ impl Check<'_, '_> {
             let pairs = self.pole_pairs().await?;
             let schedule = wanted.schedule.map(|raw| setpoint::frequency_of_speed(raw, pairs));
             wanted.schedule = schedule.ok_or_else(|| too_large(&wanted, &self.target.family))?;
+            wanted.keys = match wanted.keys {
+                Some(keys) => Some(
+                    keys.map(|raw| setpoint::frequency_of_speed(raw, pairs))
+                        .ok_or_else(|| too_large(&wanted, &self.target.family))?,
+                ),
+                None => None,
+            };
             wanted.by_speed = false;
         }
         wanted.check_widths()?;
-        for raw in wanted.schedule.values().filter(|_| !self.args.force) {
+        for raw in wanted.values().filter(|_| !self.args.force) {
             check_range(raw, &wanted.param).map_err(|error| out_of_range(&wanted.param, &error))?;
         }
         let source = self.source(&wanted).await?;
@@ -135,12 +142,12 @@ impl Check<'_, '_> {
     /// The bound of the setpoint, if there is one; refused beyond it, with what the drive adds.
     async fn limit(&mut self, wanted: &Wanted, added: i64) -> Result<Option<i64>, Failure> {
         let Some(id) = wanted.mode.limit else { return Ok(None) };
-        let sums = wanted.schedule.values().map(|raw| raw.saturating_add(added));
+        let sums = wanted.values().map(|raw| raw.saturating_add(added));
         let peak = sums.max_by_key(|sum| sum.unsigned_abs()).unwrap_or(0);
         let param = self.target.family.param_or_unknown(id);
         let Some(limit) = self.will_be(id, wanted).await? else { return Ok(None) };
         // What only takes motion away is not refused.
-        if self.args.force || wanted.schedule.peak() == 0 || i128::from(peak).abs() <= i128::from(limit) {
+        if self.args.force || wanted.values().all(|raw| raw == 0) || i128::from(peak).abs() <= i128::from(limit) {
             return Ok(Some(limit));
         }
         let family = &self.target.family;
@@ -162,7 +169,7 @@ impl Check<'_, '_> {
             return Ok(None);
         };
         let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(None) };
-        let lifted = self.ends_at_zero() || wanted.schedule.values().any(|raw| raw.saturating_abs() < least);
+        let lifted = self.ends_at_zero() || wanted.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family);
             let why = Text::by(|lang| floor.why.get(lang).replace("{}", least.get(lang)));

@@ -1,9 +1,11 @@
 //! What was typed, and what it means in the words of a family.
 
 use super::Args;
+use super::keys::Keys;
 use crate::args::parse_span;
 use crate::failure::{Class, Failure};
 use crate::files;
+use crate::outcome::{Decimal, RunKeys};
 use crate::profile::setpoint::{self, SPEED_DECIMALS, SPEED_UNIT, Schedule};
 use crate::profile::value::{self, check_range, format_decimal, parse_decimal};
 use crate::profile::{Family, Mode, Param, Start, Type};
@@ -107,6 +109,8 @@ pub(super) struct Wanted {
     pub(super) settings: Vec<(Param, i64)>,
     /// What the drive makes of the setpoint, if that is known.
     pub(super) effective: Option<Total>,
+    /// What the arrows of the keypad do.
+    pub(super) keys: Option<Keys>,
 }
 
 /// What a drive makes of a setpoint by its own settings.
@@ -140,10 +144,15 @@ impl Total {
 }
 
 impl Wanted {
+    /// Every setpoint that may be given: those of the schedule, and the bounds of the keypad.
+    pub(super) fn values(&self) -> impl Iterator<Item = i64> + '_ {
+        self.schedule.values().chain(self.keys.iter().flat_map(|keys| [keys.min, keys.max]))
+    }
+
     /// Every value fits into its telegram: nothing is sent of a run that could not be sent whole. A speed is held against
     /// it once it is a frequency.
     pub(super) fn check_widths(&self) -> Result<(), Failure> {
-        let led = self.schedule.values().filter(|_| !self.by_speed).map(|raw| (&self.param, raw));
+        let led = self.values().filter(|_| !self.by_speed).map(|raw| (&self.param, raw));
         let rest = self.denominator.iter().chain(&self.settings).map(|(param, raw)| (param, *raw));
         for (param, raw) in led.chain(rest) {
             let kind = param.kind.unwrap_or(Type::Long);
@@ -155,6 +164,38 @@ impl Wanted {
     /// The same setpoint in another mode.
     pub(super) fn in_mode(self, mode: &Mode, family: &Family) -> Self {
         Wanted { mode: mode.clone(), param: family.param_or_unknown(mode.setpoint), ..self }
+    }
+
+    /// What the arrows do, as it is shown.
+    pub(super) fn shown_keys(&self) -> Option<RunKeys> {
+        let Keys { step, min, max } = self.keys?;
+        let value = |raw: i64| Decimal { raw, decimals: self.param.decimals_or_zero() };
+        let unit = self.param.unit.clone().unwrap_or_default();
+        Some(RunKeys { step: value(step), min: value(min), max: value(max), unit })
+    }
+
+    /// What is agreed to that the arrows may do.
+    pub(super) fn told_keys(&self, family: &Family) -> Option<Text> {
+        let Keys { step, min, max } = self.keys?;
+        let [step, min, max] = [step, min, max].map(|raw| self.shown(raw, family));
+        Some(both!(
+            "the arrows change the setpoint by {step}, from {min} to {max}",
+            "die Pfeile ändern den Sollwert um {step}, von {min} bis {max}",
+            step,
+            min,
+            max
+        ))
+    }
+
+    /// What a key is told that would have left the bounds.
+    pub(super) fn refused_key(&self) -> Option<Text> {
+        let Keys { min, max, .. } = self.keys?;
+        let [min, max] = [min, max].map(|raw| format_decimal(raw, self.param.decimals_or_zero()));
+        let unit = self.param.unit.as_deref().unwrap_or("");
+        Some(both!(
+            "agreed are {min} to {max} {unit}, no further",
+            "vereinbart sind {min} bis {max} {unit}, weiter nicht"
+        ))
     }
 
     /// A value with its unit, as people write it.
@@ -208,9 +249,11 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
     settings.extend(source(args, mode, family)?);
     let set = |id: u32, raw: i64| (family.param_or_unknown(id), raw);
     let denominator = said.first().and_then(|one| one.denominator);
+    let by_speed = said.first().is_some_and(|one| one.by_speed);
     let wanted = Wanted {
+        keys: Keys::of(&args.keypad, (mode, family), &schedule, by_speed)?,
         param: family.param_or_unknown(mode.setpoint),
-        by_speed: said.first().is_some_and(|one| one.by_speed),
+        by_speed,
         denominator: mode.denominator.zip(denominator).map(|(id, raw)| set(id, raw)),
         start: start(args, mode)?,
         settings,

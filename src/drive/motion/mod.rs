@@ -18,6 +18,7 @@ mod still;
 mod stop;
 mod walk;
 mod watchdog;
+mod watched;
 
 pub use super::route::Meant;
 pub use before::{Standing, runs_at, standing, upon_enabling};
@@ -31,6 +32,7 @@ pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
+pub use watched::Watched;
 
 use super::access::AccessError;
 use super::session::Session;
@@ -149,6 +151,8 @@ pub struct Motor<'a, 's> {
     zeroed: Option<u32>,
     /// What is worth knowing besides.
     pub notes: Vec<Text>,
+    /// What is shown of the run while it goes on, if anybody looks.
+    pub watched: Option<Watched>,
 }
 
 /// How a run ended.
@@ -214,6 +218,7 @@ impl<'a, 's> Motor<'a, 's> {
             zeroes: None,
             zeroed: None,
             notes: Vec::new(),
+            watched: None,
         }
     }
 
@@ -289,6 +294,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn status(&mut self) -> Result<u32, Failure> {
         let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
         self.shown = Some((status, self.session.now()));
+        self.sees_status(status);
         let state = describe::state(&self.target.family, status).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
         self.see(&state);
@@ -352,6 +358,7 @@ impl<'a, 's> Motor<'a, 's> {
     async fn raw(&mut self, param: &Param) -> Result<Option<i64>, Failure> {
         let raw = look::raw(self.session, self.target, param, 0).await?;
         self.hears();
+        raw.iter().for_each(|&raw| self.sees(param, raw));
         Ok(raw)
     }
 

@@ -243,6 +243,7 @@ impl Motor<'_, '_> {
         self.session.insist(true);
         self.tell_held();
         let begun = self.session.now();
+        self.comes_to("held", duration.map(|duration| begun + duration));
         // A question that is under way then puts off nothing.
         self.session.end_at(duration.map(|duration| begun + duration));
         let held = self.hold_on(begun, duration, &mut each).await;
@@ -287,7 +288,7 @@ impl Motor<'_, '_> {
             };
             looked = self.shown.map_or(now, |(_, at)| at);
             let gone = now.since(begun);
-            self.rest(self.round(duration, gone)).await?;
+            self.spend(self.round(duration, gone), end).await?;
         }
     }
 

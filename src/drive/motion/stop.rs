@@ -49,6 +49,7 @@ impl Motor<'_, '_> {
             stop.note = Some(both!("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt"));
             return stop;
         }
+        self.comes_to("stopping", None);
         let begun = self.begin_to_stop(choice, because == "interrupted");
         let (mut way, mut tries, mut hurry) = (choice, 1, false);
         loop {

@@ -156,7 +156,7 @@ impl Station {
 }
 
 impl Item {
-    pub(super) fn columns(&self, family: &Family) -> Vec<Column> {
+    pub(in crate::drive) fn columns(&self, family: &Family) -> Vec<Column> {
         let param = &self.param;
         let column = |set: u8| {
             let (data_set, store) = describe::place(set);

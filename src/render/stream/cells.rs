@@ -46,13 +46,13 @@ impl Board {
 }
 
 /// The value that a sample has for a column, if it could be read.
-pub(super) fn find<'s>(column: &Column, sample: &'s Sample) -> Option<&'s Value> {
+pub(in crate::render) fn find<'s>(column: &Column, sample: &'s Sample) -> Option<&'s Value> {
     let value = sample.values.iter().map(|value| &value.value).find(|value| column.holds(value));
     value.filter(|value| value.raw.is_some())
 }
 
 /// A value as a number: exact, or raw where nobody knows the decimals.
-pub(super) fn number(value: &Value) -> String {
+pub(in crate::render) fn number(value: &Value) -> String {
     match (value.value, value.raw) {
         (Some(Decimal { raw, decimals }), _) => format_decimal(raw, decimals),
         (None, Some(raw)) => raw.to_string(),
@@ -61,7 +61,7 @@ pub(super) fn number(value: &Value) -> String {
 }
 
 /// A value for people, short: `24.93`, `F0500`, `0x0082`, `none`.
-pub(super) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> String {
+pub(in crate::render) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> String {
     let Some(value) = value else { return GAP.to_owned() };
     match (column.role, value.raw, &value.word, &value.text) {
         (Some("fault" | "warnings"), Some(0), ..) => word(lang, "none").to_owned(),
@@ -74,7 +74,7 @@ pub(super) fn short(column: &Column, value: Option<&Value>, lang: Lang) -> Strin
 }
 
 /// The names of the bits that are set, or the text of a value, for people.
-pub(super) fn long(column: &Column, value: &Value, lang: Lang) -> String {
+pub(in crate::render) fn long(column: &Column, value: &Value, lang: Lang) -> String {
     match (column.role, &value.word) {
         (Some("status-word"), Some(status)) => {
             status.state.as_ref().map_or_else(String::new, |state| state.name.get(lang).to_owned())
@@ -103,4 +103,4 @@ pub(super) fn seconds(t: Decimal) -> String {
 }
 
 /// Stands for a value that is missing.
-pub(super) const GAP: &str = "--";
+pub(in crate::render) const GAP: &str = "--";

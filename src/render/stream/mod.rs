@@ -3,7 +3,7 @@
 //! One file a form. A form gets [`Record`]s and nothing else; it reads no clock, and what it cannot write ends the
 //! stream. Notes for people go to stderr as ever, unless a form has the whole terminal.
 
-mod cells;
+pub(super) mod cells;
 mod csv;
 mod lines;
 mod live;
@@ -13,7 +13,7 @@ mod ticker;
 
 pub use live::{Key, Keys};
 
-use super::Console;
+use super::{Console, Outlet};
 use crate::outcome::{
     Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, SniffSummary, StreamEnd, StreamSummary,
 };
@@ -82,6 +82,8 @@ pub struct Stream<'a> {
     manner: Manner,
     console: Console,
     keys: Option<Keys>,
+    /// What is written waits here for its reader.
+    queue: Option<Outlet>,
     broken: Option<io::Error>,
 }
 
@@ -96,15 +98,60 @@ impl<'a> Stream<'a> {
     pub fn open(view: View, out: &'a mut dyn Write, manner: Manner, console: &Console) -> io::Result<Self> {
         let view = if view == View::Live && !live::Terminal::is_there() { View::Lines } else { view };
         let form: Box<dyn Form + 'a> = match view {
-            View::Ndjson => Box::new(ndjson::Ndjson::new(out, manner.lang)),
+            View::Ndjson => Box::new(ndjson::Ndjson::new(Box::new(out), manner.lang)),
             View::Csv => Box::new(csv::Csv::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
             View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner.lang)),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
-            View::Live => Box::new(live::Live::new(live::Terminal::take(out)?, manner)?),
+            View::Live => {
+                let (keys, ear) = Keys::new();
+                let form = Box::new(live::Live::take(Box::new(out), None, manner, ear)?);
+                return Ok(Stream::of(form, view, manner, console, Some(keys)));
+            }
         };
-        let keys = (view == View::Live).then(Keys::read);
-        Ok(Stream { form, view, manner, console: console.clone(), keys, broken: None })
+        Ok(Stream::of(form, view, manner, console, None))
+    }
+
+    /// Begins the stream of a run, for which nobody waits: the terminal is taken over with its first record, and given back by
+    /// [`Stream::close`].
+    pub fn of_run(
+        view: View,
+        queue: Option<Outlet>,
+        out: &'a mut dyn Write,
+        manner: Manner,
+        console: &Console,
+    ) -> Self {
+        match (view, queue) {
+            (View::Live, Some(queue)) => {
+                let (keys, ear) = Keys::new();
+                Stream::of(Box::new(live::Late::new(queue, manner, ear)), view, manner, console, Some(keys))
+            }
+            (_, Some(queue)) => {
+                let form = ndjson::Ndjson::new(Box::new(queue.at_once()), manner.lang);
+                let stream = Stream::of(Box::new(form), View::Ndjson, manner, console, None);
+                Stream { queue: Some(queue), ..stream }
+            }
+            (_, None) => {
+                let form = ndjson::Ndjson::new(Box::new(out), manner.lang);
+                Stream::of(Box::new(form), View::Ndjson, manner, console, None)
+            }
+        }
+    }
+
+    fn of(form: Box<dyn Form + 'a>, view: View, manner: Manner, console: &Console, keys: Option<Keys>) -> Self {
+        Stream { form, view, manner, console: console.clone(), keys, queue: None, broken: None }
+    }
+
+    /// Whether a terminal can be taken over.
+    pub fn has_terminal() -> bool {
+        live::Terminal::is_there()
+    }
+
+    /// Gives the terminal back, or waits until the records are out: what comes behind a run says itself how it ended.
+    pub fn close(self) {
+        let Stream { form, mut queue, .. } = self;
+        drop(form);
+        queue.iter_mut().for_each(|queue| drop(queue.flush()));
     }
 
     /// The keys that are pressed while the form has the terminal.
@@ -118,7 +165,9 @@ impl<'a> Stream<'a> {
             return false;
         }
         let written = match event {
-            Event::Record(record) => self.form.record(&record),
+            Event::Record(record) => {
+                self.form.record(&record).inspect(|()| self.console.observe(Event::Record(record)))
+            }
             event => self.tell(event),
         };
         self.broken = written.err();
@@ -142,7 +191,7 @@ impl<'a> Stream<'a> {
         if let Err(error) = self.form.press(key) {
             self.broken.get_or_insert(error);
         }
-        key == Key::Quit || self.broken.is_some()
+        matches!(key, Key::Quit | Key::Interrupt | Key::Gone) || self.broken.is_some()
     }
 
     /// Writes how it ended, gives the terminal back, and says on stderr what went wrong.

@@ -7,12 +7,12 @@ use crate::text::Lang;
 use std::io::{self, Write};
 
 pub(super) struct Ndjson<'a> {
-    out: &'a mut dyn Write,
+    out: Box<dyn Write + 'a>,
     lang: Lang,
 }
 
 impl<'a> Ndjson<'a> {
-    pub(super) fn new(out: &'a mut dyn Write, lang: Lang) -> Self {
+    pub(super) fn new(out: Box<dyn Write + 'a>, lang: Lang) -> Self {
         Ndjson { out, lang }
     }
 }

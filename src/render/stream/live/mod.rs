@@ -1,11 +1,14 @@
 //! The whole terminal: what drives do, now and over the last minutes.
 //!
 //! [`Screen`] knows records and draws them, on any terminal that ratatui can draw on, as much of it as fits.
-//! [`Terminal`] takes the real one and gives it back, whatever happens; [`Keys`] listens to it.
+//! [`Terminal`] takes the real one and gives it back, whatever happens; [`Keys`] listens to it. Over a shaft that turns
+//! ([`Late`]) nothing waits for a terminal: what it did not take yet is not drawn over.
 
 mod chart;
+mod diagnosis;
 mod keys;
 mod past;
+mod run;
 mod screen;
 #[cfg(test)]
 mod tests;
@@ -14,11 +17,14 @@ pub use keys::{Key, Keys};
 
 use super::{Form, Manner};
 use crate::outcome::Record;
+use crate::render::Outlet;
+use keys::Ear;
 use ratatui::crossterm::terminal::{self, EnterAlternateScreen, LeaveAlternateScreen};
 use ratatui::crossterm::{cursor, execute};
 use ratatui::prelude::CrosstermBackend;
 use screen::Screen;
 use std::io::{self, Write};
+use std::time::Duration;
 
 /// The live view on a real terminal.
 pub(super) struct Live<'a> {
@@ -28,16 +34,21 @@ pub(super) struct Live<'a> {
 }
 
 impl<'a> Live<'a> {
-    pub(super) fn new(terminal: Terminal<'a>, manner: Manner) -> io::Result<Self> {
+    /// Takes the terminal over, and listens to it.
+    pub(super) fn take(out: Box<dyn Write + 'a>, queue: Option<Outlet>, manner: Manner, ear: Ear) -> io::Result<Self> {
         // Whether there are colours was decided with the settings; crossterm must not look at NO_COLOR for itself.
         ratatui::crossterm::style::force_color_output(manner.color);
-        let screen = Screen::new(manner.lang, manner.color);
+        let (terminal, screen) = (Terminal::take(out, queue)?, Screen::new(manner.lang, manner.color));
         let mut live = Live { terminal, screen, holds_stderr: manner.holds_stderr };
+        ear.listen();
         live.draw()?;
         Ok(live)
     }
 
     fn draw(&mut self) -> io::Result<()> {
+        if self.terminal.queue.as_ref().is_some_and(|queue| !queue.is_idle()) {
+            return Ok(());
+        }
         self.terminal.inner.draw(|frame| self.screen.draw(frame)).map(|_| ())
     }
 }
@@ -50,7 +61,7 @@ impl Form for Live<'_> {
 
     fn note(&mut self, text: &str) -> io::Result<bool> {
         if !text.is_empty() {
-            text.clone_into(&mut self.screen.note);
+            self.screen.note(text);
             self.draw()?;
         }
         Ok(self.holds_stderr)
@@ -60,16 +71,57 @@ impl Form for Live<'_> {
         match key {
             Key::Next => self.screen.turn(1),
             Key::Previous => self.screen.turn(-1),
-            Key::Redraw | Key::Quit => {}
+            Key::Diagnosis => self.screen.diagnoses = !self.screen.diagnoses && self.screen.run.is_some(),
+            _ => {}
         }
         self.draw()
     }
 }
 
+/// The live view of a run: the terminal is taken over once somebody agreed to it.
+pub(super) struct Late {
+    queue: Outlet,
+    manner: Manner,
+    ear: Option<Ear>,
+    live: Option<Live<'static>>,
+}
+
+impl Late {
+    pub(super) fn new(queue: Outlet, manner: Manner, ear: Ear) -> Self {
+        Late { queue, manner, ear: Some(ear), live: None }
+    }
+}
+
+impl Form for Late {
+    fn record(&mut self, record: &Record) -> io::Result<()> {
+        if let (Record::Start(_), Some(ear)) = (record, self.ear.take()) {
+            let out = Box::new(self.queue.at_once());
+            self.live = Some(Live::take(out, Some(self.queue.clone()), self.manner, ear)?);
+        }
+        self.live.as_mut().map_or(Ok(()), |live| live.record(record))
+    }
+
+    fn note(&mut self, text: &str) -> io::Result<bool> {
+        self.live.as_mut().map_or(Ok(false), |live| live.note(text))
+    }
+
+    fn press(&mut self, key: Key) -> io::Result<()> {
+        self.live.as_mut().map_or(Ok(()), |live| live.press(key))
+    }
+}
+
 /// A terminal that was taken over; dropping it gives it back.
 pub(super) struct Terminal<'a> {
-    inner: ratatui::Terminal<CrosstermBackend<&'a mut dyn Write>>,
+    inner: ratatui::Terminal<CrosstermBackend<Box<dyn Write + 'a>>>,
+    /// What is drawn waits here for the terminal to take it.
+    queue: Option<Outlet>,
 }
+
+/// What is pasted says so (xterm "bracketed paste"), so that it is not taken for keys.
+const PASTES: &[u8] = b"\x1b[?2004h";
+const NO_PASTES: &[u8] = b"\x1b[?2004l";
+/// So long a terminal may take nothing before it is left as it is.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 impl<'a> Terminal<'a> {
     /// Whether there is a terminal that can be taken over.
@@ -79,18 +131,34 @@ impl<'a> Terminal<'a> {
         is_there
     }
 
-    /// Takes the terminal over.
-    pub(super) fn take(out: &'a mut dyn Write) -> io::Result<Self> {
-        let mut terminal = Terminal { inner: ratatui::Terminal::new(CrosstermBackend::new(out))? };
+    /// Takes the terminal over. What was typed before it meant something else.
+    fn take(out: Box<dyn Write + 'a>, queue: Option<Outlet>) -> io::Result<Self> {
+        let mut terminal = Terminal { inner: ratatui::Terminal::new(CrosstermBackend::new(out))?, queue };
         terminal::enable_raw_mode()?;
+        forget_what_was_typed();
         execute!(terminal.inner.backend_mut(), EnterAlternateScreen, cursor::Hide)?;
+        terminal.inner.backend_mut().write_all(PASTES)?;
         Ok(terminal)
     }
 }
 
 impl Drop for Terminal<'_> {
     fn drop(&mut self) {
+        let _closed = self.inner.backend_mut().write_all(NO_PASTES);
         let _closed = execute!(self.inner.backend_mut(), LeaveAlternateScreen, cursor::Show);
+        self.queue.iter().for_each(|queue| queue.drain(Some(PATIENCE)));
+        // What ratatui shows again by itself has nowhere to fail: of a closed terminal it would tell on stderr, and panic there.
+        *self.inner.backend_mut() = CrosstermBackend::new(Box::new(io::sink()));
+        // Who still leans on a key does not type it into the shell.
+        forget_what_was_typed();
         let _closed = terminal::disable_raw_mode();
+    }
+}
+
+fn forget_what_was_typed() {
+    #[cfg(unix)]
+    {
+        use rustix::termios::{QueueSelector, tcflush};
+        let _gone = tcflush(rustix::stdio::stdin(), QueueSelector::IFlush);
     }
 }

@@ -1,7 +1,7 @@
 //! The live view without a terminal: a line for every drive, and the values of one of them.
 
 use super::past::Drive;
-use crate::outcome::{Column, Decimal, Record, StreamStart};
+use crate::outcome::{Column, Decimal, Record, RunNews, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
 use crate::render::stream::cells::{Board, find, is_number, long, number, seconds, short};
@@ -11,6 +11,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span, Text};
 use ratatui::widgets::{Paragraph, Row, Table};
+use std::collections::VecDeque;
 
 /// The live view without a terminal.
 pub(super) struct Screen {
@@ -25,7 +26,16 @@ pub(super) struct Screen {
     pub(super) gaps: u64,
     pub(super) lost: bool,
     pub(super) note: String,
+    /// What was said, as far as it may be shown again.
+    pub(super) notes: VecDeque<String>,
+    /// Where a run has come to, if this is one.
+    pub(super) run: Option<RunNews>,
+    /// The diagnosis stands in place of the chart.
+    pub(super) diagnoses: bool,
 }
+
+/// Notes that are kept.
+const NOTES: usize = 8;
 
 /// Fewest lines of a chart with its axis.
 const CHART: u16 = 7;
@@ -45,6 +55,9 @@ impl Screen {
             gaps: 0,
             lost: false,
             note: String::new(),
+            notes: VecDeque::new(),
+            run: None,
+            diagnoses: false,
         }
     }
 
@@ -65,8 +78,22 @@ impl Screen {
             }
             Record::Lost(_) => self.lost = true,
             Record::Reopened(_) => self.lost = false,
+            Record::Run(news) => {
+                // What was said before belongs to what was then.
+                if self.run.as_ref().is_none_or(|run| run.phase != news.phase) {
+                    self.note.clear();
+                }
+                self.run = Some(news.clone());
+            }
             Record::Telegram(_) | Record::End(_) => {}
         }
+    }
+
+    /// Somebody has something to say.
+    pub(super) fn note(&mut self, text: &str) {
+        text.clone_into(&mut self.note);
+        self.notes.push_back(text.to_owned());
+        self.notes.drain(..self.notes.len().saturating_sub(NOTES));
     }
 
     /// Shows another drive.
@@ -84,7 +111,8 @@ impl Screen {
     pub(super) fn draw(&self, frame: &mut Frame<'_>) {
         let area = frame.area();
         let drives = (self.drives.len() as u16).min((area.height / 4).max(1));
-        let (head, foot) = (u16::from(area.height >= 3), u16::from(area.height >= 5));
+        let foot = if self.run.is_some() { 3.min(area.height / 3) } else { u16::from(area.height >= 5) };
+        let head = u16::from(area.height >= 3);
         let [head, list, body, foot] = Layout::vertical([
             Constraint::Length(head),
             Constraint::Length(drives),
@@ -96,6 +124,9 @@ impl Screen {
         self.list(frame, list);
         self.foot(frame, foot);
         let Some(drive) = self.drives.get(self.turned_to) else { return };
+        if self.diagnoses {
+            return self.diagnosis(frame, body, drive);
+        }
         let rows = drive.about.columns.iter().filter(|column| column.role != Some("status-word")).count() as u16;
         let has_chart = !drive.drawn.is_empty() && body.width >= CHART_WIDTH && body.height >= CHART + rows.min(4);
         let table = if has_chart { rows.min(body.height - CHART) } else { body.height };
@@ -113,7 +144,9 @@ impl Screen {
         );
         let lost = if self.lost { format!("  {}", self.word("PORT LOST")) } else { String::new() };
         let counts = format!("{} s  #{}  {}: {}{lost}", seconds(self.t), self.rounds, self.word("gaps"), self.gaps);
-        let all = [format!(" antrieb monitor  {place}  {counts}"), format!(" {place}  {counts}"), format!(" {counts}")];
+        let command = self.start.as_ref().map_or("monitor", |start| start.command);
+        let all =
+            [format!(" antrieb {command}  {place}  {counts}"), format!(" {place}  {counts}"), format!(" {counts}")];
         let fits = |text: &&String| Line::raw(text.as_str()).width() <= area.width.into();
         let text = all.iter().find(fits).or(all.last()).cloned().unwrap_or_default();
         frame.render_widget(Paragraph::new(text).style(Style::new().add_modifier(Modifier::REVERSED)), area);
@@ -169,6 +202,11 @@ impl Screen {
     }
 
     fn foot(&self, frame: &mut Frame<'_>, area: Rect) {
+        if let Some(run) = &self.run {
+            let lines = [self.keys(run, area.width), self.course(run), format!(" {}", clean(&self.note))];
+            let lines: Vec<_> = lines.into_iter().take(area.height.into()).map(Line::raw).collect();
+            return frame.render_widget(Paragraph::new(lines), area);
+        }
         let next = if self.drives.len() > 1 { format!("  Tab {}", self.word("next drive")) } else { String::new() };
         let keys = format!(" q {}{next}", self.word("end"));
         let note = if self.note.is_empty() { keys } else { format!("{keys}  {}", clean(&self.note)) };

@@ -1,14 +1,14 @@
-//! The live view on terminals of every size, and keys.
+//! The live view on terminals of every size.
 
 use super::chart::bounds;
-use super::keys::Key;
 use super::screen::Screen;
 use crate::failure::{Class, Failure};
-use crate::outcome::{Column, Decimal, ErrorDoc, Record, Sample, SampleValue, State, StreamStart, Value, WatchedDrive};
+use crate::outcome::{
+    Column, Decimal, ErrorDoc, Record, RunKeys, RunNews, Sample, SampleValue, State, StreamStart, Value, WatchedDrive,
+};
 use crate::profile::Lang;
 use crate::text::Text;
 use ratatui::backend::TestBackend;
-use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 
 fn column(param: u32, name: &str, unit: Option<&str>, role: &'static str) -> Column {
     Column {
@@ -155,11 +155,52 @@ fn axes_hold_all_values_at_round_numbers() {
     assert_eq!(bounds(std::iter::empty()), (0.0, 1.0));
 }
 
+fn course(phase: &'static str) -> Record {
+    let value = |raw| Decimal { raw, decimals: 2 };
+    let keys = RunKeys { step: value(50), min: value(-1_000), max: value(3_000), unit: "Hz".to_owned() };
+    let (setpoint, unit) = (Some(value(2_500)), Some("Hz".to_owned()));
+    Record::Run(RunNews {
+        t: at(0),
+        address: 1,
+        phase,
+        setpoint,
+        unit,
+        ends: Some(at(9)),
+        stop: "ramp",
+        keys: Some(keys),
+    })
+}
+
 #[test]
-fn keys_that_end_it() {
-    let key = |code, modifiers| Key::of(&Event::Key(KeyEvent::new(code, modifiers)));
-    assert_eq!(key(KeyCode::Char('q'), KeyModifiers::NONE), Some(Key::Quit));
-    assert_eq!(key(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Key::Quit));
-    assert_eq!(key(KeyCode::Char('c'), KeyModifiers::NONE), None);
-    assert_eq!(key(KeyCode::Tab, KeyModifiers::NONE), Some(Key::Next));
+fn a_run_shows_where_it_is_and_what_the_keys_do() {
+    let mut screen = screen(1, &[Some(0), Some(1_250), Some(2_500)]);
+    screen.record(&course("held"));
+    screen.note("agreed are …");
+    let shown = drawn(&screen, 80, 24);
+    let foot = [
+        " space stop  q stop and end  \u{2191}\u{2193} 0.50 Hz (-10.00 … 30.00)  d diagnosis",
+        " held  setpoint 25.00 Hz  7.0 s left  stop: ramp",
+        " agreed are …",
+    ];
+    assert_eq!(shown[21..], foot);
+    assert_eq!(drawn(&screen, 50, 24)[21], " space stop  q stop and end");
+    screen.record(&course("stopping"));
+    assert!(drawn(&screen, 80, 24)[21..].iter().all(|line| !line.contains("space")), "it stops already");
+    assert_eq!(drawn(&screen, 80, 24)[23], "", "what was said before is over");
+    screen.record(&course("ended"));
+    assert_eq!(drawn(&screen, 80, 24)[21], " q ends  d diagnosis");
+}
+
+#[test]
+fn the_diagnosis_of_a_run_tells_in_words_and_asks_nothing() {
+    let mut screen = screen(1, &[Some(0)]);
+    screen.record(&course("held"));
+    (0..20).for_each(|nth| screen.note(&format!("said {nth}")));
+    screen.diagnoses = true;
+    let page = drawn(&screen, 80, 24).join("\n");
+    assert!(page.contains(" state: Operation enabled") && page.contains(" fault: none"), "{page}");
+    assert!(page.contains("said 19\n said 18") && page.contains("said 12") && !page.contains("said 11"), "{page}");
+    for width in [1, 9, 36, 80] {
+        [1, 2, 3, 5, 8, 24].into_iter().for_each(|height| drop(drawn(&screen, width, height)));
+    }
 }

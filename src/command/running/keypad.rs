@@ -1,0 +1,101 @@
+//! The view of a run that is held, and its keypad: there before anything is sent, opened once somebody agreed, and what it means
+//! that a key ended the run.
+
+use super::{Plan, asking};
+use crate::args::{MotionArgs, StopArg};
+use crate::command::monitor;
+use crate::drive::motion::{Ended, Motor, Situation, Watched, look, may_turn};
+use crate::drive::{AccessError, EndedBy, Interrupt, Panel, Session, Target};
+use crate::failure::{Class, Failure};
+use crate::outcome::Event;
+use crate::text::both;
+
+/// Refuses what needs keys where there are none, and what no key could stop; before anything is opened.
+pub(super) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
+    if !args.wants_keys() {
+        return Ok(());
+    }
+    let flag = if args.dead_man { "--dead-man" } else { "--view" };
+    let usage = |text| Err(Failure::new(Class::Usage, "usage.view", text));
+    if !args.hold {
+        return usage(both!(
+            "{flag} is for a run that is held: add --hold",
+            "{flag} gilt für einen gehaltenen Lauf: --hold angeben"
+        ));
+    }
+    if args.on_exit == StopArg::Keep {
+        return usage(both!(
+            "{flag} has keys that stop, and --on-exit keep stops nothing",
+            "{flag} hat Tasten, die anhalten, und --on-exit keep hält nichts an"
+        ));
+    }
+    if panel.has_keys() {
+        return Ok(());
+    }
+    let text = both!(
+        "{flag} needs a terminal for its picture and its keys, nothing was sent",
+        "{flag} braucht ein Terminal für Bild und Tasten; nichts wurde gesendet"
+    );
+    Err(Failure::new(Class::Forbidden, "forbidden.no_terminal", text).hint(both!(
+        "without it one line is shown on a terminal, and `--format ndjson` writes records",
+        "ohne sie zeigt ein Terminal eine Zeile, und `--format ndjson` schreibt Datensätze"
+    )))
+}
+
+/// Begins to show the run, if anybody looks. With a dead man it waits until a key is held, and looks at the drive anew.
+pub(super) async fn open(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    plan: &Plan<'_>,
+    panel: &Panel,
+    before: Option<Situation>,
+) -> Result<(Option<Watched>, Option<Situation>), Failure> {
+    if !panel.is_watched() || plan.relief.is_some() {
+        return Ok((None, before));
+    }
+    let verb = if plan.action == "sollwert" { "sollwert" } else { "statemachine" };
+    let items = monitor::usual(&target.family);
+    if plan.args.dead_man {
+        panel.needs_holding();
+    }
+    let mut watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone());
+    let mut before = before;
+    if plan.args.dead_man {
+        session.tell(Event::Note(both!(
+            "hold Enter or an arrow: it runs only as long",
+            "Enter oder einen Pfeil halten: nur so lange läuft er"
+        )));
+        match session.during(panel.held()).await {
+            Ok(()) => {}
+            Err(AccessError::Interrupted) => return Err(asking::interrupted()),
+            Err(error) => return Err(error.failure(target.address, Some(&target.family))),
+        }
+        before = Some(look(session, target).await?);
+    }
+    watched.starts(session);
+    Ok((Some(watched), before))
+}
+
+/// A run that was held and ended by its keypad came to its normal end, unless somebody interrupted as well. Where it was only
+/// stopped its view stays until somebody leaves.
+pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan: &Plan<'_>, interrupt: &Interrupt) {
+    let panel = interrupt.panel();
+    let Some(by) = panel.ended() else { return };
+    let was_held = motor.watched.as_ref().is_some_and(Watched::was_held);
+    let is_interrupted = matches!(&ended.result, Err(failure) if failure.class == Class::Interrupted);
+    if let (true, true, false, Some(stop)) = (was_held, is_interrupted, panel.is_interrupted(), &mut ended.stop)
+        && plan.args.hold
+        && stop.because == "interrupted"
+    {
+        ended.result = Ok(());
+        stop.because = if by == EndedBy::Key { "key" } else { "dead-man" };
+    }
+    if by == EndedBy::Key && !panel.is_left() {
+        let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
+        let told = match stands {
+            true => both!("the stop was acknowledged, the shaft stands", "der Halt wurde bestätigt, die Welle steht"),
+            false => may_turn(),
+        };
+        motor.linger(interrupt, told).await;
+    }
+}

@@ -1,0 +1,315 @@
+//! What is shown of a run while it goes on: whatever the motor sees by itself, and what is asked for besides in the pauses of a
+//! run that is held. Nothing of that holds anything up: it is asked for only where its answer and a missing one both fit into the
+//! pause, never into a busy line, and not for a while where no answer came.
+
+use super::look::status_word;
+use super::{Motor, StopChoice};
+use crate::drive::describe;
+use crate::drive::interrupt::Interrupt;
+use crate::drive::transfer::Reading;
+use crate::drive::{AccessError, Item, Session, Target};
+use crate::exchange::INSIST;
+use crate::failure::{Class, Failure};
+use crate::outcome::{
+    Column, Decimal, Event, Record, RunKeys, RunNews, SCHEMA_VERSION, Sample, SampleValue, State, StreamStart,
+    WatchedDrive,
+};
+use crate::profile::{Param, Type};
+use crate::text::Text;
+use crate::tick::{Span, Tick};
+
+/// Pause between two looks of a run that is held or shown; also what the records say of it.
+const EVERY: Span = Span::from_millis(250);
+/// No two samples come sooner, however often something is seen.
+const SOONEST: Span = Span::from_millis(200);
+/// What a question for the view is taken to cost before one was asked.
+const COST: Span = Span::from_millis(60);
+/// What was seen longer ago is not shown any more.
+const STALE: Span = Span::from_secs(3);
+/// Where one was not answered none is asked for so long.
+const SULK: Span = Span::from_secs(5);
+
+/// What is shown of a run.
+#[derive(Debug)]
+pub struct Watched {
+    rows: Vec<Row>,
+    begun: Tick,
+    samples: u64,
+    told: Option<Tick>,
+    status: Option<u32>,
+    news: RunNews,
+    /// What was said of it last.
+    said: Option<RunNews>,
+    cost: Span,
+    not_before: Tick,
+    next: usize,
+    /// It was held, so that ending it by a key is its normal end.
+    held: bool,
+    /// The setpoint is led along a schedule.
+    led: bool,
+}
+
+/// A value that is shown.
+#[derive(Debug)]
+struct Row {
+    param: Param,
+    column: Column,
+    value: Option<SampleValue>,
+    /// The drive does not have it.
+    refused: bool,
+}
+
+impl Watched {
+    /// Begins: says what is going to be shown. `keys`: what the arrows of the keypad do.
+    pub fn begin(
+        session: &mut Session<'_>,
+        target: &Target,
+        items: &[Item],
+        (command, stop): (&'static str, StopChoice),
+        keys: Option<RunKeys>,
+    ) -> Self {
+        let family = &target.family;
+        let of = |item: &Item| item.columns(family).into_iter().next().map(|column| (item.param().clone(), column));
+        let rows = items.iter().filter_map(of);
+        let rows: Vec<_> = rows.map(|(param, column)| Row { param, column, value: None, refused: false }).collect();
+        let t = Decimal { raw: 0, decimals: 6 };
+        let start = StreamStart {
+            t,
+            schema: SCHEMA_VERSION,
+            tool: "antrieb",
+            command,
+            port: session.port().to_owned(),
+            line: session.line().to_string(),
+            protocol: session.protocol().name(),
+            interval: seconds(EVERY),
+            drives: vec![WatchedDrive {
+                address: target.address,
+                drive: family.drive.clone(),
+                title: Some(family.title.clone()),
+                columns: rows.iter().map(|row| row.column.clone()).collect(),
+            }],
+        };
+        session.tell(Event::Record(Box::new(Record::Start(start))));
+        let news = RunNews {
+            t,
+            address: target.address,
+            phase: "waiting",
+            setpoint: None,
+            unit: None,
+            ends: None,
+            stop: stop.slug(),
+            keys,
+        };
+        let begun = session.now();
+        let mut shown = Watched {
+            rows,
+            begun,
+            samples: 0,
+            told: None,
+            status: None,
+            news,
+            said: None,
+            cost: COST,
+            not_before: begun,
+            next: 0,
+            held: false,
+            led: false,
+        };
+        shown.changes(session);
+        shown
+    }
+
+    /// From now on it is on its way to being held.
+    pub fn starts(&mut self, session: &mut Session<'_>) {
+        self.news.phase = "starting";
+        self.changes(session);
+    }
+
+    /// Whether the run was held.
+    pub fn was_held(&self) -> bool {
+        self.held
+    }
+
+    fn changes(&mut self, session: &mut Session<'_>) {
+        self.news.t = seconds(session.now().since(self.begun));
+        let is_old = self.said.as_ref().is_some_and(|said| RunNews { t: self.news.t, ..said.clone() } == self.news);
+        if !is_old {
+            self.said = Some(self.news.clone());
+            session.tell(Event::Record(Box::new(Record::Run(self.news.clone()))));
+        }
+    }
+
+    fn takes(&mut self, now: Tick, target: &Target, param: &Param, raw: i64) {
+        let t = seconds(now.since(self.begun));
+        let Some(row) = self.rows.iter_mut().find(|row| row.param.id == param.id) else { return };
+        let kind = param.kind.unwrap_or(Type::Long);
+        let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
+        let mut value = describe::value(target.address, &target.family, param, reading, &|_| None);
+        if let Some(word) = &mut value.word {
+            word.bits.iter_mut().for_each(|bit| bit.help = None);
+        }
+        row.value = Some(SampleValue { t, value });
+    }
+
+    /// The next value that is asked for, if there is time for it until then.
+    fn next(&mut self, now: Tick, until: Tick) -> Option<(usize, Param)> {
+        if now < self.not_before || now + self.cost + INSIST > until {
+            return None;
+        }
+        let count = self.rows.len();
+        let asked = |row: &Row| !row.refused && row.column.role != Some("status-word");
+        let index = (self.next..self.next + count)
+            .map(|index| index % count)
+            .find(|&index| self.rows.get(index).is_some_and(asked))?;
+        self.next = index + 1;
+        Some((index, self.rows.get(index)?.param.clone()))
+    }
+}
+
+impl Motor<'_, '_> {
+    /// A value was seen.
+    pub(super) fn sees(&mut self, param: &Param, raw: i64) {
+        let now = self.session.now();
+        if let Some(shown) = &mut self.watched {
+            shown.takes(now, self.target, param, raw);
+        }
+    }
+
+    /// A status word was seen.
+    pub(super) fn sees_status(&mut self, status: u32) {
+        let Some(shown) = &mut self.watched else { return };
+        shown.status = Some(status);
+        if let Some(param) = self.target.family.clone().role("status-word") {
+            self.sees(param, status.into());
+        }
+        self.shows();
+    }
+
+    /// The run comes to its next part: `held`, `stopping`, `ended`; and when that ends by itself.
+    pub(super) fn comes_to(&mut self, phase: &'static str, end: Option<Tick>) {
+        let Some(shown) = &mut self.watched else { return };
+        shown.held |= phase == "held";
+        shown.news.phase = if phase == "held" && shown.led { "led" } else { phase };
+        shown.news.ends = end.map(|end| seconds(end.since(shown.begun)));
+        self.shows();
+    }
+
+    /// Says something to whoever watches.
+    pub fn tell(&mut self, text: Text) {
+        self.session.tell(Event::Note(text));
+    }
+
+    /// From now on, until it is said again, the setpoint is led: what ends is the way and not the run.
+    pub fn is_led(&mut self, led: bool) {
+        self.watched.iter_mut().for_each(|shown| shown.led = led);
+    }
+
+    /// Tells what is known, unless that was done a moment ago.
+    fn shows(&mut self) {
+        let now = self.session.now();
+        let Some(shown) = &mut self.watched else { return };
+        let runs = !matches!(shown.news.phase, "stopping" | "ended");
+        let setpoint = self.setpoint.as_ref().filter(|_| runs);
+        shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
+        shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
+        shown.changes(self.session);
+        let Some(status) = shown.status.filter(|_| shown.told.is_none_or(|told| now.since(told) >= SOONEST)) else {
+            return;
+        };
+        let oldest = seconds(now.since(shown.begun + STALE)).raw;
+        let state: State = describe::state(&self.target.family, status);
+        let sample = Sample {
+            t: seconds(now.since(shown.begun)),
+            n: shown.samples,
+            address: self.target.address,
+            drive: self.target.family.drive.clone(),
+            state: Some(state),
+            values: shown
+                .rows
+                .iter()
+                .filter_map(|row| row.value.clone().filter(|value| value.t.raw >= oldest))
+                .collect(),
+            error: None,
+        };
+        (shown.told, shown.samples) = (Some(now), shown.samples + 1);
+        self.session.tell(Event::Record(Box::new(Record::Sample(sample))));
+    }
+
+    /// The pause before the next round of a run that is held, of which what is shown takes a part. It ends when it is to end,
+    /// whatever the drive answers; `end` is that of the run.
+    pub(super) async fn spend(&mut self, pause: Span, end: Option<Tick>) -> Result<(), Failure> {
+        let until = self.session.now() + pause;
+        if self.watched.is_some() {
+            let insisted = self.session.is_insisting();
+            self.session.insist(false);
+            let asked = self.ask_for_view(until).await;
+            self.session.insist(insisted);
+            self.session.end_at(end);
+            asked?;
+            self.shows();
+        }
+        let now = self.session.now();
+        if now < until { self.rest(until.since(now)).await } else { Ok(()) }
+    }
+
+    async fn ask_for_view(&mut self, until: Tick) -> Result<(), Failure> {
+        let rows = self.watched.as_ref().map_or(0, |shown| shown.rows.len());
+        for _ in 0..rows {
+            let now = self.session.now();
+            let Some((index, param)) = self.watched.as_mut().and_then(|shown| shown.next(now, until)) else {
+                return Ok(());
+            };
+            self.session.end_at(Some(Tick::from_micros(until.as_micros() - INSIST.as_micros())));
+            let retries = self.session.set_retries(0);
+            let read = self.target.read_set(self.session, &param, 0).await;
+            self.session.set_retries(retries);
+            let took = self.session.now().since(now);
+            if let Some(shown) = &mut self.watched {
+                shown.cost = took.longer(Span::from_micros(shown.cost.as_micros() / 8 * 7));
+            }
+            match read {
+                Ok(reading) => self.sees(&param, reading.raw),
+                Err(AccessError::Refused(_)) => {
+                    self.watched
+                        .iter_mut()
+                        .filter_map(|shown| shown.rows.get_mut(index))
+                        .for_each(|row| row.refused = true);
+                }
+                Err(error) => {
+                    let failure = self.failure(&error);
+                    if matches!(failure.class, Class::Port | Class::Interrupted) {
+                        return Err(failure);
+                    }
+                    let again = self.session.now() + SULK;
+                    self.watched.iter_mut().for_each(|shown| shown.not_before = again);
+                    return Ok(());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes on showing the drive behind its stop, of which this is told, until nobody looks any more. Only reads.
+    pub async fn linger(&mut self, interrupt: &Interrupt, told: Text) {
+        self.comes_to("ended", None);
+        self.tell(told);
+        while !interrupt.panel().is_left() {
+            self.session.end_at(None);
+            let retries = self.session.set_retries(0);
+            let status = status_word(self.session, self.target).await;
+            self.session.set_retries(retries);
+            match status {
+                Ok(status) => self.sees_status(status),
+                Err(failure) if failure.class == Class::Port => return,
+                Err(_) => {}
+            }
+            if self.spend(EVERY, None).await.is_err() {
+                return;
+            }
+        }
+    }
+}
+
+fn seconds(span: Span) -> Decimal {
+    Decimal { raw: i64::try_from(span.as_micros()).unwrap_or(i64::MAX), decimals: 6 }
+}

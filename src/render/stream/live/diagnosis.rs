@@ -1,0 +1,41 @@
+//! The diagnosis of a run: everything that the last looks told, in words, and what was said on the way. It asks nothing.
+
+use super::past::Drive;
+use super::screen::Screen;
+use crate::render::clean;
+use crate::render::stream::cells::{GAP, find, long, short};
+use ratatui::Frame;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+use ratatui::widgets::{Paragraph, Wrap};
+
+impl Screen {
+    pub(super) fn diagnosis(&self, frame: &mut Frame<'_>, area: Rect, drive: &Drive) {
+        let value = |role: &str| {
+            let column = drive.about.columns.iter().find(|column| column.role == Some(role))?;
+            Some((column, find(column, drive.last.as_ref()?)?))
+        };
+        let state = drive.last.as_ref().and_then(|sample| sample.state.as_ref());
+        let state = state.map_or(GAP, |state| state.name.get(self.lang)).to_owned();
+        let mut rows = vec![(self.word("state"), state)];
+        for role in ["fault", "warnings"] {
+            rows.extend(value(role).map(|(column, value)| (self.word(role), long(column, value, self.lang))));
+        }
+        if let Some((column, status)) = value("status-word") {
+            let set = status.word.iter().flat_map(|word| &word.bits).filter(|bit| bit.set);
+            let name = |bit: &crate::outcome::Bit| {
+                bit.name.as_ref().map_or_else(|| bit.bit.to_string(), |name| name.get(self.lang).to_owned())
+            };
+            let set: Vec<_> = set.map(name).collect();
+            rows.push((
+                self.word("status word"),
+                format!("{}  {}", short(column, Some(status), self.lang), set.join(", ")),
+            ));
+        }
+        let mut lines: Vec<Line<'_>> =
+            rows.into_iter().map(|(label, text)| Line::raw(clean(&format!(" {label}: {text}")))).collect();
+        lines.push(Line::default());
+        lines.extend(self.notes.iter().rev().map(|note| Line::raw(clean(&format!(" {note}")))));
+        frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: false }), area);
+    }
+}

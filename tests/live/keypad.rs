@@ -1,0 +1,142 @@
+//! The view of a run and its keypad at a real terminal: every key, another size, a terminal that goes away, a dead man. What the
+//! keys mean in which order is tried in virtual time (`tests/verbs/motion/keypad.rs`).
+
+use crate::program::{AtTerminal, alone};
+use std::thread;
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// A drive that obeys the control word, as a port; it goes with its directory.
+fn bench() -> (TempDir, String) {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    let drive = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n\
+                 ramps = { up_right = 20, down_right = 20, up_left = 20, down_left = 20 }\n";
+    std::fs::write(&file, drive).unwrap();
+    let port = format!("sim:{}", file.display());
+    (directory, port)
+}
+
+/// A run in its view.
+fn view(port: &str, more: &str) -> AtTerminal {
+    AtTerminal::whole(&format!("-p {port} -a 1 --yes sollwert 5Hz --enable --hold {more}"))
+}
+
+/// How a terminal is given back: no pasting, the page from before, the cursor.
+const GIVEN_BACK: &str = "\u{1b}[?2004l\u{1b}[?1049l\u{1b}[?25h";
+
+#[test]
+fn every_key_of_the_view_does_what_it_says() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let mut run = view(&port, "--view --step 0.5Hz --max 6Hz");
+    run.draws("space stop");
+    run.draws("held");
+    run.types("\u{1b}[A");
+    run.draws("setpoint 5.50 Hz");
+    run.types("\u{1b}[A\u{1b}[A\u{1b}[A");
+    run.draws("agreed are 0.00 to 6.00 Hz");
+    // A paste is nobody's finger.
+    run.types("\u{1b}[200~ q \u{1b}[201~");
+    run.types("d");
+    run.draws("status word: 0x");
+    run.types("d");
+    run.resizes(3, 2);
+    run.types("\u{c}");
+    run.draws("space stop");
+    run.types(" ");
+    run.draws("q ends");
+    run.types("q");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows(GIVEN_BACK);
+    run.shows("ramp (key), acknowledged");
+    assert!(run.is_cooked(), "the terminal is as before");
+}
+
+#[test]
+fn ctrl_c_twice_in_the_view_escalates_and_gives_the_terminal_back() {
+    let _alone = alone();
+    let (directory, port) = bench();
+    let slow = std::fs::read_to_string(directory.path().join("bench.toml")).unwrap().replace("= 20", "= 1");
+    std::fs::write(directory.path().join("bench.toml"), slow).unwrap();
+    let mut run = view(&port, "--view");
+    run.shows("held");
+    thread::sleep(Duration::from_millis(1_500));
+    run.types("\u{3}");
+    run.draws("STOPPING");
+    thread::sleep(Duration::from_millis(400));
+    run.types("\u{3}");
+    run.shows("quick-stop in place of ramp");
+    assert_eq!(run.ends(), Some(130), "{}", run.seen);
+    run.shows(GIVEN_BACK);
+    assert!(run.is_cooked());
+}
+
+#[test]
+fn a_terminal_that_goes_away_stops_the_run() {
+    let _alone = alone();
+    let (directory, port) = bench();
+    for more in ["--view", ""] {
+        let trace = directory.path().join(format!("trace{more}"));
+        let mut run = view(&port, &format!("{more} --trace {}", trace.display()));
+        run.shows("Operation enabled");
+        let exit = run.hangs_up();
+        // Nobody is left to be told; the line is: shut down.
+        let sent = std::fs::read_to_string(&trace).unwrap();
+        assert!(sent.contains("01 06 01 9A 00 07"), "{more} {exit:?}: {sent}");
+    }
+}
+
+/// Somebody looks at another screen: what is drawn is not taken.
+#[test]
+fn a_terminal_that_takes_nothing_holds_up_no_stop() {
+    let _alone = alone();
+    let (directory, port) = bench();
+    let trace = directory.path().join("trace");
+    let mut run = view(&port, &format!("--view --duration 4s --trace {}", trace.display()));
+    run.looks_away();
+    assert_eq!(run.ends(), Some(0), "what is not read is no reason for another end");
+    assert!(std::fs::read_to_string(&trace).unwrap().contains("01 06 01 9A 00 07"));
+    assert!(run.is_cooked());
+}
+
+#[test]
+fn a_dead_man_who_lets_go_stops_the_run() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let mut run = view(&port, "--dead-man");
+    run.draws("waiting for a key to be held");
+    for _ in 0..60 {
+        run.types("\r");
+        thread::sleep(Duration::from_millis(40));
+    }
+    run.shows("held");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows("ramp (dead-man), acknowledged");
+    assert!(run.is_cooked());
+}
+
+#[test]
+fn a_signal_in_the_view_stops_the_run_and_gives_the_terminal_back() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    for signal in ["-TERM", "-HUP", "-QUIT"] {
+        let mut run = view(&port, "--view");
+        run.shows("held");
+        run.signal(signal);
+        assert_eq!(run.ends(), Some(130), "{signal}: {}", run.seen);
+        run.shows(GIVEN_BACK);
+        assert!(run.is_cooked(), "{signal}");
+    }
+}
+
+#[test]
+fn one_line_tells_of_a_run_where_there_is_a_terminal() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let mut run = view(&port, "--duration 3s");
+    run.shows("Operation enabled  5.00 -> 5.00 Hz");
+    run.shows("s left  Ctrl-C stops: ramp");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows("ramp (end), acknowledged");
+}

@@ -1,0 +1,331 @@
+//! The keypad of a held run, in virtual time: whatever is pressed, in whatever order, no shaft is left turning; and what is
+//! shown of a run costs it nothing.
+
+use crate::agreeable::Agreeable;
+use crate::run::antrieb;
+use antrieb::args::{Environment, Globals, Settings};
+use antrieb::command::{Context, VERBS, sollwert};
+use antrieb::drive::{Button, Interrupt};
+use antrieb::failure::Failure;
+use antrieb::outcome::{Data, Event, Motion, Outcome, Record, RunNews};
+use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
+use antrieb::tick::{Span, Tick};
+use antrieb::transport::witness;
+use clap::Parser;
+use serde_json::Value;
+
+#[derive(Parser)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+    #[command(flatten)]
+    globals: Globals,
+}
+
+#[derive(clap::Subcommand)]
+enum Verb {
+    Sollwert(sollwert::Args),
+}
+
+const ACTIVE: &str = "set = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }";
+const SERVO: &str = "set = { RAMPacc = 3000, RAMPdecel = 3000, RAMPn_max = 3000 }\nservo = { guide = 16384 }";
+/// A drive, how its bench is set, and a run of it with bounds for the arrows.
+const DRIVES: [(&str, &str, &str); 3] = [
+    ("act", ACTIVE, "sollwert 10Hz --enable --hold --step 1Hz --min -3Hz --max 15Hz"),
+    ("acu", ACTIVE, "sollwert -10Hz --enable --hold --step 2.5Hz --min -12Hz --max 5Hz"),
+    ("lxm05", SERVO, "sollwert 300rpm --mode velocity --enable --hold --step 50rpm --min -100rpm --max 400rpm"),
+];
+
+/// What came of a run.
+struct Seen {
+    motion: Option<Motion>,
+    failure: Option<Failure>,
+    bench: Bench,
+    at: Tick,
+    news: Vec<RunNews>,
+    notes: Vec<String>,
+}
+
+/// Runs a line; `press` is called at every telegram, with its number and its time.
+fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMut(usize, Tick, &Interrupt)) -> Seen {
+    let registry = Registry::open(&[]).unwrap();
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("bench.toml");
+    std::fs::write(&file, format!("[[drive]]\nmodel = \"{model}\"\n{keys}\n")).unwrap();
+    let line = format!("antrieb -p sim:{} --drive {model} -a 1 --yes {line} {more}", file.display());
+    let cli = Cli::parse_from(line.split_whitespace());
+    let environment = Environment { directory: directory.path().to_owned(), ..Environment::default() };
+    let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
+    let interrupt = Interrupt::default();
+    interrupt.panel().watch(true);
+    let hand = interrupt.clone();
+    let (mut telegrams, mut news, mut notes, mut last) = (0, Vec::new(), Vec::new(), Tick::ZERO);
+    let mut observe = |event: Event| match event {
+        Event::Telegram { at_us, .. } => {
+            (telegrams, last) = (telegrams + 1, Tick::from_micros(at_us));
+            hand.look(last);
+            press(telegrams, last, &hand);
+        }
+        Event::Record(record) => {
+            if let Record::Run(run) = *record {
+                if run.phase == "waiting" {
+                    hand.button(Button::Hold, last);
+                }
+                news.push(run);
+            }
+        }
+        Event::Note(note) => notes.push(note.en.into_owned()),
+        _ => {}
+    };
+    witness::call();
+    let mut ask = Agreeable;
+    let mut context =
+        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let Verb::Sollwert(args) = &cli.verb;
+    let result = runtime.block_on(sollwert::run(args, &mut context));
+    let (motion, failure) = match result {
+        Ok(Outcome { data: Some(Data::Motion(motion)), failure, .. }) => (Some(motion), failure),
+        Ok(outcome) => (None, outcome.failure),
+        Err(failure) => (None, Some(failure)),
+    };
+    let (bench, at) = witness::left().unwrap();
+    Seen { motion, failure, bench, at, news, notes }
+}
+
+impl Seen {
+    fn stop(&self) -> (&str, Option<u8>, Option<&str>) {
+        let stop = self.motion.as_ref().and_then(|motion| motion.stop.as_ref()).unwrap();
+        (stop.because, self.failure.as_ref().map(|failure| failure.class.exit()), stop.escalated)
+    }
+
+    fn setpoint(&self) -> i64 {
+        self.motion.as_ref().unwrap().setpoint.as_ref().unwrap().value.raw
+    }
+
+    fn turning(&self) -> u64 {
+        self.bench.totals().turning
+    }
+}
+
+/// Numbers that are the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, most: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % most
+    }
+}
+
+/// From here on somebody wants to go home.
+const LATE: usize = 130;
+
+#[test]
+fn no_shaft_is_left_turning_whatever_is_pressed() {
+    let mut ends = std::collections::BTreeMap::<String, usize>::new();
+    for seed in 0..500u64 {
+        let mut dice = Dice(seed);
+        let drive = DRIVES[(seed % 3) as usize];
+        let more = match (seed % 2 == 1, seed % 5) {
+            (true, 0) => "--dead-man --duration 2s",
+            (true, _) => "--dead-man",
+            (false, 0) => "--view --duration 2s",
+            (false, 1) => "--view --watchdog 1s",
+            (false, _) => "--view",
+        };
+        // From then on keys are pressed, and from then on, perhaps, none is held.
+        let (begin, tired) = (dice.below(60) as usize, dice.below(300) as usize);
+        let seen = run(drive, more, &mut |telegram, at, hand| match dice.below(400) {
+            _ if telegram < begin => hand.button(Button::Hold, at),
+            _ if telegram > LATE => hand.button(Button::End, at),
+            0 => hand.button(Button::Stop, at),
+            1 => hand.button(Button::End, at),
+            2 => hand.press(),
+            3 => hand.raise(),
+            4 => (0..200).for_each(|_| hand.button(Button::More, at)),
+            5 => (0..200).for_each(|_| hand.button(Button::Less, at)),
+            6..20 => hand.button(Button::More, at),
+            20..34 => hand.button(Button::Less, at),
+            _ if telegram < tired => hand.button(Button::Hold, at),
+            _ => {}
+        });
+        let mut later = seen.bench.clone();
+        later.advance(seen.at + Span::from_secs(12));
+        assert_eq!(later.totals().turning, 0, "seed {seed}: {:?} {:?}", seen.motion, seen.failure);
+        let Some(motion) = &seen.motion else { continue };
+        let stop = motion.stop.as_ref();
+        let proven = stop.is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
+        assert!(seen.failure.is_some() || proven, "seed {seed}: 0 without a proven stop");
+        assert!(!(proven && seen.turning() > 0), "seed {seed}: said to stand");
+        for news in &seen.news {
+            let (setpoint, keys) = (news.setpoint.map(|setpoint| setpoint.raw), news.keys.as_ref().unwrap());
+            let agreed = keys.min.raw..=keys.max.raw;
+            assert!(
+                setpoint.is_none_or(|setpoint| setpoint == 0 || agreed.contains(&setpoint)),
+                "seed {seed}: {news:?}"
+            );
+        }
+        *ends.entry(stop.map_or("none", |stop| stop.because).to_owned()).or_default() += 1;
+    }
+    // The trial has tried all of them.
+    let all: Vec<&str> = ends.keys().map(String::as_str).filter(|end| *end != "none").collect();
+    assert_eq!(all, ["dead-man", "end", "interrupted", "key"], "{ends:?}");
+}
+
+#[test]
+fn arrows_change_the_setpoint_by_steps_and_stop_at_what_was_agreed() {
+    let [act, _, servo] = DRIVES;
+    for (drive, button, times, expected) in [
+        (act, Button::More, 3, 1_300),
+        (act, Button::More, 30, 1_500),
+        (act, Button::Less, 5, 500),
+        (act, Button::Less, 50, -300),
+        (servo, Button::More, 9, 400),
+        (servo, Button::Less, 2, 200),
+    ] {
+        let seen = run(drive, "--view", &mut |telegram, at, hand| match telegram {
+            // Held long before.
+            120 => (0..times).for_each(|_| hand.button(button, at)),
+            200.. => hand.button(Button::End, at),
+            _ => {}
+        });
+        assert_eq!((seen.setpoint(), seen.turning()), (expected, 0), "{} {button:?} {times}", drive.0);
+        assert_eq!(seen.stop(), ("key", None, None), "{:?}", seen.failure);
+        let refused = seen.notes.iter().any(|note| note.starts_with("agreed are "));
+        assert_eq!(refused, times > 6, "{:?}", seen.notes);
+    }
+}
+
+#[test]
+fn who_lets_go_is_obeyed_at_once_and_a_later_key_starts_nothing() {
+    let mut released = None;
+    let seen = run(DRIVES[1], "--dead-man", &mut |telegram, at, hand| {
+        if telegram < 150 {
+            hand.button(Button::Hold, at);
+            released = Some(at);
+        } else if telegram > 170 {
+            // The stop is under way.
+            hand.button(Button::Hold, at);
+        }
+    });
+    assert_eq!((seen.stop(), seen.turning()), (("dead-man", None, None), 0), "{:?}", seen.failure);
+    let phases: Vec<&str> = seen.news.iter().map(|news| news.phase).collect();
+    assert_eq!(phases.iter().filter(|phase| **phase == "held").count(), 1, "{phases:?}");
+}
+
+#[test]
+fn a_space_leaves_the_view_open_and_q_closes_it() {
+    let mut ended = 0;
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
+        120 => hand.button(Button::Stop, at),
+        // The stop takes less.
+        600.. => {
+            ended = telegram;
+            hand.button(Button::End, at);
+        }
+        _ => {}
+    });
+    assert_eq!((seen.stop(), ended >= 600, seen.turning()), (("key", None, None), true, 0), "{:?}", seen.failure);
+    assert_eq!(seen.news.last().map(|news| news.phase), Some("ended"));
+    assert!(seen.notes.iter().any(|note| note == "the stop was acknowledged, the shaft stands"), "{:?}", seen.notes);
+}
+
+#[test]
+fn only_ctrl_c_asks_for_a_harder_stop() {
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
+        120.. => [Button::Stop, Button::End, Button::Stop].into_iter().for_each(|button| hand.button(button, at)),
+        _ => {}
+    });
+    assert_eq!(seen.stop(), ("key", None, None), "who leans on the key gets the ramp");
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
+        120 => hand.button(Button::End, at),
+        130 => hand.press(),
+        _ => {}
+    });
+    assert_eq!(seen.stop(), ("interrupted", Some(130), Some("quick-stop")));
+}
+
+#[test]
+fn what_is_shown_starves_no_watchdog_on_a_line_that_stutters() {
+    let late = "[[disturb]]\nevery = 4\nkind = \"late\"\nby = \"400ms\"";
+    for (model, keys, line) in DRIVES {
+        let keys = format!("{keys}\n{late}");
+        let more = "--view --watchdog 2s --duration 20s";
+        let seen = run((model, &keys, line), more, &mut |_, _, _| {});
+        assert_eq!((seen.stop(), seen.turning()), (("end", None, None), 0), "{model}: {:?}", seen.failure);
+    }
+}
+
+#[test]
+fn records_of_a_run_fit_their_schema_and_come_before_its_document() {
+    let bench = format!("[[drive]]\nmodel = \"acu\"\n{ACTIVE}\n");
+    for (verb, line) in [
+        ("sollwert", "-a 1 --yes sollwert 5Hz --enable --hold --duration 900ms"),
+        ("sollwert", "-a 1 --yes sollwert --ramp 0Hz:5Hz:600ms --enable --hold --duration 300ms"),
+        ("sollwert", "-a 1 --yes sollwert 5Hz --jog 600ms"),
+        ("statemachine", "-a 1 --yes statemachine enable --hold --duration 600ms"),
+        ("statemachine", "-a 1 --yes statemachine goto operation-enabled --hold --duration 600ms"),
+    ] {
+        let out = antrieb(&format!("{line} --format ndjson")).on(&bench).exits(0).out;
+        let mut records: Vec<Value> = out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        // What stood there before records came.
+        let (end, row) = (records.pop().unwrap(), records.pop().unwrap());
+        assert_eq!((&end["type"], &end["ok"], &row["stop"]["choice"]), (&"end".into(), &true.into(), &"ramp".into()));
+        let entry = VERBS.iter().find(|entry| entry.name == verb).unwrap();
+        let validator = jsonschema::validator_for(&(entry.schema)()).unwrap();
+        for record in &records {
+            assert!(validator.is_valid(record), "{record:#}");
+        }
+        let of = |tag: &str| records.iter().filter(|record| record["type"] == tag).collect::<Vec<_>>();
+        assert_eq!((of("start").len(), records.first().map(|record| &record["type"])), (1, Some(&"start".into())));
+        assert!(of("sample").iter().any(|sample| sample["state"]["slug"] == "operation-enabled"), "{records:#?}");
+        let phases: Vec<_> = of("run").iter().map(|run| run["phase"].as_str().unwrap().to_owned()).collect();
+        let mut parts = phases.clone();
+        parts.dedup();
+        let led = if line.contains("--ramp") {
+            &["starting", "led", "held", "stopping"][..]
+        } else {
+            &["starting", "held", "stopping"]
+        };
+        assert_eq!(parts.iter().filter(|phase| *phase != "waiting").collect::<Vec<_>>(), led, "{line}");
+    }
+}
+
+#[test]
+fn without_a_terminal_a_view_is_refused_before_anything_is_sent() {
+    let bench = format!("[[drive]]\nmodel = \"acu\"\n{ACTIVE}\n");
+    for (line, exit, text) in [
+        ("sollwert 5Hz --enable --hold --view", 8, "--view needs a terminal"),
+        ("sollwert 5Hz --jog 1s --dead-man", 8, "--dead-man needs a terminal"),
+        ("statemachine enable --hold --view", 8, "--view needs a terminal"),
+        ("statemachine enable --view", 2, "add --hold"),
+        ("statemachine enable --hold --view --on-exit keep", 2, "--on-exit keep stops nothing"),
+        ("sollwert 5Hz --enable --hold --step 1A", 2, "--step"),
+        ("sollwert 5Hz --enable --hold --step 0Hz", 2, "more than 0"),
+        ("sollwert 5Hz --enable --hold --step 1Hz --max 4Hz", 2, "between --min and --max"),
+        ("sollwert 5Hz --enable --hold --step 60rpm", 2, "the unit of the setpoint"),
+        ("sollwert 5Hz --enable --hold --max 9Hz", 2, "--step"),
+    ] {
+        for lang in ["en", "de"] {
+            let output = antrieb(&format!("-v -a 1 --yes --lang {lang} {line}")).on(&bench).exits(exit);
+            assert!(!output.err.contains(" > "), "{line}: {}", output.err);
+            assert!(lang == "de" || output.err.contains(text), "{line}: {}", output.err);
+        }
+    }
+}
+
+#[test]
+fn bounds_are_held_against_the_drive_like_a_setpoint_that_is_typed() {
+    let bench = format!("[[drive]]\nmodel = \"acu\"\n{ACTIVE}\n");
+    let line = "-a 1 --yes sollwert 5Hz --enable --hold --duration 300ms --step 1Hz";
+    let refused = antrieb(&format!("{line} --max 900Hz")).on(&bench).exits(7);
+    assert!(refused.err.contains("P.419"), "{}", refused.err);
+    let agreed = antrieb(&format!("{line} --max 9Hz")).on(&bench).exits(0);
+    assert!(
+        agreed.err.contains("the arrows change the setpoint by 1.00 Hz, from 0.00 Hz to 9.00 Hz"),
+        "{}",
+        agreed.err
+    );
+}
