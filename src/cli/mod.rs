@@ -23,6 +23,7 @@ use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::time::Duration;
+use tokio::runtime::Runtime;
 use typed::What;
 
 /// How long a run that is over waits for a reader who takes nothing of what it says. Everything else waits for its reader as
@@ -80,14 +81,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             stream.into_inner().close();
             whole(outcome, entry, format, manner, out.as_mut(), &console)
         }
-        Some(view) => Stream::open(view, out.as_mut(), manner, &console).and_then(|stream| {
-            let stream = RefCell::new(stream);
-            let outcome = carry_out(Some(&stream));
-            match stream.into_inner().finish(&outcome, entry.name) {
-                Err(error) if is_untaken(&error) => Ok(outcome),
-                printed => printed.map(|()| outcome),
-            }
-        }),
+        Some(view) => Stream::open(view, out.as_mut(), manner, &console)
+            .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
     };
     match printed {
         Ok(outcome) => outcome.failure.map_or(0, |failure| failure.class.exit()),
@@ -121,6 +116,20 @@ fn print(
             failure.class.exit()
         }
         Err(error) => closed(&error, console),
+    }
+}
+
+/// Prints what is found as it comes.
+fn streamed<'o>(
+    stream: Stream<'o>,
+    verb: &'static str,
+    carry_out: impl FnOnce(&RefCell<Stream<'o>>) -> Outcome,
+) -> io::Result<Outcome> {
+    let stream = RefCell::new(stream);
+    let outcome = carry_out(&stream);
+    match stream.into_inner().finish(&outcome, verb) {
+        Err(error) if is_untaken(&error) => Ok(outcome),
+        printed => printed.map(|()| outcome),
     }
 }
 
@@ -226,6 +235,12 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
     failure.class.exit()
 }
 
+/// Everything waits in one thread.
+fn one_thread() -> Result<Runtime, Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.context("cannot start the runtime").map_err(|error| Failure::caused(Class::Bug, "bug.runtime", &error))
+}
+
 fn work(
     entry: &Entry,
     verb: &dyn Typed,
@@ -237,9 +252,7 @@ fn work(
     let Looks { stream, watch, terminal } = looks;
     let registry = Registry::open(&settings.catalogues)
         .map_err(|error| Failure::new(Class::Data, "data.catalogue", error.text()))?;
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.context("cannot start the runtime");
-    let runtime = runtime.map_err(|error| Failure::caused(Class::Bug, "bug.runtime", &error))?;
+    let runtime = one_thread()?;
     let interrupt = Interrupt::default();
     let ends = interrupt.clone();
     let mut observe = |event| match stream {

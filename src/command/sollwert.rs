@@ -2,20 +2,21 @@
 
 mod check;
 mod keys;
+mod shown;
 mod wanted;
 mod zero;
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
-use super::{Context, Reader, Row, each_drive, finish, offline, offline_family, plan, read_question, target};
-use crate::args::{KeypadArgs, MotionArgs, Settings, Takes, parse_span};
+use super::{Context, offline, offline_family};
+use crate::args::{KeypadArgs, MotionArgs, Takes, parse_span};
 use crate::drive::motion::{self, Motor};
-use crate::drive::{Panel, Session, Upper};
+use crate::drive::{Panel, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, Document, ErrorDoc, OrMotion, OrRecord, Outcome, SetpointReport, Sollwert, Value};
-use crate::profile::{DataSets, Family, Registry, Start};
+use crate::outcome::{Document, OrMotion, OrRecord, Outcome, Sollwert};
+use crate::profile::{Family, Start};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use check::Check;
@@ -146,7 +147,7 @@ impl Verb for Args {
 /// Shows the setpoints of every drive that was named, or gives one.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     super::movable(&*offline_family(context.settings, context.registry)?)?;
-    let Some(spoken) = spoken(args)? else { return show_all(context).await };
+    let Some(spoken) = spoken(args)? else { return shown::show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.
     let (family, wanted) = offline(context.settings, context.registry, |family| understand(args, &spoken, family))?;
     if context.settings.dry_run {
@@ -400,64 +401,4 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
     }
     told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()));
     Ok(told.told())
-}
-
-async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    if context.settings.dry_run {
-        let family = offline_family(context.settings, context.registry)?;
-        let show = &family.motion.show;
-        let ids = [&show.setpoints[..], &show.actual, &show.sources].concat();
-        let questions: Vec<_> =
-            ids.iter().filter_map(|&id| family.param(id)).map(|param| read_question(param, 0)).collect();
-        return plan(context, &family, &questions);
-    }
-    let (drives, failures, succeeded) = each_drive(
-        context,
-        <Args as Verb>::UPPER.drive,
-        async |session: &mut Session<'_>, settings: &Settings, registry: &Registry, address| {
-            show(session, settings, registry, address).await
-        },
-        |address, failure: &Failure| SetpointReport {
-            address,
-            drive: "unknown".to_owned(),
-            setpoints: Vec::new(),
-            actual: Vec::new(),
-            sources: Vec::new(),
-            error: Some(ErrorDoc::from(failure)),
-        },
-    )
-    .await?;
-    Ok(finish(Data::Sollwert(Sollwert { drives }), failures, succeeded, Vec::new()))
-}
-
-async fn show(
-    session: &mut Session<'_>,
-    settings: &Settings,
-    registry: &Registry,
-    address: u8,
-) -> Result<Row<SetpointReport>, Failure> {
-    let mut target = target(session, settings, registry, address, false).await?;
-    let family = target.family.clone();
-    let mut reader = Reader::new(session, &mut target);
-    reader.lenient = true;
-    let report = SetpointReport {
-        address,
-        drive: family.drive.clone(),
-        setpoints: values(&mut reader, &family, &family.motion.show.setpoints).await?,
-        actual: values(&mut reader, &family, &family.motion.show.actual).await?,
-        sources: values(&mut reader, &family, &family.motion.show.sources).await?,
-        error: None,
-    };
-    let (failures, good) = reader.into_failures();
-    Ok((report, failures, good))
-}
-
-async fn values(reader: &mut Reader<'_, '_>, family: &Family, ids: &[u32]) -> Result<Vec<Value>, Failure> {
-    let params: Vec<_> = ids.iter().filter_map(|&id| family.param(id).cloned()).collect();
-    reader.fetch(&params).await?;
-    let mut values = Vec::new();
-    for param in &params {
-        values.extend(reader.rows(param, DataSets::Unnamed).await?.into_iter().next());
-    }
-    Ok(values)
 }

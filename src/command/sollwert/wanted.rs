@@ -214,10 +214,6 @@ impl Wanted {
 
 /// Reads the setpoint and what belongs to it in the words of a family.
 pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Result<Wanted, Failure> {
-    let failed = |point: &Point, why: Text| match &spoken.file {
-        Some(path) => profile_failure(path, point.line, &why),
-        None => bad(why),
-    };
     let expected = || bad(both!("expected a setpoint such as 25Hz", "erwartet: ein Sollwert wie 25Hz"));
     let first = spoken.points.first().ok_or_else(expected)?;
     let mode = named_mode(args, family)?;
@@ -227,22 +223,9 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
             bad(both!("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still"))
         })?,
         None => unit_mode(&first.text, family)
-            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..failed(first, why) })?,
+            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..at_point(spoken, first, why) })?,
     };
-    let mut said = Vec::new();
-    for point in &spoken.points {
-        let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
-            value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
-            error => failed(point, error.text()),
-        })?;
-        if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
-            return Err(failed(
-                point,
-                both!("all setpoints must have the same unit", "alle Sollwerte brauchen dieselbe Einheit"),
-            ));
-        }
-        said.push(one);
-    }
+    let said = every_point(spoken, mode, family)?;
     let schedule = schedule(spoken, &said)?;
     check_codes(args, mode, family, &schedule)?;
     let mut settings = options(args, mode, family)?;
@@ -262,6 +245,40 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
         mode: mode.clone(),
     };
     wanted.check_widths()?;
+    fits_mode(args, spoken, mode)?;
+    Ok(wanted)
+}
+
+/// The failure of a point: with its place, where it stands in a file.
+fn at_point(spoken: &Spoken, point: &Point, why: Text) -> Failure {
+    match &spoken.file {
+        Some(path) => profile_failure(path, point.line, &why),
+        None => bad(why),
+    }
+}
+
+/// Every setpoint in the words of the mode, all of them with one unit.
+fn every_point(spoken: &Spoken, mode: &Mode, family: &Family) -> Result<Vec<setpoint::Said>, Failure> {
+    let mut said = Vec::new();
+    for point in &spoken.points {
+        let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
+            value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
+            error => at_point(spoken, point, error.text()),
+        })?;
+        if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
+            return Err(at_point(
+                spoken,
+                point,
+                both!("all setpoints must have the same unit", "alle Sollwerte brauchen dieselbe Einheit"),
+            ));
+        }
+        said.push(one);
+    }
+    Ok(said)
+}
+
+/// Refuses what a mode cannot do: to reach a setpoint that has no end, or to be led to several targets.
+fn fits_mode(args: &Args, spoken: &Spoken, mode: &Mode) -> Result<(), Failure> {
     if args.until.is_some() && mode.endless {
         return Err(bad(both!(
             "nothing tells that this is reached: {mode}",
@@ -276,7 +293,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
             mode = mode.text()
         )));
     }
-    Ok(wanted)
+    Ok(())
 }
 
 pub(super) fn out_of_range(param: &Param, error: &value::ValueError) -> Failure {

@@ -48,7 +48,7 @@ impl Situation {
         Facts::lacking(family.motion.interlocks.iter().filter(|row| self.lacks(row, family)).map(|row| row.need))
     }
 
-    fn lacks(&self, row: &Interlock, family: &Family) -> bool {
+    pub(super) fn lacks(&self, row: &Interlock, family: &Family) -> bool {
         let bit = row.bit.is_some_and(|bit| self.status >> bit & 1 == 0);
         let setting = row.setting.as_ref().is_some_and(|setting| {
             self.settings.get(&setting.role).is_some_and(|value| value % setting.modulo == setting.not)
@@ -58,7 +58,7 @@ impl Situation {
     }
 
     /// What is missing behind an interlock, and where one sees it.
-    fn told(&self, row: &Interlock) -> Option<Text> {
+    pub(super) fn told(&self, row: &Interlock) -> Option<Text> {
         let missing = row.missing.clone()?;
         let given = |inputs: &[u8]| self.inputs.is_none_or(|word| inputs.iter().any(|bit| word >> bit & 1 == 1));
         let mut parts: Vec<_> = row.parts.iter().filter(|part| !given(&part.inputs)).collect();
@@ -207,65 +207,6 @@ fn watchdog_decimals(family: &Family) -> u8 {
     if in_ms { 3 } else { 0 }
 }
 
-/// What keeps the drive from running, in words, and how one sees it.
-pub fn missing(situation: &Situation, target: &Target) -> Vec<Text> {
-    let family = &target.family;
-    let mut missing: Vec<Text> = not_obeyed(situation, family).into_iter().collect();
-    let lacking = family.motion.interlocks.iter().filter(|row| situation.lacks(row, family));
-    missing.extend(lacking.filter_map(|row| situation.told(row)));
-    if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32)) {
-        missing.push(fault.told());
-    }
-    missing
-}
-
-fn not_obeyed(situation: &Situation, family: &Family) -> Option<Text> {
-    let (control, mode) = (family.motion.control?, situation.mode?);
-    if mode == control.obeys {
-        return None;
-    }
-    let (label, obeys) = (family.role("control-mode")?.label(), control.obeys);
-    Some(both!(
-        "{label} is {mode}: the control word is obeyed only with {obeys} (--take-control)",
-        "{label} ist {mode}: auf das Steuerwort hört der Antrieb nur bei {obeys} (--take-control)"
-    ))
-}
-
-/// The failure to show where the control word is not obeyed; `None` where it is, or where the drive does not say.
-pub fn no_control(situation: &Situation, target: &Target) -> Option<Failure> {
-    let (control, mode) = (target.family.motion.control?, situation.mode?);
-    if mode == control.obeys {
-        return None;
-    }
-    let (label, obeys) = (target.family.role("control-mode")?.label(), control.obeys);
-    let text = both!(
-        "the drive is not controlled by the control word: {label} is {mode}, it must be {obeys}",
-        "der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"
-    );
-    Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(both!(
-        "--take-control sets it in RAM for the run and gives it back",
-        "--take-control stellt es für den Lauf im RAM um und danach zurück"
-    )))
-}
-
-/// The failure to show of a drive that is not commanded by a word.
-pub fn no_control_word() -> Failure {
-    let text = both!("this drive has no control word", "dieser Antrieb hat kein Steuerwort");
-    Failure::new(Class::Data, "data.role", text)
-}
-
-/// The failure to show where the drive has tripped.
-pub fn tripped(family: &Family, code: u32) -> Failure {
-    let fault = describe::fault(family, code);
-    let text = both!("the drive has tripped", "der Antrieb hat abgeschaltet");
-    let text = fault.iter().fold(text, |text, fault| Text::join([&text, &fault.told()], ": "));
-    let failure = Failure::new(Class::Forbidden, "forbidden.fault", text);
-    match fault.and_then(|fault| fault.remedy) {
-        Some(remedy) => failure.hint(remedy),
-        None => failure,
-    }
-}
-
 pub(super) fn no_plan(why: &NoPlan, situation: &Situation, family: &Family) -> Failure {
     match why {
         NoPlan::Unreachable { from, goal } => {
@@ -343,6 +284,7 @@ pub(super) async fn ram_set(session: &mut Session<'_>, target: &mut Target, para
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drive::motion::lacking::{missing, no_control, tripped};
     use crate::profile::Registry;
     use crate::text::Lang;
     use std::rc::Rc;

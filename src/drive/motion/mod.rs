@@ -7,6 +7,7 @@
 use super::describe;
 mod before;
 mod changes;
+mod lacking;
 mod leave;
 mod look;
 mod patience;
@@ -22,9 +23,9 @@ mod watched;
 
 pub use super::route::Meant;
 pub use before::{Standing, runs_at, standing, upon_enabling};
+pub use lacking::{missing, no_control, no_control_word, tripped};
 pub use look::{
-    Situation, look, may_change_mode, missing, no_control, no_control_word, role_raw, surroundings, tripped,
-    watchdog_raw, watchdog_seconds, working, working_raw,
+    Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
 pub use shout::{FirstWord, shout, shout_zero};

@@ -1,6 +1,7 @@
 //! Acts that can only take motion away: they need nobody's word, and must work where little else does.
 
-use super::look::{no_control, working_raw};
+use super::lacking::no_control;
+use super::look::working_raw;
 use super::still::STOPPED;
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;

@@ -42,11 +42,8 @@ impl Motor<'_, '_> {
     /// Sends the stop and waits for the state and the standstill that prove it. Somebody who interrupts again gets a
     /// stronger one, and so does a drive that does not obey. Never fails: it reports.
     pub(super) async fn stop(&mut self, choice: StopChoice, because: &'static str) -> Stop {
-        let (escalated, state, note) = (None, None, None);
-        let mut stop =
-            Stop { choice: choice.slug(), escalated, because, acknowledged: false, standing: None, state, note };
+        let mut stop = not_yet(choice, because);
         if choice == StopChoice::Keep {
-            stop.note = Some(both!("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt"));
             return stop;
         }
         self.comes_to("stopping", None);
@@ -393,3 +390,17 @@ const OFF: &[&str] = &["switch-on-disabled", "ready-to-switch-on", "fault", "not
 
 #[cfg(test)]
 mod tests;
+
+/// A stop of which nothing is known yet; of none at all that it is so.
+fn not_yet(choice: StopChoice, because: &'static str) -> Stop {
+    let kept = || both!("the drive keeps running, as asked for", "der Antrieb läuft weiter, wie verlangt");
+    Stop {
+        choice: choice.slug(),
+        escalated: None,
+        because,
+        acknowledged: false,
+        standing: None,
+        state: None,
+        note: (choice == StopChoice::Keep).then(kept),
+    }
+}

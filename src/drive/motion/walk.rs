@@ -1,6 +1,7 @@
 //! Walking the state machine, each step proven, and why a step does not come.
 
-use super::look::{missing, no_control, no_plan, state_name, tripped};
+use super::lacking::{missing, no_control, tripped};
+use super::look::{no_plan, state_name};
 use super::stop::QUICK_STOP;
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;

@@ -2,7 +2,7 @@
 
 use super::page::{Page, shown};
 use super::{Finding, Row, list};
-use crate::outcome::{Motion, State};
+use crate::outcome::{Motion, Setpoint, State};
 
 impl Finding for Motion {
     fn table(&self, page: Page) -> String {
@@ -22,23 +22,7 @@ impl Page {
         };
         let mut rows = vec![("state", format!("{} -> {}", state(&motion.from), state(&motion.to)))];
         if let Some(setpoint) = &motion.setpoint {
-            let reached = match setpoint.reached {
-                Some(true) => format!(", {}", self.word("reached")),
-                Some(false) => format!(", {}", self.word("not reached")),
-                None => String::new(),
-            };
-            let actual = setpoint.actual.map_or_else(String::new, |actual| {
-                format!(", {} {} {}", self.word("actual value"), shown(actual, false), setpoint.unit)
-            });
-            let below = setpoint.denominator.map_or_else(String::new, |below| format!("/{below}"));
-            let runs = setpoint.effective.filter(|effective| effective.raw != setpoint.value.raw);
-            let runs = runs.map_or_else(String::new, |effective| {
-                format!(" ({} {} {})", self.word("makes"), shown(effective, false), setpoint.unit)
-            });
-            rows.push((
-                "setpoint",
-                format!("{}{below} {}{runs}{reached}{actual}", shown(setpoint.value, false), setpoint.unit),
-            ));
+            rows.push(("setpoint", self.setpoint(setpoint)));
         }
         for change in &motion.changed {
             let back = if change.restored { "given back" } else { "NOT given back" };
@@ -78,5 +62,23 @@ impl Page {
         });
         let steps = self.table(&[">step", "command", "control word", "state", ">took"], steps.collect());
         if steps.is_empty() { text } else { text + "\n" + &steps }
+    }
+
+    /// What was given, what the drive makes of it, and what came of it.
+    fn setpoint(self, setpoint: &Setpoint) -> String {
+        let reached = match setpoint.reached {
+            Some(true) => format!(", {}", self.word("reached")),
+            Some(false) => format!(", {}", self.word("not reached")),
+            None => String::new(),
+        };
+        let actual = setpoint.actual.map_or_else(String::new, |actual| {
+            format!(", {} {} {}", self.word("actual value"), shown(actual, false), setpoint.unit)
+        });
+        let below = setpoint.denominator.map_or_else(String::new, |below| format!("/{below}"));
+        let runs = setpoint.effective.filter(|effective| effective.raw != setpoint.value.raw);
+        let runs = runs.map_or_else(String::new, |effective| {
+            format!(" ({} {} {})", self.word("makes"), shown(effective, false), setpoint.unit)
+        });
+        format!("{}{below} {}{runs}{reached}{actual}", shown(setpoint.value, false), setpoint.unit)
     }
 }

@@ -1,0 +1,67 @@
+//! What keeps a drive from running, in words.
+
+use super::look::Situation;
+use crate::drive::describe;
+use crate::drive::target::Target;
+use crate::failure::{Class, Failure};
+use crate::profile::Family;
+use crate::text::{Text, both};
+
+/// What keeps the drive from running, in words, and how one sees it.
+pub fn missing(situation: &Situation, target: &Target) -> Vec<Text> {
+    let family = &target.family;
+    let mut missing: Vec<Text> = not_obeyed(situation, family).into_iter().collect();
+    let lacking = family.motion.interlocks.iter().filter(|row| situation.lacks(row, family));
+    missing.extend(lacking.filter_map(|row| situation.told(row)));
+    if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32)) {
+        missing.push(fault.told());
+    }
+    missing
+}
+
+fn not_obeyed(situation: &Situation, family: &Family) -> Option<Text> {
+    let (control, mode) = (family.motion.control?, situation.mode?);
+    if mode == control.obeys {
+        return None;
+    }
+    let (label, obeys) = (family.role("control-mode")?.label(), control.obeys);
+    Some(both!(
+        "{label} is {mode}: the control word is obeyed only with {obeys} (--take-control)",
+        "{label} ist {mode}: auf das Steuerwort hört der Antrieb nur bei {obeys} (--take-control)"
+    ))
+}
+
+/// The failure to show where the control word is not obeyed; `None` where it is, or where the drive does not say.
+pub fn no_control(situation: &Situation, target: &Target) -> Option<Failure> {
+    let (control, mode) = (target.family.motion.control?, situation.mode?);
+    if mode == control.obeys {
+        return None;
+    }
+    let (label, obeys) = (target.family.role("control-mode")?.label(), control.obeys);
+    let text = both!(
+        "the drive is not controlled by the control word: {label} is {mode}, it must be {obeys}",
+        "der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"
+    );
+    Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(both!(
+        "--take-control sets it in RAM for the run and gives it back",
+        "--take-control stellt es für den Lauf im RAM um und danach zurück"
+    )))
+}
+
+/// The failure to show of a drive that is not commanded by a word.
+pub fn no_control_word() -> Failure {
+    let text = both!("this drive has no control word", "dieser Antrieb hat kein Steuerwort");
+    Failure::new(Class::Data, "data.role", text)
+}
+
+/// The failure to show where the drive has tripped.
+pub fn tripped(family: &Family, code: u32) -> Failure {
+    let fault = describe::fault(family, code);
+    let text = both!("the drive has tripped", "der Antrieb hat abgeschaltet");
+    let text = fault.iter().fold(text, |text, fault| Text::join([&text, &fault.told()], ": "));
+    let failure = Failure::new(Class::Forbidden, "forbidden.fault", text);
+    match fault.and_then(|fault| fault.remedy) {
+        Some(remedy) => failure.hint(remedy),
+        None => failure,
+    }
+}
