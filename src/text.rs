@@ -93,6 +93,13 @@ impl Text {
         both!("{words}", "\"{words}\"")
     }
 
+    /// So many of something, in each language by its name for one and for several: `1 sample`, `2 samples`.
+    pub fn count(count: u64, en: [&str; 2], de: [&str; 2]) -> Self {
+        let nth = usize::from(count != 1);
+        let [en, de] = [en, de].map(|names| names.get(nth).copied().unwrap_or_default());
+        both!("{count} {en}", "{count} {de}")
+    }
+
     /// What `say` says in each language.
     pub fn by(say: impl Fn(Lang) -> String) -> Self {
         Text { en: Cow::Owned(say(Lang::En)), de: Cow::Owned(say(Lang::De)) }
@@ -229,6 +236,13 @@ mod tests {
             "nothing to format, nothing to allocate"
         );
         assert_eq!(Text::join([&Text::name("P.11"), &why], ": ").both(), ["P.11: silent", "P.11: stumm"]);
+    }
+
+    #[test]
+    fn one_of_something_is_not_several() {
+        let said = |count| Text::count(count, ["gap", "gaps"], ["Lücke", "Lücken"]);
+        assert_eq!(said(1).both(), ["1 gap", "1 Lücke"]);
+        assert_eq!([said(0), said(2)].map(|text| text.en), ["0 gaps", "2 gaps"]);
     }
 
     #[test]

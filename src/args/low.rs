@@ -183,7 +183,7 @@ impl<'a> Low<'a> {
     fn call_several(&mut self, text: &str) -> Result<Option<Vec<u8>>, Failure> {
         let parts: Vec<&str> = text.split(',').map(str::trim).collect();
         let is_name = |part: &&str| self.files.iter().any(|(_, file)| file.drives.contains_key(*part));
-        if !parts.iter().any(|part| is_name(&part)) {
+        if !parts.iter().any(is_name) {
             return Ok(None);
         }
         let mut list = Vec::new();

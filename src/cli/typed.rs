@@ -286,7 +286,15 @@ fn unfit_value(why: &(dyn std::error::Error + 'static)) -> String {
     let told = why.to_string();
     match (why.downcast_ref::<Wrong>(), told.split_once(" is not in ")) {
         (Some(ours), _) => format!(": {}", ours.0.de),
-        (None, Some((_, range))) => format!(": erwartet wird eine ganze Zahl in {range}"),
+        (None, Some((_, range))) => match range.split_once("..") {
+            Some((first, last)) if last == u64::MAX.to_string() => {
+                format!(": erwartet wird eine ganze Zahl ab {first}")
+            }
+            _ => format!(": erwartet wird eine ganze Zahl in {range}"),
+        },
+        (None, None) if why.is::<std::net::AddrParseError>() => {
+            ": erwartet werden Adresse und Port wie 127.0.0.1:5020".to_owned()
+        }
         (None, None) if why.is::<std::num::ParseIntError>() => ": erwartet wird eine ganze Zahl".to_owned(),
         (None, None) => format!(": {}", Text::quoted(told).de),
     }

@@ -240,10 +240,10 @@ mod tests {
         each_reader(|reader| {
             let reader = Reader { protocol: Framing::Rtu.into(), ..reader };
             // 65281 registers from 8564 on; two from 65535 on.
-            let long = reader.typed("01 03 21 74 FF 01 8F DC").unwrap();
+            let long = reader.typed("01 03 21 74 FF 01 8F DC").unwrap().remove(0);
             assert!(long.check_ok && long.meaning.en.contains("65281"), "{:?}", long.meaning);
             for pdu in [[3, 0xFF, 0xFF, 0, 2].as_slice(), &[16, 0xFF, 0xFF, 0, 2, 4, 0, 1, 0, 2]] {
-                assert!(reader.typed(&Hex(&rtu::encode(1, pdu)).to_string()).unwrap().check_ok);
+                assert!(reader.typed(&Hex(&rtu::encode(1, pdu)).to_string()).unwrap()[0].check_ok);
             }
         });
     }

@@ -244,13 +244,17 @@ fn end(outcome: &Outcome, command: &'static str, summary: Option<StreamSummary>)
 fn told(summary: &StreamSummary) -> Text {
     match summary {
         StreamSummary::Monitor(Monitor { samples, gaps, rounds, t, .. }) => both!(
-            "{samples} samples in {rounds} rounds and {t} s, {gaps} of them gaps",
-            "{samples} Messpunkte in {rounds} Runden und {t} s, davon {gaps} Lücken",
+            "{samples} in {rounds} and {t} s, {gaps}",
+            "{samples} in {rounds} und {t} s, {gaps}",
+            samples = Text::count(*samples, ["sample", "samples"], ["Messpunkt", "Messpunkte"]),
+            rounds = Text::count(*rounds, ["round", "rounds"], ["Runde", "Runden"]),
+            gaps = Text::count(*gaps, ["of them a gap", "of them gaps"], ["Lücke davon", "Lücken davon"]),
             t = cells::seconds(*t)
         ),
         StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }) => both!(
-            "{heard} telegrams in {t} s, {garbled} of them disturbed",
-            "{heard} Telegramme in {t} s, davon {garbled} gestört",
+            "{heard} in {t} s, {garbled} of them disturbed",
+            "{heard} in {t} s, davon {garbled} gestört",
+            heard = Text::count(*heard, ["telegram", "telegrams"], ["Telegramm", "Telegramme"]),
             t = cells::seconds(*t)
         ),
     }
