@@ -41,6 +41,7 @@ mod motion {
     mod asked_for;
     mod clock;
     mod counted;
+    mod hasty;
     mod held;
     mod kept;
     mod leftovers;

@@ -79,6 +79,11 @@ impl Motor<'_, '_> {
                 self.tell_lost(&failure);
                 Ok(())
             }
+            Err(failure) if failure.class == Class::Interrupted && self.lever == Lever::Setpoint => {
+                // Nobody has looked yet, but its first word went out: a stronger one follows.
+                (self.touched, self.lever) = (true, Lever::ControlWord);
+                Err(failure)
+            }
             done => done,
         }
     }

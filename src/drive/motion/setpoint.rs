@@ -343,7 +343,7 @@ impl Motor<'_, '_> {
         self.session.set_retries(retries);
         match mode {
             Ok(Some(mode)) if mode != ours => Err(self.taken().await),
-            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+            // A lost port and an interrupt are there for the next question as well.
             _ => Ok(()),
         }
     }
@@ -405,6 +405,6 @@ impl Motor<'_, '_> {
         let round = self.beat().times(ROUND);
         // Within a third of the watchdog, with room for the telegrams.
         let round = self.guard.map_or(round, |guard| round.min(Span::from_micros(guard.as_micros() / 4)));
-        duration.map_or(round, |duration| round.min(if duration > gone { duration - gone } else { Span::ZERO }))
+        duration.map_or(round, |duration| round.min(duration - gone))
     }
 }

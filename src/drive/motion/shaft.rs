@@ -51,8 +51,8 @@ impl Watch {
         let tolerance = |pace: i64| if self.movement == Movement::Speed { 0 } else { pace.abs() / 128 };
         let changes = self.steady.is_none_or(|steady| (pace - steady).abs() > tolerance(steady)) && !self.stands();
         // And an answer that came late makes one look slower than the shaft is: two must say so.
-        let sure = self.before.filter(|before| before.abs() > pace.abs()).unwrap_or(pace);
-        let slows = self.slowest.is_none_or(|slowest| sure.abs() < slowest.abs() - tolerance(slowest));
+        let sure = pace.abs().max(self.before.map_or(0, i64::abs));
+        let slows = self.slowest.is_none_or(|slowest| sure < slowest - tolerance(slowest));
         if changes {
             self.steady = Some(pace);
         }

@@ -134,13 +134,14 @@ async fn say_to(
 /// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.
 async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Question>>) -> Result<bool, AccessError> {
     let limits = session.limits();
-    let mut refused = false;
+    let (mut refused, mut interrupted) = (false, false);
     session.set_limits(Limits { reply_timeout: SHORT, ..limits });
     for _ in 0..TIMES {
         for words in &mut wholes {
             for word in std::mem::take(words) {
-                session.end_at(Some(session.now() + BRIEF));
-                match session.blurt(meant.address, word.clone()).await {
+                let (answer, pressed) = insist(session, meant.address, &word).await;
+                interrupted |= pressed;
+                match answer {
                     Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => continue,
                     Ok(Answer::Reply { .. }) => refused = true,
                     Err(error) if error.is_fatal() => return Err(error),
@@ -152,8 +153,26 @@ async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Qu
                 return Ok(false);
             }
         }
+        if interrupted {
+            return Err(AccessError::Interrupted);
+        }
     }
     Ok(refused)
+}
+
+/// Says it once; whoever interrupts that gets it said again, and waits no longer than for this answer. Whether somebody did.
+async fn insist(session: &mut Session<'_>, address: u8, word: &Question) -> (Result<Answer, AccessError>, bool) {
+    let mut pressed = false;
+    loop {
+        session.end_at(Some(session.now() + BRIEF));
+        match session.blurt(address, word.clone()).await {
+            Err(AccessError::Interrupted) => {
+                session.note_interrupts();
+                pressed = true;
+            }
+            answer => return (answer, pressed),
+        }
+    }
 }
 
 /// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
@@ -229,7 +248,11 @@ async fn say_zero_to(
         wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
     }
     let said = !wholes.is_empty();
-    let refused = repeat(session, meant, wholes).await?;
+    let refused = match repeat(session, meant, wholes).await {
+        // It went out: what came of it is told.
+        Err(AccessError::Interrupted) => false,
+        repeated => repeated?,
+    };
     Ok((said, refused || (unspeakable && !said)))
 }
 
@@ -292,10 +315,22 @@ fn in_short(told: Result<Option<i64>, Failure>) -> Result<Option<i64>, AccessErr
 async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -> Result<Vec<Rc<Family>>, AccessError> {
     let mut kinds = kinds(registry);
     session.end_at(Some(session.now() + BRIEF));
-    if let Some(describes) = recognise::describes_itself(session, address).await? {
+    let describes = recognise::describes_itself(session, address).await;
+    if let Some(describes) = unless_interrupted(session, describes)?.flatten() {
         kinds.retain(|family| family.link.product.is_some() == describes);
     }
     Ok(kinds)
+}
+
+/// Whoever interrupts a question before the stop ends the question: the stop goes out without its answer.
+fn unless_interrupted<T>(session: &mut Session<'_>, told: Result<T, AccessError>) -> Result<Option<T>, AccessError> {
+    match told {
+        Err(AccessError::Interrupted) => {
+            session.note_interrupts();
+            Ok(None)
+        }
+        told => told.map(Some),
+    }
 }
 
 /// One family of each kind that can be moved.
@@ -325,7 +360,8 @@ async fn first_word(
     let Some(control) = family.motion.control.filter(|_| act == Relief::Disable) else {
         return Ok(FirstWord { word: command_of(act).and_then(word_of), instead: false });
     };
-    if let Some(word) = ramp_word(session, meant, family, control).await? {
+    let ramp = ramp_word(session, meant, family, control).await;
+    if let Some(word) = unless_interrupted(session, ramp)?.flatten() {
         return Ok(FirstWord { word: Some(word), instead: false });
     }
     let label = family.role_label("control-mode");

@@ -125,7 +125,7 @@ impl Motor<'_, '_> {
     /// Somebody interrupts the strongest stop: it must have gone out, also into a busy line, but little more is waited for.
     fn hurries(&mut self) {
         self.session.note_interrupts();
-        if self.bound.is_none_or(|bound| bound > self.session.now() + HURRIED) {
+        if self.bound.is_none() {
             self.ends_within(HURRIED);
         }
     }
