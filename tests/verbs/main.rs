@@ -45,6 +45,7 @@ mod motion {
     mod held;
     mod kept;
     mod leftovers;
+    mod proofs;
     mod question;
     mod refused;
     mod relief;

@@ -34,6 +34,7 @@ fn a_drive_that_refuses_its_control_word_gets_its_setpoint_0() {
             assert_eq!((run.data("/stop/acknowledged"), run.data("/running")), (&json!(false), &json!(true)), "{told}");
             assert_eq!((run.data("/stop/standing"), run.data("/standing")), (&json!(true), &json!(true)), "{told}");
             let notes = run.data("/notes").to_string();
+            assert!(way == "coast" || notes.contains("is not obeyed: coast in its place"), "{told}");
             assert!(
                 ["exception 4", "the setpoint went to 0 in its place"].iter().all(|note| notes.contains(note)),
                 "{told}"
