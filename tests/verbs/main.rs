@@ -59,6 +59,7 @@ mod offline {
     mod catalogues;
     mod decoding;
     mod files;
+    mod lists;
     mod settings;
 }
 
