@@ -1707,16 +1707,16 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -a "import" -d 'Turn a list into a catalogue of your own: a table (CSV) of a site or supplier, or an MBMap (JSON)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -a "import" -d 'Make a catalogue of your own of a list: CSV, or MBMap (JSON)'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -a "export" -d 'Write parameters as a table (CSV) that `params import` takes back'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l output -d 'Write the catalogue to this file; --force replaces an old one [default: stdout]' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l column -d 'Which heading is which field: id=Nr, unit=Einheit; FIELD= takes none (repeatable)' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l set -d 'What every row says that says nothing itself: access=rw, decimals=2 (repeatable)' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l own -d 'A family of its own by this name, reached over plain Modbus' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l output -d 'Write the catalogue to this file [default: stdout]' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l column -d 'Which heading is which field: id=Nr (repeatable)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l set -d 'What every row says: access=rw (repeatable)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l own -d 'A family of its own, reached over plain Modbus' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l title -d 'What the device is called [default: from the list]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l base -d 'The number that register 0 has in the list: 0, 1, 40001' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l ignore -d 'A key of an MBMap register that changes nothing of its value (repeatable)' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'What parts the cells: ; , tab [default: found out]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'What parts the cells: `;` `,` tab [default: found out]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l as -d 'What the list is [default: found out]' -r -f -a "table\t'A table: CSV, as spreadsheets write it'
 mbmap\t'A map of registers: MBMap version 2, JSON'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
@@ -1737,7 +1737,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l output -d 'Write to this file; --force replaces an old one' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l output -d 'Write to this file [default: stdout]' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
@@ -1746,7 +1746,7 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l excel -d 'As a German Excel wants it: semicolons, decimal commas, a mark for UTF-8'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l excel -d 'For a German Excel: semicolons, decimal commas'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s v -l verbose -d 'Show settings and telegrams, on stderr'

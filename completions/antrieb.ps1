@@ -1910,19 +1910,19 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
-            [CompletionResult]::new('import', 'import', [CompletionResultType]::ParameterValue, 'Turn a list into a catalogue of your own: a table (CSV) of a site or supplier, or an MBMap (JSON)')
+            [CompletionResult]::new('import', 'import', [CompletionResultType]::ParameterValue, 'Make a catalogue of your own of a list: CSV, or MBMap (JSON)')
             [CompletionResult]::new('export', 'export', [CompletionResultType]::ParameterValue, 'Write parameters as a table (CSV) that `params import` takes back')
             break
         }
         'antrieb;params;import' {
-            [CompletionResult]::new('--output', '--output', [CompletionResultType]::ParameterName, 'Write the catalogue to this file; --force replaces an old one [default: stdout]')
-            [CompletionResult]::new('--column', '--column', [CompletionResultType]::ParameterName, 'Which heading is which field: id=Nr, unit=Einheit; FIELD= takes none (repeatable)')
-            [CompletionResult]::new('--set', '--set', [CompletionResultType]::ParameterName, 'What every row says that says nothing itself: access=rw, decimals=2 (repeatable)')
-            [CompletionResult]::new('--own', '--own', [CompletionResultType]::ParameterName, 'A family of its own by this name, reached over plain Modbus')
+            [CompletionResult]::new('--output', '--output', [CompletionResultType]::ParameterName, 'Write the catalogue to this file [default: stdout]')
+            [CompletionResult]::new('--column', '--column', [CompletionResultType]::ParameterName, 'Which heading is which field: id=Nr (repeatable)')
+            [CompletionResult]::new('--set', '--set', [CompletionResultType]::ParameterName, 'What every row says: access=rw (repeatable)')
+            [CompletionResult]::new('--own', '--own', [CompletionResultType]::ParameterName, 'A family of its own, reached over plain Modbus')
             [CompletionResult]::new('--title', '--title', [CompletionResultType]::ParameterName, 'What the device is called [default: from the list]')
             [CompletionResult]::new('--base', '--base', [CompletionResultType]::ParameterName, 'The number that register 0 has in the list: 0, 1, 40001')
             [CompletionResult]::new('--ignore', '--ignore', [CompletionResultType]::ParameterName, 'A key of an MBMap register that changes nothing of its value (repeatable)')
-            [CompletionResult]::new('--separator', '--separator', [CompletionResultType]::ParameterName, 'What parts the cells: ; , tab [default: found out]')
+            [CompletionResult]::new('--separator', '--separator', [CompletionResultType]::ParameterName, 'What parts the cells: `;` `,` tab [default: found out]')
             [CompletionResult]::new('--as', '--as', [CompletionResultType]::ParameterName, 'What the list is [default: found out]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05 [default: auto, ask the drive]')
             [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')
@@ -1946,14 +1946,14 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;params;export' {
-            [CompletionResult]::new('--output', '--output', [CompletionResultType]::ParameterName, 'Write to this file; --force replaces an old one')
+            [CompletionResult]::new('--output', '--output', [CompletionResultType]::ParameterName, 'Write to this file [default: stdout]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05 [default: auto, ask the drive]')
             [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')
             [CompletionResult]::new('--lang', '--lang', [CompletionResultType]::ParameterName, 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]')
             [CompletionResult]::new('--color', '--color', [CompletionResultType]::ParameterName, 'Colour [default: auto]')
             [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
-            [CompletionResult]::new('--excel', '--excel', [CompletionResultType]::ParameterName, 'As a German Excel wants it: semicolons, decimal commas, a mark for UTF-8')
+            [CompletionResult]::new('--excel', '--excel', [CompletionResultType]::ParameterName, 'For a German Excel: semicolons, decimal commas')
             [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
             [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')
             [CompletionResult]::new('--quiet', '--quiet', [CompletionResultType]::ParameterName, 'Less on stderr')

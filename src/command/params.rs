@@ -31,9 +31,9 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Action {
-    /// Turn a list into a catalogue of your own: a table (CSV) of a site or supplier, or an MBMap (JSON)
+    /// Make a catalogue of your own of a list: CSV, or MBMap (JSON)
     ///
-    /// Columns are guessed from their headings (German or English) and contents. What was taken for what, and which rows were
+    /// A table (CSV) of a site or a supplier, or a map of registers in the MBMap format, version 2. Columns are guessed from their headings (German or English) and contents. What was taken for what, and which rows were
     /// left out and why, stands above the catalogue, or on stdout with --output. What the list does not say stays open;
     /// whatever it does not allow to write is read only. The catalogue is loaded as --catalogue would before it is written.
     /// Rows are for the family that `params` shows (--drive), or with --own for one of its own, which is read, watched and
@@ -50,6 +50,7 @@ impl Verb for Args {
         "antrieb params 372",
         "antrieb params rated",
         "antrieb --drive lxm05 params nenn --format csv",
+        "antrieb params import list.csv --set access=rw",
         "antrieb params export rated",
     ];
     type Prints = Document<ListOr<Params>>;

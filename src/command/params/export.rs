@@ -12,13 +12,15 @@ use std::path::{Path, PathBuf};
 
 #[derive(Clone, Debug, ClapArgs)]
 pub(super) struct Options {
-    /// Number, or words of a slug or name [default: every parameter]
+    /// Number, or words of a slug or name [default: all]
     #[arg(value_name = "SEARCH")]
     search: Vec<String>,
-    /// Write to this file; --force replaces an old one
+    /// Write to this file [default: stdout]
+    ///
+    /// Written whole, or not at all; --force replaces an old one.
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// As a German Excel wants it: semicolons, decimal commas, a mark for UTF-8
+    /// For a German Excel: semicolons, decimal commas
     #[arg(long)]
     excel: bool,
 }

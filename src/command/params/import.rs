@@ -26,41 +26,47 @@ pub(super) struct Options {
     /// The list
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Write the catalogue to this file; --force replaces an old one [default: stdout]
+    /// Write the catalogue to this file [default: stdout]
+    ///
+    /// Written whole, or not at all; --force replaces an old one.
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Which heading is which field: id=Nr, unit=Einheit; FIELD= takes none (repeatable)
-    #[arg(long, value_name = "FIELD=HEADING", value_parser = pair)]
+    /// Which heading is which field: id=Nr (repeatable)
+    ///
+    /// `unit=` without a heading takes no column for it.
+    #[arg(long, value_name = "FIELD=HEAD", value_parser = pair)]
     column: Vec<(String, String)>,
-    /// What every row says that says nothing itself: access=rw, decimals=2 (repeatable)
-    #[arg(long, value_name = "FIELD=VALUE", value_parser = pair)]
+    /// What every row says: access=rw (repeatable)
+    ///
+    /// Only of rows that say nothing themselves.
+    #[arg(long, value_name = "FIELD=WORD", value_parser = pair)]
     set: Vec<(String, String)>,
-    /// A family of its own by this name, reached over plain Modbus
+    /// A family of its own, reached over plain Modbus
     #[arg(long, value_name = "NAME")]
     own: Option<String>,
-    /// What the device is called [default: from the list]
-    #[arg(long, value_name = "TEXT")]
-    title: Option<String>,
     /// Rows take the place of those that are there
     #[arg(long)]
     replace: bool,
+    /// What the device is called [default: from the list]
+    #[arg(long, value_name = "TEXT", hide_short_help = true)]
+    title: Option<String>,
     /// The number that register 0 has in the list: 0, 1, 40001
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     base: Option<u32>,
     /// The lower half of a value in two registers goes first
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     low_half_first: bool,
     /// Input registers (code 4) are read as holding registers (code 3)
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     input_as_holding: bool,
     /// A key of an MBMap register that changes nothing of its value (repeatable)
-    #[arg(long, value_name = "KEY")]
+    #[arg(long, value_name = "KEY", hide_short_help = true)]
     ignore: Vec<String>,
-    /// What parts the cells: ; , tab [default: found out]
-    #[arg(long, value_name = "CHAR", value_parser = separator)]
+    /// What parts the cells: `;` `,` tab [default: found out]
+    #[arg(long, value_name = "CHAR", value_parser = separator, hide_short_help = true)]
     separator: Option<char>,
     /// What the list is [default: found out]
-    #[arg(long = "as", value_enum)]
+    #[arg(long = "as", value_enum, hide_short_help = true)]
     form: Option<Form>,
 }
 
