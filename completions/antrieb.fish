@@ -1692,20 +1692,68 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s v -l verbose -d 'Show settings and telegrams, on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -a "import" -d 'Make a catalogue of your own of a list: CSV, or MBMap (JSON)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -a "export" -d 'Write parameters as a table (CSV) that `params import` takes back'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l output -d 'Write the catalogue to this file [default: stdout]' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l column -d 'Which heading is which field: id=Nr (repeatable)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l set -d 'What every row says: access=rw (repeatable)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l own -d 'A family of its own, reached over plain Modbus' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l title -d 'What the device is called [default: from the list]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l base -d 'The number that register 0 has in the list: 0, 1, 40001' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l ignore -d 'A key of an MBMap register that changes nothing of its value (repeatable)' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'What parts the cells: `;` `,` tab [default: found out]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l as -d 'What the list is [default: found out]' -r -f -a "table\t'A table: CSV, as spreadsheets write it'
+mbmap\t'A map of registers: MBMap version 2, JSON'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l replace -d 'Rows take the place of those that are there'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l low-half-first -d 'The lower half of a value in two registers goes first'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l input-as-holding -d 'Input registers (code 4) are read as holding registers (code 3)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l output -d 'Write to this file [default: stdout]' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l excel -d 'For a German Excel: semicolons, decimal commas'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram trace status control warnings fault error" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'

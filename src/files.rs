@@ -6,7 +6,7 @@
 
 use crate::text::{Text, both};
 use std::fs::{File, Metadata, OpenOptions};
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 /// Longest configuration, catalogue, bench, setpoint file or saved result in bytes; ours have some ten thousand. What reads
@@ -105,6 +105,11 @@ pub fn of_system(error: &io::Error) -> Text {
 
 /// The text of a regular file of at most `limit` bytes.
 pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
+    String::from_utf8(read_bytes(path, limit)?).map_err(|error| FileError::NoText(error.utf8_error().valid_up_to() + 1))
+}
+
+/// The bytes of a regular file of at most `limit` of them.
+pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
     must_be_regular(&std::fs::metadata(path)?)?;
     let file = unhurried(OpenOptions::new().read(true), true).open(path)?;
     // Looked at again: somebody may have put something else in its place.
@@ -114,7 +119,32 @@ pub fn read(path: &Path, limit: u64) -> Result<String, FileError> {
     if bytes.len() as u64 > limit {
         return Err(FileError::TooLong(limit));
     }
-    String::from_utf8(bytes).map_err(|error| FileError::NoText(error.utf8_error().valid_up_to() + 1))
+    Ok(bytes)
+}
+
+/// Writes a whole file, or nothing of it: what stands there is replaced only with `overwrite`, and only by all of the text.
+pub fn write_whole(path: &Path, text: &str, overwrite: bool) -> Result<(), FileError> {
+    match std::fs::symlink_metadata(path) {
+        Ok(found) if found.file_type().is_symlink() => return Err(FileError::Link),
+        Ok(found) => must_be_regular(&found)?,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        Err(error) => return Err(error.into()),
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let beside = path.with_file_name(format!(".{name}.{}.new", std::process::id()));
+    let written = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        // A link is made only where nothing is yet; a rename takes the place of what is there.
+        if overwrite { std::fs::rename(&beside, path) } else { std::fs::hard_link(&beside, path) }
+    });
+    if !(overwrite && written.is_ok()) {
+        let _ = std::fs::remove_file(&beside);
+    }
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(FileError::Exists),
+        written => Ok(written?),
+    }
 }
 
 /// A new file to write to. One that exists is only replaced with `overwrite`, and only if it is a regular file and no
@@ -210,6 +240,25 @@ mod tests {
             assert_eq!(told(create(&path, true)), format!("expected a regular file, this is {kind}"));
         }
         assert!(read(&at("nothing"), TEXT).unwrap_err().is_missing());
+    }
+
+    #[test]
+    fn a_whole_file_is_written_or_nothing_of_it() {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        write_whole(&at("new"), "one", false).unwrap();
+        assert_eq!(told(write_whole(&at("new"), "two", false)), "the file exists already");
+        assert_eq!(std::fs::read_to_string(at("new")).unwrap(), "one");
+        write_whole(&at("new"), "two", true).unwrap();
+        assert_eq!(std::fs::read_to_string(at("new")).unwrap(), "two");
+        symlink(at("new"), at("link")).unwrap();
+        for overwrite in [false, true] {
+            let refused = "expected a regular file, this is a symbolic link";
+            assert_eq!(told(write_whole(&at("link"), "three", overwrite)), refused);
+            assert!(told(write_whole(dir.path(), "three", overwrite)).ends_with("this is a directory"));
+            assert!(write_whole(&at("none/where"), "three", overwrite).unwrap_err().is_missing());
+        }
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2, "nothing is left behind");
     }
 
     #[test]

@@ -86,7 +86,6 @@ impl Takes {
             "timeout",
             "retries",
             "trace",
-            "force",
         ],
     };
     /// Is a line itself.

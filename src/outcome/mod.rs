@@ -5,6 +5,7 @@
 
 mod document;
 mod found;
+mod import;
 mod line;
 mod motion;
 mod offline;
@@ -17,6 +18,7 @@ pub use document::{Document, Envelope, OrLine, OrMotion, OrPlan, OrRead, OrRecor
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
 };
+pub use import::{Export, Import, ImportColumn, ImportRow, ListOr, RowLeftOut};
 pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
@@ -101,6 +103,10 @@ pub enum Data {
     Sollwert(Sollwert),
     /// `params`
     Params(Params),
+    /// `params import`
+    Import(Box<Import>),
+    /// `params export`
+    Export(Export),
     /// `decode`
     Decode(Decode),
     /// `sniff`

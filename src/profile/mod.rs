@@ -6,6 +6,7 @@
 
 mod catalogue;
 mod family;
+pub mod import;
 mod link;
 mod machine;
 mod motion;

@@ -20,7 +20,7 @@ const ENGLISH: &str = "
     just keeps key known later least left length less like line literal lost made make many map may maybe
     mean means missing mode more most much must named names neither never next no nobody none nor not nothing now
     number numbers of off on once one only open or other our out over own parse parsed part place please question
-    questions range refused register registers replies reply row rows said same second seconds see seen sent sequence
+    questions range refused registers replies reply row rows said same second seconds see seen sent sequence
     serial setting settings several shaft shall she should shows silence silent since some somebody something speed
     stands still string such take taken telegrams tells than that the their them then there these they thing this
     those though three through time times to together told too took turns two unclosed unconfirmed under unexpected
@@ -32,7 +32,7 @@ const ENGLISH: &str = "
 const ALIKE: &str = "
     act active acu adapter antrieb ascii auto baud bd bit broadcasts bus bytes disable enable last shutdown sniff clients cm code crc cube dir echo eeprom em
     exceptions exit fmax format gateway halt hz in ixt kw lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
-    nodeid oder ok param parameter port ram remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
+    nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
     tk type udc uint vabus version war was watchdog
 ";
 

@@ -64,6 +64,7 @@ mod offline {
     mod decoding;
     mod files;
     mod naming;
+    mod lists;
     mod settings;
 }
 

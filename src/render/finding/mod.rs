@@ -4,6 +4,7 @@ mod dataset;
 mod decode;
 mod diag;
 mod identify;
+mod import;
 mod line;
 mod monitor;
 mod motion;
@@ -55,6 +56,8 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Statemachine(found) => found,
         Data::Sollwert(found) => found,
         Data::Params(found) => found,
+        Data::Import(found) => found.as_ref(),
+        Data::Export(found) => found,
         Data::Decode(found) => found,
         Data::Sniff(found) => found,
         Data::Simulate(found) => found,

@@ -102,6 +102,7 @@ fn every_example_works() {
     for example in &examples {
         let line = example.strip_prefix("antrieb ").unwrap();
         let line = line.replace("line.txt", "{dir}/line.txt").replace("bench.toml", "{dir}/bench.toml");
+        let line = line.replace("list.csv", "{dir}/list.csv");
         let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");
         // What is paced by the wall clock need not take its time here.
         let line = line.replace(":5s", ":300ms").replace(" 5s", " 300ms").replace(":5020", ":0");
@@ -111,6 +112,7 @@ fn every_example_works() {
         let ended = antrieb(&paced)
             .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
             .file("bench.toml", bench)
+            .file("list.csv", "Nr.;Name\n1500;Head\n")
             .run();
         // Two data sets that differ are an answer.
         let fine = ended.exit == 0 || ended.exit == 1 && example.contains(" diff ");

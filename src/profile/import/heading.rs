@@ -1,0 +1,201 @@
+//! Which column is which: by its heading in German or English, by its contents where a word means two things.
+
+use super::cells::{self, dense};
+use super::draft::{ColumnTaken, ImportError, Wishes};
+use super::export::COLUMNS;
+use super::sheet::Record;
+use crate::text::both;
+
+/// Words of headings: field, words that mean it, words that may mean it if none of the first stands there.
+const WORDS: &[(&str, &str, &str)] = &[
+    (
+        "id",
+        "nr nummer no number num param parameter parameternr parameternummer parameterno parameternumber pnr pno register \
+         registernr registernummer registeradresse registeraddress registernumber modbusadresse modbusaddress modbusregister \
+         adresse address addr adr reg parnr",
+        "code index pos position",
+    ),
+    ("de", "deutsch german namede bezeichnungde namedeutsch bezeichnungdeutsch", ""),
+    ("en", "english englisch nameen bezeichnungen nameenglish nameenglisch bezeichnungenglisch", ""),
+    (
+        "name",
+        "name bezeichnung benennung parametername parameterbezeichnung titel title designation label text signal variable \
+         klartext parameter param",
+        "beschreibung description funktion function bedeutung meaning",
+    ),
+    ("short", "kurzname kurzbezeichnung shortname kuerzel mnemonic", ""),
+    ("unit", "einheit units dim dimension eh phyeinheit masseinheit", ""),
+    ("type", "typ datentyp datatype datenformat dataformat", "format"),
+    ("decimals", "nachkommastellen dezimalstellen dezimalen kommastellen decimalplaces nk", "precision genauigkeit"),
+    ("scale", "skalierung faktor factor scaling scalefactor multiplikator multiplier", "aufloesung resolution"),
+    ("range", "bereich wertebereich einstellbereich range valuerange settingrange", ""),
+    ("min", "minimum minwert minimalwert untergrenze von lower minvalue lowerlimit", ""),
+    ("max", "maximum maxwert maximalwert obergrenze bis upper maxvalue upperlimit", ""),
+    (
+        "default",
+        "werk werkseinstellung werkeinstellung abwerk voreinstellung standard standardwert factory factorysetting \
+         defaultvalue",
+        "",
+    ),
+    ("access", "zugriff zugriffsart rw lesenschreiben readwrite berechtigung accessright", "attribut attribute"),
+    ("sets", "datensatz datensaetze datasets dataset", ""),
+    ("values", "werte auswahl auswahlwerte enum enumeration choices options optionen", ""),
+    ("group", "gruppe kategorie category menu menue rubrik", ""),
+    (
+        "note",
+        "bemerkung bemerkungen hinweis hinweise kommentar anmerkung anmerkungen remark remarks notes comment comments info",
+        "beschreibung description erlaeuterung funktion function",
+    ),
+    ("source", "quelle", ""),
+];
+
+/// Names of fields that a heading or an option can have.
+pub(super) fn fields() -> Vec<&'static str> {
+    let mut all: Vec<&'static str> = COLUMNS.to_vec();
+    all.extend(WORDS.iter().map(|row| row.0).filter(|field| !COLUMNS.contains(field)));
+    all
+}
+
+/// The columns of a list.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Head {
+    pub(super) columns: Vec<ColumnTaken>,
+    /// Records before the first row.
+    pub(super) rows_from: usize,
+    pub(super) line: usize,
+}
+
+impl Head {
+    pub(super) fn column(&self, field: &str) -> Option<usize> {
+        self.columns.iter().find(|taken| taken.field == field).map(|taken| taken.column - 1)
+    }
+}
+
+/// How surely a heading means a field: 0 it is its name, 1 a word for it, 2 perhaps.
+fn fits(field: &str, heading: &str) -> Option<u8> {
+    let typed = dense(heading);
+    if typed == dense(field) {
+        return Some(0);
+    }
+    let (_, sure, perhaps) = WORDS.iter().find(|row| row.0 == field)?;
+    let among = |words: &str| words.split_whitespace().any(|word| word == typed);
+    if among(sure) { Some(1) } else { among(perhaps).then_some(2) }
+}
+
+/// Finds the headings, wherever they stand below a title, and takes the columns for what they are.
+pub(super) fn find(records: &[Record], wishes: &Wishes) -> Result<Head, ImportError> {
+    if let Some((wrong, _)) =
+        wishes.columns.iter().chain(&wishes.sets).find(|wish| !fields().contains(&wish.0.as_str()))
+    {
+        let known = fields().join(", ");
+        return Err(ImportError::at(
+            0,
+            both!(
+                "there is no field '{wrong}' (expected: {known})",
+                "ein Feld '{wrong}' gibt es nicht (erwartet: {known})"
+            ),
+        ));
+    }
+    let recognised = |record: &Record| {
+        let said = |cell: &str| wishes.columns.iter().any(|wish| same(&wish.1, cell));
+        record
+            .cells
+            .iter()
+            .filter(|cell| said(cell) || fields().iter().any(|field| fits(field, cell).is_some()))
+            .count()
+    };
+    let best = records.iter().take(30).map(recognised).max().unwrap_or(0);
+    let at = records.iter().position(|record| recognised(record) == best).filter(|_| best >= 2);
+    let (Some(at), Some(head)) = (at, at.and_then(|at| records.get(at))) else {
+        let why = both!(
+            "no line of headings was found: two of them at least must be known",
+            "keine Kopfzeile gefunden: mindestens zwei Überschriften müssen bekannt sein"
+        );
+        return Err(ImportError::at(0, why).hint(both!(
+            "say which column is which: --column id=HEADING --column name=HEADING",
+            "die Spalten benennen: --column id=ÜBERSCHRIFT --column name=ÜBERSCHRIFT"
+        )));
+    };
+    let rows = records.get(at + 1..).unwrap_or(&[]);
+    let columns = columns(head, rows, wishes)?;
+    Ok(Head { columns, rows_from: at + 1, line: head.line })
+}
+
+fn same(wish: &str, heading: &str) -> bool {
+    !wish.is_empty() && (wish.trim() == heading || dense(wish) == dense(heading) && !dense(wish).is_empty())
+}
+
+fn columns(head: &Record, rows: &[Record], wishes: &Wishes) -> Result<Vec<ColumnTaken>, ImportError> {
+    let mut taken: Vec<ColumnTaken> = Vec::new();
+    let take = |field: &'static str, column: usize, said: bool| ColumnTaken {
+        field,
+        heading: head.cell(column).to_owned(),
+        column: column + 1,
+        said,
+    };
+    for field in fields() {
+        let Some((_, wish)) = wishes.columns.iter().rev().find(|wish| wish.0 == field) else { continue };
+        let fitting: Vec<usize> = (0..head.cells.len()).filter(|&column| same(wish, head.cell(column))).collect();
+        match fitting.as_slice() {
+            _ if wish.is_empty() => {}
+            [column] => taken.push(take(field, *column, true)),
+            [] => return Err(no_heading(head, wish)),
+            _ => return Err(two(head, field, &fitting)),
+        }
+    }
+    // What is surely a field is taken before what may be one.
+    for surely in 0..3 {
+        for field in fields() {
+            let is_settled =
+                wishes.columns.iter().any(|wish| wish.0 == field) || taken.iter().any(|row| row.field == field);
+            if is_settled {
+                continue;
+            }
+            let is_free = |column: &usize| taken.iter().all(|row| row.column != column + 1);
+            let fitting: Vec<usize> = (0..head.cells.len())
+                .filter(is_free)
+                .filter(|&column| fits(field, head.cell(column)) == Some(surely) && may_hold(field, rows, column))
+                .collect();
+            match fitting.as_slice() {
+                [] => {}
+                [column] => taken.push(take(field, *column, false)),
+                _ => return Err(two(head, field, &fitting)),
+            }
+        }
+    }
+    taken.sort_by_key(|row| row.column);
+    Ok(taken)
+}
+
+/// Whether the contents can be those of the field: numbers of parameters are numbers, names are none.
+fn may_hold(field: &str, rows: &[Record], column: usize) -> bool {
+    let filled = || rows.iter().map(|row| row.cell(column)).filter(|cell| !cell.is_empty());
+    let numbers = filled().filter(|cell| cells::id(cell).is_some()).count();
+    match field {
+        "id" => numbers * 2 > filled().count(),
+        "name" => numbers * 2 <= filled().count(),
+        _ => true,
+    }
+}
+
+fn no_heading(head: &Record, wish: &str) -> ImportError {
+    let known = head.cells.iter().filter(|cell| !cell.is_empty()).cloned().collect::<Vec<_>>().join(", ");
+    ImportError::at(
+        head.line,
+        both!(
+            "there is no heading '{wish}' (found: {known})",
+            "eine Überschrift '{wish}' gibt es nicht (gefunden: {known})"
+        ),
+    )
+}
+
+fn two(head: &Record, field: &str, fitting: &[usize]) -> ImportError {
+    let headings: Vec<String> = fitting.iter().map(|&column| format!("'{}'", head.cell(column))).collect();
+    let (found, first) = (headings.join(", "), fitting.first().map_or("", |&column| head.cell(column)));
+    let why = both!(
+        "several columns can be the field {field}: {found}",
+        "mehrere Spalten können das Feld {field} sein: {found}"
+    );
+    ImportError::at(head.line, why)
+        .hint(both!("say which one: --column '{field}={first}'", "angeben, welche: --column '{field}={first}'"))
+}

@@ -1,0 +1,303 @@
+//! A spreadsheet of a site or a supplier, as rows of a catalogue.
+
+use super::cells::{self, Kind};
+use super::draft::{Draft, ImportError, Imported, LeftOut, Wishes};
+use super::export::RAW;
+use super::heading::{self, Head};
+use super::sheet::{self, Record};
+use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
+use crate::text::{Text, both};
+
+/// The registers that are printed with a 4 in front: 40001 is register 0, or so most makers mean it.
+const PRINTED: [std::ops::RangeInclusive<u32>; 2] = [40_001..=49_999, 400_001..=465_536];
+
+/// Reads a list.
+pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
+    let (text, encoding) = sheet::text_of(bytes);
+    let Some(separator) = wishes.separator.or_else(|| sheet::separator_of(&text)) else {
+        let why = both!(
+            "no table: no line has two cells parted by ; , or a tab",
+            "keine Tabelle: keine Zeile hat zwei Zellen, die ; , oder ein Tabulator trennt"
+        );
+        return Err(ImportError::at(0, why).hint(both!(
+            "say what parts the cells: --separator ';'",
+            "angeben, was die Zellen trennt: --separator ';'"
+        )));
+    };
+    let records: Vec<Record> = sheet::records(&text, separator).filter(|record| !record.is_empty()).collect();
+    let head = heading::find(&records, wishes)?;
+    if head.column("id").is_none() {
+        let why = both!("no column has the numbers of parameters", "keine Spalte enthält die Nummern von Parametern");
+        return Err(ImportError::at(head.line, why)
+            .hint(both!("say which one: --column id=HEADING", "angeben, welche: --column id=ÜBERSCHRIFT")));
+    }
+    let heads = records.get(head.rows_from - 1).map(|record| record.cells.clone()).unwrap_or_default();
+    let is_free = |column: usize| head.columns.iter().all(|taken| taken.column != column + 1);
+    let unused = heads.iter().enumerate().filter(|(column, cell)| is_free(*column) && !cell.is_empty());
+    let unused = unused.map(|(_, cell)| cell.clone()).collect();
+    let records = records.get(head.rows_from..).unwrap_or(&[]);
+    let commas = records.iter().flat_map(|record| &record.cells).any(|cell| cells::has_comma(cell));
+    let mut list = List { head: &head, wishes, commas, notes: Vec::new() };
+    list.check_base(records)?;
+    let (mut drafts, mut left_out) = (Vec::new(), Vec::new());
+    for record in records {
+        match list.draft(record) {
+            Ok(draft) => drafts.push(draft),
+            Err(why) => left_out.push(LeftOut { line: record.line, why }),
+        }
+    }
+    list.tell_access();
+    let List { notes, .. } = list;
+    let (format, separator, columns, head) = ("table", Some(separator), head.columns.clone(), head.line);
+    let own = Default::default();
+    let found = Imported { format, encoding, separator, head, columns, unused, drafts, left_out, notes, own };
+    found.check_twins()?;
+    Ok(found)
+}
+
+/// A list while it is read.
+struct List<'a> {
+    head: &'a Head,
+    wishes: &'a Wishes,
+    /// Its decimal point is a comma.
+    commas: bool,
+    notes: Vec<Text>,
+}
+
+impl List<'_> {
+    /// What a row says of a field, or every row.
+    fn get<'r>(&'r self, record: &'r Record, field: &str) -> Option<&'r str> {
+        let cell = self.head.column(field).map(|column| record.cell(column)).filter(|cell| !cell.is_empty());
+        cell.or_else(|| self.wishes.set(field))
+    }
+
+    fn text(&self, record: &Record, field: &str) -> Option<String> {
+        self.get(record, field).map(str::to_owned)
+    }
+
+    fn note(&mut self, line: usize, what: &Text) {
+        self.notes.push(both!("line {line}: {what}", "Zeile {line}: {what}", line, what));
+    }
+
+    /// Register 40001 may be register 0 or register 40001: nobody but the maker knows.
+    fn check_base(&self, records: &[Record]) -> Result<(), ImportError> {
+        let ids = || records.iter().filter_map(|record| cells::id(self.get(record, "id")?));
+        let printed = PRINTED.iter().find(|range| ids().count() > 0 && ids().all(|id| range.contains(&id)));
+        let Some(first) = printed.map(|range| *range.start()).filter(|_| self.wishes.own && self.wishes.base.is_none())
+        else {
+            return Ok(());
+        };
+        let why = both!(
+            "every number lies above {first}: it may be the printed name of register 0, or a register itself",
+            "alle Nummern liegen ab {first}: das kann der gedruckte Name von Register 0 sein oder ein Register selbst"
+        );
+        Err(ImportError::at(self.head.line, why).hint(both!(
+            "say which number register 0 has: --base {first}, or --base 0",
+            "angeben, welche Nummer Register 0 hat: --base {first} oder --base 0",
+            first
+        )))
+    }
+
+    fn draft(&mut self, record: &Record) -> Result<Draft, Text> {
+        let id = self.id(record)?;
+        let mut draft = Draft::new(record.line, id, self.name(record, id));
+        draft.slug = self.text(record, "slug");
+        draft.short = self.text(record, "short");
+        draft.unit = self.text(record, "unit").filter(|unit| !matches!(unit.as_str(), "-" | "–" | "—"));
+        self.kind(record, &mut draft)?;
+        self.decimals(record, &mut draft);
+        self.limits(record, &mut draft);
+        self.access(record, &mut draft);
+        self.words(record, &mut draft);
+        draft.enumeration = (self.text(record, "enum"), self.names(record, ["values_en", "values_de"], "values"));
+        draft.bits = (self.text(record, "bits"), self.names(record, ["bits_en", "bits_de"], "bits_names"));
+        Ok(draft)
+    }
+
+    fn id(&self, record: &Record) -> Result<u32, Text> {
+        let cell = self.get(record, "id").unwrap_or_default();
+        if cell.is_empty() {
+            return Err(both!("no number", "keine Nummer"));
+        }
+        let shown: String = cell.chars().take(40).collect();
+        let number = cells::id(cell).ok_or_else(|| {
+            both!("'{shown}' is no number of a parameter", "'{shown}' ist keine Nummer eines Parameters")
+        })?;
+        let base = self.wishes.base.unwrap_or(0);
+        let id = number.checked_sub(base);
+        id.filter(|id| !self.wishes.own || *id <= u16::MAX.into()).ok_or_else(|| {
+            both!(
+                "{number} is no register: {base} is register 0, the last one 65535",
+                "{number} ist kein Register: {base} ist Register 0, das letzte 65535"
+            )
+        })
+    }
+
+    fn name(&self, record: &Record, id: u32) -> Text {
+        let any = self.text(record, "name").unwrap_or_else(|| format!("Parameter {id}"));
+        let [en, de] = ["en", "de"].map(|field| self.text(record, field));
+        match (en, de) {
+            (Some(en), Some(de)) => Text { en: en.into(), de: de.into() },
+            (Some(one), None) if self.get(record, "name").is_none() => Text::name(one),
+            (None, Some(one)) if self.get(record, "name").is_none() => Text::name(one),
+            (en, de) => Text { en: en.unwrap_or_else(|| any.clone()).into(), de: de.unwrap_or(any).into() },
+        }
+    }
+
+    fn kind(&mut self, record: &Record, draft: &mut Draft) -> Result<(), Text> {
+        let Some(word) = self.text(record, "type") else { return Ok(()) };
+        match cells::kind(&word) {
+            Kind::Is(Type::String) if self.wishes.own => return Err(cells::cannot(&word)),
+            Kind::Cannot => return Err(cells::cannot(&word)),
+            Kind::Is(kind) => draft.kind = Some(kind),
+            Kind::Unsigned32 => {
+                draft.kind = Some(Type::Long);
+                draft.limits[0] = Some("0".to_owned());
+            }
+            Kind::Unknown => {
+                let what = both!(
+                    "the type '{word}' is not known, so it stays open",
+                    "der Typ '{word}' ist unbekannt und bleibt offen"
+                );
+                self.note(record.line, &what);
+            }
+        }
+        Ok(())
+    }
+
+    fn decimals(&mut self, record: &Record, draft: &mut Draft) {
+        if let Some(cell) = self.text(record, "decimals") {
+            draft.decimals = cells::number(&cell, self.commas).and_then(|number| number.parse().ok());
+            if draft.decimals.is_none() {
+                let what = both!("'{cell}' decimals are none", "'{cell}' Nachkommastellen gibt es nicht");
+                self.note(record.line, &what);
+            }
+        }
+        let Some(cell) = self.text(record, "scale").filter(|_| draft.decimals.is_none()) else { return };
+        draft.decimals = cells::number(&cell, self.commas).and_then(|scale| cells::decimals(&scale));
+        if draft.decimals.is_none() {
+            let what = both!(
+                "the scale '{cell}' is no 1, 0.1, 0.01 …, so the value is shown raw",
+                "die Skalierung '{cell}' ist nicht 1, 0,1, 0,01 …, der Wert wird roh gezeigt"
+            );
+            self.note(record.line, &what);
+            // Without a unit a raw number would pass for the value.
+            draft.unit.get_or_insert_with(|| format!("× {cell}"));
+        }
+    }
+
+    fn limits(&mut self, record: &Record, draft: &mut Draft) {
+        let mut typed = ["min", "max", "default"].map(|field| self.text(record, field));
+        if let Some(range) = self.text(record, "range").and_then(|cell| cells::range(&cell, self.commas)) {
+            typed = [typed[0].take().or(Some(range.0)), typed[1].take().or(Some(range.1)), typed[2].take()];
+        }
+        for (place, cell) in typed.into_iter().enumerate() {
+            let Some(cell) = cell.filter(|cell| !matches!(cell.as_str(), "-" | "–" | "—")) else { continue };
+            let number = cells::number(&cell, self.commas);
+            let has_scale = draft.decimals.is_some() || draft.unit.is_none() || cell.ends_with(RAW);
+            let is_scaled = |number: &String| draft.decimals.is_some() || !number.contains('.');
+            match number {
+                Some(number) if has_scale && is_scaled(&number) => draft.limits[place] = Some(number),
+                Some(_) => {
+                    let what = both!(
+                        "'{cell}' is not taken: nothing tells the decimals (--set decimals=N)",
+                        "'{cell}' wird nicht übernommen: nichts nennt die Nachkommastellen (--set decimals=N)"
+                    );
+                    self.note(record.line, &what);
+                }
+                None => {
+                    let what = both!(
+                        "'{cell}' is no number, and is not taken",
+                        "'{cell}' ist keine Zahl und wird nicht übernommen"
+                    );
+                    self.note(record.line, &what);
+                }
+            }
+        }
+    }
+
+    fn access(&mut self, record: &Record, draft: &mut Draft) {
+        let Some(cell) = self.text(record, "access") else { return };
+        match cells::access(&cell) {
+            Some(access) => draft.access = access,
+            None => {
+                let what = both!(
+                    "the access '{cell}' is not known, taken as r (read only)",
+                    "der Zugriff '{cell}' ist unbekannt, genommen wird r (nur lesen)"
+                );
+                self.note(record.line, &what);
+            }
+        }
+    }
+
+    /// What only a list has that was written by `params export`.
+    fn words(&self, record: &Record, draft: &mut Draft) {
+        let is = |field: &str| self.get(record, field).is_some_and(cells::yes);
+        draft.sets = match self.get(record, "sets").map(cells::dense).as_deref() {
+            Some("1" | "one") => Some(Sets::One),
+            Some("4" | "four") => Some(Sets::Four),
+            _ => None,
+        };
+        draft.volatile = is("volatile");
+        draft.hex = is("hex");
+        if self.get(record, "effective") == Some("reset") {
+            draft.effective = Effective::Reset;
+        }
+        draft.hazard = match self.get(record, "hazard") {
+            Some("motion") => Some(HazardKind::Motion),
+            Some("line") => Some(HazardKind::Line),
+            Some("reset") => Some(HazardKind::Reset),
+            _ => None,
+        };
+        draft.module = self.text(record, "module");
+        draft.source = self.text(record, "source");
+        draft.group = self.text(record, "group");
+        let list = |field: &str| -> Vec<String> {
+            self.get(record, field)
+                .unwrap_or_default()
+                .split([' ', ','])
+                .filter(|word| !word.is_empty())
+                .map(str::to_owned)
+                .collect()
+        };
+        draft.unconfirmed = list("unconfirmed");
+        draft.drives = list("drives");
+        let [en, de] =
+            ["note_en", "note_de"].map(|field| self.text(record, field).or_else(|| self.text(record, "note")));
+        draft.note = match (en, de) {
+            (None, None) => None,
+            (Some(one), None) | (None, Some(one)) => Some(Text::name(one)),
+            (Some(en), Some(de)) => Some(Text { en: en.into(), de: de.into() }),
+        };
+        let when = self.get(record, "bits_when").unwrap_or_default().split('|').filter_map(|part| {
+            let (param, rest) = part.trim().split_once('=')?;
+            let (value, bits) = rest.split_once(':')?;
+            Some((param.parse().ok()?, value.parse().ok()?, bits.to_owned()))
+        });
+        draft.bits_when = when.collect();
+    }
+
+    /// Values with names in one or both languages.
+    fn names(&self, record: &Record, fields: [&str; 2], both: &str) -> Vec<(i64, Text)> {
+        let [en, de] = fields
+            .map(|field| cells::values(self.get(record, field).or_else(|| self.get(record, both)).unwrap_or_default()));
+        let (first, other) = if en.is_empty() { (&de, &en) } else { (&en, &de) };
+        let pair = |(raw, name): &(i64, String)| {
+            let twin = other.iter().find(|row| row.0 == *raw).map_or(name, |row| &row.1).clone();
+            let (en, de) = if en.is_empty() { (twin, name.clone()) } else { (name.clone(), twin) };
+            (*raw, Text { en: en.into(), de: de.into() })
+        };
+        first.iter().map(pair).collect()
+    }
+
+    /// Nobody said who may write.
+    fn tell_access(&mut self) {
+        if self.head.column("access").is_none() && self.wishes.set("access").is_none() {
+            let read = Access::Read.name();
+            self.notes.push(both!(
+                "no column tells the access, so every row is read only ({read}); --set access=rw says otherwise",
+                "keine Spalte nennt den Zugriff, daher ist alles nur lesbar ({read}); --set access=rw sagt es anders"
+            ));
+        }
+    }
+}

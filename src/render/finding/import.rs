@@ -1,0 +1,41 @@
+//! `params import`: the catalogue with what was taken for what above it, or that alone. `params export`: the list.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{Export, Import};
+use crate::render::clean;
+
+impl Finding for Import {
+    fn table(&self, page: Page) -> String {
+        // Without a file the page is the catalogue, and what is told stands in it as comments.
+        let mark = if self.catalogue.is_some() { "# " } else { "" };
+        let told: String = self.told.iter().map(|line| format!("{mark}{}\n", clean(&page.say(line)))).collect();
+        told + self.catalogue.as_deref().unwrap_or_default()
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let mut rows = list("param", &self.rows);
+        rows.extend(list("left_out", &self.left_out));
+        rows
+    }
+}
+
+impl Finding for Export {
+    fn table(&self, page: Page) -> String {
+        let (count, to) = (self.params.len(), self.output.as_deref().unwrap_or_default());
+        let said = page.lang.pick("parameters written to", "Parameter geschrieben nach");
+        self.list.clone().unwrap_or_else(|| format!("{count} {said} {}\n", clean(to)))
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let cells = |param: &std::collections::BTreeMap<&'static str, String>| Row {
+            kind: "param",
+            fields: self
+                .columns
+                .iter()
+                .map(|column| ((*column).to_owned(), param.get(column).cloned().unwrap_or_default().into()))
+                .collect(),
+        };
+        self.params.iter().map(cells).collect()
+    }
+}

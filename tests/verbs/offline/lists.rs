@@ -1,0 +1,370 @@
+//! Lists of others become catalogues: tables as Excel writes them, maps of registers of other makers; and what is refused.
+
+use crate::run::{Run, antrieb};
+use serde_json::{Value, json};
+
+/// What a site keeps in Excel: a title, German headings, decimal commas, quoted cells, headings of sections, a sum at the end.
+const SITE: &str = "\u{FEFF}Antriebe Halle 3;;;;;;Stand 12.03.\r\n\
+    Nr.;Bezeichnung;Einheit;NK;Min;Max;Zugriff;Ort\r\n\
+    Motor;;;;;;;\r\n\
+    P.370;Bemessungsspannung;V;1;0,0;1.000,0;r/w;Schrank 1\r\n\
+    P.371;\"Strom; \"\"Motor\"\"\";A;1;0,5;10,3;lesen;Schrank 1\r\n\
+    ;;;;;;;\r\n\
+    420;Förderhöhe;m;2;\u{2212}0,5;999,99;rw;\r\n\
+    siehe Blatt 2;;;;;;;\r\n";
+
+fn site(line: &str) -> Run {
+    antrieb(line).file("site.csv", SITE)
+}
+
+/// A list in other bytes.
+fn bytes(line: &str, name: &str, bytes: &[u8]) -> Run {
+    let run = antrieb(line);
+    std::fs::write(run.directory().join(name), bytes).unwrap();
+    run
+}
+
+const TAKEN: [(&str, &str, &str, &str); 3] = [
+    ("370", "Bemessungsspannung", "V", "0.0 … 1000.0"),
+    ("371", "Strom; \"Motor\"", "A", "0.5 … 10.3"),
+    ("420", "Förderhöhe", "m", "-0.50 … 999.99"),
+];
+
+#[track_caller]
+fn holds(catalogue: &str) {
+    for (number, name, unit, range) in TAKEN {
+        let one = antrieb(&format!("--catalogue {{dir}}/mine.toml params {number}")).file("mine.toml", catalogue);
+        let told = one.exits(0).out;
+        assert!([name, unit, range].iter().all(|part| told.contains(part)), "{number}\n{told}\n{catalogue}");
+    }
+}
+
+#[test]
+fn a_list_of_excel_is_a_catalogue_at_once() {
+    let told = site("params import {dir}/site.csv").exits(0);
+    holds(&told.out);
+    for line in [
+        "3 rows taken, 2 left out, for the family 'active'",
+        "# read as UTF-8, cells parted by ;, headings in line 2:",
+        "#   id = column 1 'Nr.'",
+        "#   decimals = column 4 'NK'",
+        "#   not taken: Ort",
+        "# left out, line 3: 'Motor' is no number of a parameter",
+        "# left out, line 8: 'siehe Blatt 2' is no number of a parameter",
+    ] {
+        assert!(told.out.contains(line), "{line}\n{}", told.out);
+    }
+    let document = site("params import {dir}/site.csv").json().exits(0);
+    assert_eq!(document.data("/rows/2/line"), &json!(7));
+    assert_eq!(document.data("/rows/0/access"), &json!("rw"));
+    assert_eq!(document.data("/rows/1/access"), &json!("r"));
+    assert_eq!(document.data("/left_out/0/line"), &json!(3));
+    site("--lang de params import {dir}/site.csv").exits(0);
+    site("--lang de params import {dir}/site.csv --output {dir}/mine.toml").exits(0);
+    assert!(site("--format csv params import {dir}/site.csv").exits(0).out.lines().count() > 5);
+}
+
+#[test]
+fn whatever_bytes_and_separators_it_comes_in() {
+    let western: Vec<u8> =
+        SITE.trim_start_matches('\u{FEFF}').replace('\u{2212}', "-").chars().map(|letter| letter as u8).collect();
+    let told = bytes("params import {dir}/site.csv", "site.csv", &western).exits(0).out;
+    assert!(told.contains("read as Windows-1252"), "{told}");
+    holds(&told);
+    let wide: Vec<u8> = SITE.replace(';', "\t").encode_utf16().flat_map(u16::to_le_bytes).collect();
+    // A quoted cell had the separator in it.
+    let told = bytes("params import {dir}/site.csv", "site.csv", &wide).exits(0).out;
+    assert!(told.contains("read as UTF-16, cells parted by tabs"), "{told}");
+    let english = "Parameter,Name,Unit,Decimals,Minimum,Maximum,Access\n370,Bemessungsspannung,V,1,0.0,1000.0,RW\n\
+        371,\"Strom; \"\"Motor\"\"\",A,1,0.5,10.3,RO\n420,Förderhöhe,m,2,-0.5,999.99,rw\n";
+    holds(&antrieb("params import {dir}/english.csv").file("english.csv", english).exits(0).out);
+}
+
+#[test]
+fn what_nobody_said_stays_open_or_is_asked() {
+    let bare = "Nr;Name;Einheit;Max;Typ\n1500;Druck;bar;16,0;Zahl\n1501;Temperatur;;5;FLOAT\n";
+    let told = antrieb("params import {dir}/bare.csv").file("bare.csv", bare).exits(0).out;
+    for part in [
+        "note: line 2: the type 'Zahl' is not known, so it stays open",
+        "'16,0' is not taken: nothing tells the decimals (--set decimals=N)",
+        "so every row is read only (r); --set access=rw says otherwise",
+        "left out, line 3: the type 'FLOAT' is none that this program shows right",
+        "unit = \"bar\", access = \"r\" }",
+    ] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+    let line = "params import {dir}/bare.csv --set access=rw --set decimals=1 --column type=";
+    let told = antrieb(line).file("bare.csv", bare).exits(0).out;
+    assert!(told.contains("access = \"rw\", max = 16, decimals = 1"), "{told}");
+    // Neither a type that is not known nor a float is taken for something.
+    assert!(told.contains("id = 1501") && !told.contains("type ="), "{told}");
+}
+
+#[test]
+fn two_columns_that_fit_are_an_error_that_names_the_option() {
+    let list = "Nr;Parameter;Bezeichnung;Beschreibung\n1;1500;Druck;am Eingang\n2;1501;Fluss;am Ausgang\n";
+    let told = antrieb("params import {dir}/a.csv").file("a.csv", list).exits(7);
+    assert!(told.err.contains("a.csv:1: several columns can be the field id: 'Nr', 'Parameter'"), "{}", told.err);
+    assert!(told.err.contains("--column 'id=Nr'"), "{}", told.err);
+    let told = antrieb("params import {dir}/a.csv --column id=Parameter").file("a.csv", list).exits(0).out;
+    assert!(told.contains("id = column 2 'Parameter' (said by --column)"), "{told}");
+    assert!(told.contains("id = 1501") && told.contains("note = { en = \"am Ausgang\""), "{told}");
+    antrieb("--lang de params import {dir}/a.csv").file("a.csv", list).exits(7);
+    for (option, why) in [
+        ("--column id=Nummer", "there is no heading 'Nummer' (found: Nr, Parameter, Bezeichnung, Beschreibung)"),
+        ("--column colour=Nr", "there is no field 'colour' (expected: id, slug"),
+        ("--separator |", "no line of headings was found"),
+    ] {
+        let told = antrieb(&format!("params import {{dir}}/a.csv {option}")).file("a.csv", list).exits(7);
+        assert!(told.err.contains(why), "{option}\n{}", told.err);
+    }
+}
+
+#[test]
+fn a_list_is_refused_with_its_line() {
+    for (list, why) in [
+        ("Nr;Name\n1500;a\n1501;b\n1500;c\n", "a.csv:4: parameter 1500 stands twice, first in line 2"),
+        ("Nr;Name\n\n372;a\n", "a.csv:3: parameter 372 is already in built-in active.toml"),
+        ("Nr;Name;Min;Max\n1500;a;5;1\n", "a.csv:2: parameter 1500: min is above max"),
+        ("Nr;Name;Nachkommastellen\n1500;a;40\n", "a.csv:2: parameter 1500: 40 decimals; expected at most 9"),
+        ("Nr;Name\nx;a\n", "no column has the numbers of parameters"),
+        ("Nr;Name\n", "no column has the numbers of parameters"),
+        ("", "no table"),
+        ("one\ntwo\n", "no table"),
+        ("{ \"mbmap\": 1 }", "no MBMap of version 2"),
+        ("{", "a.csv:1: no JSON"),
+    ] {
+        let told = antrieb("params import {dir}/a.csv").file("a.csv", list).exits(7);
+        assert!(told.err.contains(why), "{why}\n{}", told.err);
+        antrieb("--lang de params import {dir}/a.csv").file("a.csv", list).exits(7);
+    }
+    let told = antrieb("params import {dir}/a.csv --replace").file("a.csv", "Nr;Name\n372;a\n").exits(0);
+    assert!(told.out.contains("replace = true"), "{}", told.out);
+    let long = "Nr;Name\n1500;".to_owned() + &"a".repeat(3000) + "\n";
+    let told = antrieb("params import {dir}/a.csv").file("a.csv", &long).exits(7);
+    assert!(told.err.contains("a.csv:2:") && told.err.contains("at most 2000"), "{}", told.err);
+}
+
+#[test]
+fn nothing_of_a_cell_breaks_out_of_the_catalogue() {
+    let list =
+        "Nr;Name;\"Note\nschema = 9\"\n1500;\"a\"\"\n[motion]\nx = 1 \\ \u{1b}[31m\";\"b\"\n1501;\u{202e}c\u{200b};\n";
+    let told = antrieb("params import {dir}/a.csv").file("a.csv", list).exits(0).out;
+    assert!(!told.lines().any(|line| line.starts_with('[') || line.starts_with("schema = 9")), "{told}");
+    let read = antrieb("--catalogue {dir}/mine.toml params 1501").file("mine.toml", &told).exits(0).out;
+    assert!(read.contains("name       c\n"), "{read}");
+}
+
+#[test]
+fn what_is_no_small_file_is_refused_at_once() {
+    let run = antrieb("params import {dir}/large.csv");
+    std::fs::File::create(run.directory().join("large.csv")).unwrap().set_len(300 << 20).unwrap();
+    let told = run.exits(7);
+    assert!(told.err.contains("expected at most 16 MiB"), "{}", told.err);
+    let run = antrieb("params import {dir}/pipe");
+    let pipe = run.directory().join("pipe");
+    rustix::fs::mknodat(rustix::fs::CWD, pipe, rustix::fs::FileType::Fifo, 0o600.into(), 0).unwrap();
+    assert!(run.exits(7).err.contains("expected a regular file, this is a pipe"));
+    assert!(antrieb("params import {dir}").exits(7).err.contains("this is a directory"));
+    assert!(antrieb("params import {dir}/nothing").exits(7).err.contains("nothing: No such file"));
+}
+
+#[test]
+fn a_file_is_written_whole_and_never_over_another_unasked() {
+    let line = "params import {dir}/site.csv --output {dir}/mine.toml";
+    let told = site(line).exits(0);
+    let written = std::fs::read_to_string(told.directory().join("mine.toml")).unwrap();
+    assert!(told.out.contains("3 rows taken, 2 left out"), "{}", told.out);
+    holds(&written);
+    let again = site(line).file("mine.toml", "precious").exits(7);
+    assert!(
+        again.err.contains("the file exists already") && again.err.contains("--force replaces it"),
+        "{}",
+        again.err
+    );
+    assert_eq!(std::fs::read_to_string(again.directory().join("mine.toml")).unwrap(), "precious");
+    // Also when the old one is loaded, because it stands among the catalogues.
+    let old = antrieb(&format!("--catalogue {{dir}}/mine.toml --force {line}"))
+        .file("site.csv", SITE)
+        .file("mine.toml", &written);
+    holds(&std::fs::read_to_string(old.exits(0).directory().join("mine.toml")).unwrap());
+    // What is refused leaves what was there.
+    let bad =
+        antrieb(&format!("{line} --force")).file("site.csv", "Nr;Name\n372;a\n").file("mine.toml", "precious").exits(7);
+    assert_eq!(std::fs::read_to_string(bad.directory().join("mine.toml")).unwrap(), "precious");
+}
+
+/// Every row of every family comes back as it went, in both dialects of CSV.
+#[test]
+fn what_is_exported_comes_back_the_same() {
+    for (drive, excel) in [("acu", "--excel"), ("lxm05", "")] {
+        let rows = |catalogue: Option<&str>| -> Vec<Value> {
+            let line = format!("--drive {drive} params --json");
+            let run = match catalogue {
+                Some(text) => antrieb(&format!("--catalogue {{dir}}/mine.toml {line}")).file("mine.toml", text),
+                None => antrieb(&line),
+            };
+            let out: Value = serde_json::from_str(&run.exits(0).out).unwrap();
+            let mut rows = out["data"]["params"].as_array().unwrap().clone();
+            rows.iter_mut().for_each(|row| drop(row.as_object_mut().unwrap().remove("origin")));
+            rows
+        };
+        let list = antrieb(&format!("--drive {drive} params export {excel}")).exits(0).out;
+        let line = format!("--drive {drive} params import {{dir}}/list.csv --replace");
+        let catalogue = antrieb(&line).file("list.csv", &list).exits(0).out;
+        assert!(catalogue.contains(" 0 left out") && !catalogue.contains("# note"), "{}", &catalogue[..2000]);
+        let (before, after) = (rows(None), rows(Some(&catalogue)));
+        assert_eq!(before.len(), after.len());
+        before.iter().zip(&after).for_each(|pair| assert_eq!(pair.0, pair.1));
+    }
+}
+
+#[test]
+fn export_is_csv_in_every_form() {
+    let told = antrieb("params export ramp").exits(0).out;
+    assert!(told.starts_with("id,slug,short,en,de,unit,type,decimals,min,max,default,access"), "{told}");
+    assert_eq!(antrieb("--format csv params export ramp").exits(0).out, told);
+    let document = antrieb("params export 372").json().exits(0);
+    assert_eq!(document.data("/params/0/slug"), &json!("rated-speed"));
+    antrieb("params export nonsense").exits(1);
+    let told = antrieb("--lang de params export 372 --excel --output {dir}/list.csv").exits(0);
+    let list = std::fs::read_to_string(told.directory().join("list.csv")).unwrap();
+    assert!(list.starts_with("\u{FEFF}id;slug;"), "{list}");
+    assert!(told.out.starts_with("1 Parameter geschrieben nach"), "{}", told.out);
+    // A word that is no subcommand is still looked for, and one that is can be.
+    antrieb("params -- import").exits(1);
+    antrieb("params ramp").exits(0);
+}
+
+/// A slave that knows the norm and no drive of ours.
+const BENCH: &str = "[[drive]]\nmodel = \"foreign\"\naddress = 5\nregisters = { 10 = 2305, 11 = 0, 12 = 64086, 13 = 0, 14 = 2, \
+    20 = 34464, 21 = 1, 22 = 32768, 30 = 1, 31 = 34464, 40 = 750 }\n";
+
+/// Maps of three makers in the public format, each of another shape: addresses as numbers or as hexadecimal texts, from 0 or
+/// from 1, the lower half first or the upper one, access in capitals, in small letters or not at all, names of values in the
+/// register or shared.
+const METER: &str = r#"{ "$schema": "x", "mbmap": 2, "vendor": "Zähler & Söhne", "model": "EM 1", "protocol": "rtu", "unit_id": 1,
+  "baudrate": 9600, "parity": "N", "byte_order": "big", "word_order": "little", "address_base": 0, "x_status": "official",
+  "registers": [
+    {"name": "Voltage", "group": "Measurements", "area": "holding", "address": "0x000A", "type": "int32", "scale": 0.1, "unit": "V", "access": "R"},
+    {"name": "Energy", "group": "Measurements", "area": "holding", "address": "0x0014", "type": "uint32", "scale": 0.001, "unit": "kWh", "access": "R"},
+    {"name": "Voltage", "group": "Measurements", "area": "input", "address": 40, "type": "uint16", "scale": 0.1, "unit": "V"},
+    {"name": "Serial number", "area": "holding", "address": 50, "type": "string", "length": 8, "access": "R"},
+    {"name": "Relay", "area": "coil", "address": 0, "type": "bool", "access": "RW"}
+  ] }"#;
+const DRIVE: &str = r#"{
+  "mbmap": 2, "vendor": "Acme", "model": "VSD/7", "models": ["VSD/7"], "address_base": 1, "byte_order": "big", "word_order": "big",
+  "enums": { "modes": {"0": "Local", "2": "Remote"} }, "sentinels": { "int16": {"0x8000": "Unavailable"} },
+  "registers": [
+    {"name": "Speed", "area": "holding", "address": 13, "type": "int16", "unit": "rpm", "access": "R"},
+    {"name": "Mode", "area": "holding", "address": 15, "type": "uint16", "enum": "modes", "access": "R/W"},
+    {"name": "Temperature", "area": "holding", "address": 23, "type": "int16", "scale": 0.1, "unit": "°C", "access": "R"},
+    {"name": "Counter", "area": "holding", "address": 31, "type": "uint32", "access": "R"},
+    {"name": "Ramp", "area": "holding", "address": 41, "type": "uint16", "scale": 0.01, "unit": "s", "access": "RW"},
+    {"name": "Torque", "area": "holding", "address": 42, "type": "int16", "scale_register": 43, "unit": "%", "access": "R"}
+  ]
+}"#;
+const FAN: &str = "{\"mbmap\":2,\"vendor\":\"Ventus\",\"model\":\"ECO\",\"address_base\":0,\"registers\":[{\"name\":\"Power\",\"area\":\"holding\",\
+    \"address\":40,\"type\":\"uint16\",\"scale\":10,\"unit\":\"W\"},\n{\"name\":\"Status\",\"area\":\"holding\",\"address\":14,\"type\":\"uint16\",\
+    \"enum\":{\"0\":\"Stopped\",\"2\":\"Running\"}},{\"name\":\"Status\",\"area\":\"holding\",\"address\":14,\"type\":\"uint16\"},\n\
+    {\"name\":\"Odd\",\"area\":\"holding\",\"address\":30,\"type\":\"uint16\",\"scale\":0.5},{\"name\":\"Status\",\"area\":\"holding\",\
+    \"address\":31,\"type\":\"int16\"}]}";
+
+/// What is read by a map, once it is a catalogue.
+fn by_map(map: &str, drive: &str, line: &str) -> Run {
+    let catalogue = antrieb("params import {dir}/map.json").file("map.json", map).exits(0).out;
+    let line = format!("--catalogue {{dir}}/map.toml --drive {drive} -a 5 {line}");
+    antrieb(&line).file("map.toml", &catalogue).on(BENCH)
+}
+
+#[test]
+fn maps_of_other_makers_are_read_watched_saved_and_written_but_never_moved() {
+    let meter = by_map(METER, "zaehler-soehne-em-1", "read voltage energy").json().exits(0);
+    assert_eq!((meter.data("/values/0/value"), meter.data("/values/0/unit")), (&json!(230.5), &json!("V")));
+    assert_eq!(meter.data("/values/1/value"), &json!(100.0));
+    by_map(METER, "zaehler-soehne-em-1", "read @measurements").exits(0);
+    by_map(METER, "zaehler-soehne-em-1", "write voltage=1 --yes").exits(7);
+
+    let read = by_map(DRIVE, "acme-vsd-7", "read speed mode temperature counter ramp").json().exits(0);
+    let values: Vec<&Value> = (0..5).map(|row| read.data(&format!("/values/{row}/value"))).collect();
+    assert_eq!(values, [&json!(-1450), &json!(2), &json!(-3276.8), &json!(100_000), &json!(7.5)]);
+    assert_eq!((read.data("/values/1/text"), read.data("/values/2/text")), (&json!("Remote"), &json!("Unavailable")));
+    let written = by_map(DRIVE, "acme-vsd-7", "-v write ramp=2,5 mode=local --yes").exits(0);
+    assert!(written.telegrams('>').iter().any(|sent| sent.starts_with("05 06 00 28 00 FA")), "{}", written.err);
+    by_map(DRIVE, "acme-vsd-7", "write ramp=2,5").exits(8);
+    by_map(DRIVE, "acme-vsd-7", "monitor speed --duration 300ms").exits(0);
+    let moved = by_map(DRIVE, "acme-vsd-7", "sollwert 10rpm --yes").exits(7);
+    assert!(moved.sent().is_empty() && moved.err.contains("no catalogue tells how"), "{}", moved.err);
+
+    let fan = by_map(FAN, "ventus-eco", "read power 14 31").json().exits(0);
+    // 750 times 10 W is no value of ours: raw it is, and nothing else.
+    assert_eq!((fan.data("/values/0/raw"), fan.data("/values/0/value")), (&json!(750), &Value::Null));
+    assert_eq!(fan.data("/values/1/text"), &json!("Running"));
+}
+
+#[test]
+fn what_a_map_says_that_cannot_be_shown_right_is_left_out_with_its_line() {
+    let told = |map: &str, line: &str| {
+        antrieb(&format!("params import {{dir}}/map.json {line}")).file("map.json", map).exits(0).out
+    };
+    let meter = told(METER, "");
+    for line in [
+        "# the map says of the line: protocol rtu, unit_id 1, baudrate 9600, parity N",
+        "left out, line 6: an input register (code 4); --input-as-holding reads it by code 3",
+        "left out, line 7: the type 'string'",
+        "left out, line 8: area 'coil' holds no register",
+        "low_half_first = true",
+        "title = { en = \"Zähler & Söhne EM 1\"",
+    ] {
+        assert!(meter.contains(line.trim_start_matches("# ")), "{line}\n{meter}");
+    }
+    assert!(told(METER, "--input-as-holding").contains("id = 40, slug = \"voltage-40\""));
+    let drive = told(DRIVE, "--own vsd --title 'My drive'");
+    assert!(
+        drive.contains("left out, line 10: the key 'scale_register' is not known and may change the value"),
+        "{drive}"
+    );
+    assert!(drive.contains("drives = [{ id = \"vsd\", en = \"My drive\""), "{drive}");
+    assert!(told(DRIVE, "--ignore scale_register").contains("id = 41, slug = \"torque\""));
+    let fan = told(FAN, "--lang de");
+    assert!(fan.contains("ausgelassen, Zeile 2: Register 14 ist schon vergeben, aus Zeile 2"), "{fan}");
+    assert!(fan.contains("ausgelassen, Zeile 3: mit dieser Skalierung"), "{fan}");
+    for (from, to, why) in [
+        ("\"address_base\":0,", "", "the map does not say whether its addresses begin with 0 or 1"),
+        ("\"address_base\":0,", "\"address_base\":0,\"byte_order\":\"little\",", "byte_order 'little'"),
+        ("\"vendor\":\"Ventus\",\"model\":\"ECO\",", "", "the map names neither vendor nor model"),
+        ("\"mbmap\":2", "\"mbmap\":3", "no MBMap of version 2"),
+        ("\"registers\":[", "\"rows\":[", "the list \"registers\" is missing"),
+        (
+            "\"vendor\":\"Ventus\",\"model\":\"ECO\"",
+            "\"vendor\":\"\",\"model\":\"ACU\"",
+            "the id of a drive, 'acu', is taken",
+        ),
+    ] {
+        let map = FAN.replace(from, to);
+        assert_ne!(map, FAN, "{from}");
+        let refused = antrieb("params import {dir}/map.json").file("map.json", &map).exits(7);
+        assert!(refused.err.contains(why), "{why}\n{}", refused.err);
+        antrieb("--lang de params import {dir}/map.json").file("map.json", &map).exits(7);
+    }
+}
+
+#[test]
+fn a_table_can_bring_a_family_of_its_own() {
+    let list = "Register;Name;Type;Unit;Scale;Access\n40011;Voltage;UINT32;V;0,1;RO\n40013;Speed;INT16;rpm;1;RO\n40041;Ramp;UINT16;s;0,01;RW\n";
+    let refused = antrieb("params import {dir}/a.csv --own meter").file("a.csv", list).exits(7);
+    assert!(refused.err.contains("--base 40001, or --base 0"), "{}", refused.err);
+    let line = "params import {dir}/a.csv --own meter --base 40001 --low-half-first";
+    let catalogue = antrieb(line).file("a.csv", list).exits(0).out;
+    let line = "--catalogue {dir}/a.toml --drive meter -a 5 read voltage speed ramp";
+    let read = antrieb(line).file("a.toml", &catalogue).on(BENCH).json().exits(0);
+    let values: Vec<&Value> = (0..3).map(|row| read.data(&format!("/values/{row}/value"))).collect();
+    assert_eq!(values, [&json!(230.5), &json!(-1450), &json!(7.5)]);
+    // The round trip of a family of its own.
+    let export =
+        antrieb("--catalogue {dir}/a.toml --drive meter params export").file("a.toml", &catalogue).exits(0).out;
+    let line = "params import {dir}/b.csv --own meter --low-half-first";
+    let again = antrieb(line).file("b.csv", &export).exits(0).out;
+    let rows = |text: &str| text.lines().filter(|line| line.starts_with("  {")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(rows(&again), rows(&catalogue));
+}
