@@ -579,6 +579,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -620,6 +622,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -661,6 +665,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -702,6 +708,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -743,6 +751,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -784,6 +794,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -825,6 +837,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -866,6 +880,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -907,6 +923,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1022,6 +1040,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1063,6 +1083,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1104,6 +1126,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1145,6 +1169,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1186,6 +1212,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1227,6 +1255,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1268,6 +1298,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1309,6 +1341,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1350,6 +1384,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1374,6 +1410,9 @@ coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l watchdog -d 'Set the drive\'s own watchdog for the run' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l wait -d 'How long to wait for a state [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l step -d 'With --view: the arrows change the setpoint by this' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l min -d 'With --step: no lower than this' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l max -d 'With --step: no higher than this' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -1401,6 +1440,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l enable -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l force -d 'Give also a setpoint beyond its limit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -1424,6 +1465,9 @@ coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l watchdog -d 'Set the drive\'s own watchdog for the run' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l wait -d 'How long to wait for a state [default: 3s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l step -d 'With --view: the arrows change the setpoint by this' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l min -d 'With --step: no lower than this' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l max -d 'With --step: no higher than this' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -1451,6 +1495,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l enable -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l force -d 'Give also a setpoint beyond its limit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l hold -d 'Run only while this program runs, then --on-exit'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l take-control -d 'ACTIVE: take control with P.412 = 1 for the run'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l view -d 'With --hold: chart and keypad; space stops'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l dead-man -d 'Like --view: runs only while a key is held'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s v -l verbose -d 'Show settings and telegrams, on stderr'

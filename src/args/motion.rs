@@ -58,7 +58,7 @@ pub struct MotionArgs {
     /// Like --view: runs only while a key is held
     ///
     /// Enter or an arrow. Who lets go stops it, within 0.3 s, and a tap within 0.8 s: keyboards wait so long before they repeat.
-    #[arg(long, help_heading = "Run")]
+    #[arg(long, hide_short_help = true, help_heading = "Run")]
     pub dead_man: bool,
 }
 
@@ -75,19 +75,33 @@ pub struct KeypadArgs {
     /// With --view: the arrows change the setpoint by this
     ///
     /// Such as 0.5Hz, within --min and --max, which the question names.
-    #[arg(long, value_name = "STEP", help_heading = "Run")]
+    #[arg(long, value_name = "STEP", hide_short_help = true, help_heading = "Run")]
     pub step: Option<String>,
 
     /// With --step: no lower than this
     ///
     /// Without it the lowest setpoint of the run, or 0 if that is lower.
-    #[arg(long, value_name = "SETPOINT", allow_hyphen_values = true, requires = "step", help_heading = "Run")]
+    #[arg(
+        long,
+        value_name = "SETPOINT",
+        allow_hyphen_values = true,
+        requires = "step",
+        hide_short_help = true,
+        help_heading = "Run"
+    )]
     pub min: Option<String>,
 
     /// With --step: no higher than this
     ///
     /// Without it the highest setpoint of the run, or 0 if that is higher.
-    #[arg(long, value_name = "SETPOINT", allow_hyphen_values = true, requires = "step", help_heading = "Run")]
+    #[arg(
+        long,
+        value_name = "SETPOINT",
+        allow_hyphen_values = true,
+        requires = "step",
+        hide_short_help = true,
+        help_heading = "Run"
+    )]
     pub max: Option<String>,
 }
 
