@@ -63,8 +63,8 @@ mod offline {
     mod completing;
     mod decoding;
     mod files;
-    mod naming;
     mod lists;
+    mod naming;
     mod settings;
 }
 
