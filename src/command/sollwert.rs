@@ -245,7 +245,7 @@ async fn carry_out(
         motor.set(param, *raw).await?;
     }
     motor.give(&wanted.param, wanted.schedule.at(0), unit).await?;
-    lead(motor, wanted, unit).await?;
+    lead(motor, wanted, unit, panel).await?;
     if let Some(setpoint) = &mut motor.setpoint {
         setpoint.denominator = wanted.denominator.as_ref().map(|(_, raw)| *raw);
     }
@@ -313,12 +313,12 @@ fn as_told(motor: &mut Motor<'_, '_>, wanted: &Wanted) -> Result<(), Failure> {
 }
 
 /// Leads the setpoint along its schedule.
-async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<(), Failure> {
+async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Panel) -> Result<(), Failure> {
     let end = wanted.schedule.end_us();
     if end == 0 {
         return Ok(());
     }
-    let mut last = wanted.schedule.at(0);
+    let (mut last, mut told) = (wanted.schedule.at(0), false);
     motor.is_led(true);
     motor
         .hold(Some(Span::from_micros(end)), async |motor: &mut Motor<'_, '_>, gone| {
@@ -326,6 +326,12 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str) -> Result<
             if value != last {
                 motor.give(&wanted.param, value, unit).await?;
                 last = value;
+            }
+            if !panel.take_steps().is_empty() && !std::mem::replace(&mut told, true) {
+                motor.tell(both!(
+                    "the arrows work when the way is at its end",
+                    "die Pfeile wirken, wenn der Verlauf zu Ende ist"
+                ));
             }
             Ok(())
         })

@@ -54,6 +54,8 @@ pub struct Keypad {
     steps: VecDeque<i8>,
     /// It was the button that ends.
     leaves: bool,
+    /// The run is on its way to its end, whoever wished it: no button wishes anything more.
+    over: bool,
 }
 
 impl Keypad {
@@ -67,7 +69,7 @@ impl Keypad {
         // Who has let go does not take hold again only because nobody looked meanwhile.
         let released = self.look(at);
         self.leaves |= button == Button::End;
-        if self.ended.is_some() {
+        if self.over || self.ended.is_some() {
             return released;
         }
         match button {
@@ -81,6 +83,12 @@ impl Keypad {
             self.due = Some(at + if self.due.is_some() { NEXT.longer(self.left(at)) } else { FIRST });
         }
         false
+    }
+
+    /// The run comes to its end: who lets go, or presses once more, asks for what is under way.
+    pub fn rests(&mut self) {
+        (self.over, self.due) = (true, None);
+        self.steps.clear();
     }
 
     /// What is left of the first time, which the second sign does not shorten.
@@ -154,6 +162,11 @@ impl Panel {
     /// See [`Keypad::look`].
     pub fn look(&self, at: Tick) -> bool {
         self.with(|keypad| keypad.look(at))
+    }
+
+    /// See [`Keypad::rests`].
+    pub fn rests(&self) {
+        self.lock().keypad.rests();
     }
 
     /// See [`Keypad::due`].
@@ -284,6 +297,17 @@ mod tests {
         assert!(keypad.press(Button::Hold, at(801)), "nobody had looked");
         assert_eq!((keypad.ended, keypad.due()), (Some(EndedBy::DeadMan), None));
         assert!(!keypad.press(Button::Hold, at(802)) && keypad.due().is_none(), "it does not come to life again");
+    }
+
+    #[test]
+    fn who_lets_go_or_presses_while_it_ends_anyway_asks_for_nothing_more() {
+        let mut keypad = with_dead_man();
+        keypad.press(Button::Hold, at(0));
+        keypad.rests();
+        assert!(!keypad.look(at(5_000)) && keypad.due().is_none());
+        assert!(!keypad.press(Button::Stop, at(5_001)) && !keypad.press(Button::More, at(5_002)));
+        assert!(!keypad.press(Button::End, at(5_003)), "it leaves, and wishes no second stop");
+        assert_eq!((keypad.ended, keypad.leaves, keypad.steps.len()), (None, true, 0));
     }
 
     #[test]

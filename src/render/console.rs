@@ -155,6 +155,14 @@ impl Console {
         self.inner.borrow_mut().line(text);
     }
 
+    /// Waits until what was said is out, before something else takes the terminal.
+    pub fn settles(&self) {
+        let mut inner = self.inner.borrow_mut();
+        let waits = std::mem::replace(&mut inner.waits, true);
+        inner.settle();
+        inner.waits = waits;
+    }
+
     /// Part of a line on stderr, for a question.
     pub fn prompt(&self, text: &str) {
         let mut inner = self.inner.borrow_mut();

@@ -8,7 +8,11 @@ use crate::drive::motion::{Ended, Motor, Situation, Watched, look, may_turn};
 use crate::drive::{AccessError, EndedBy, Interrupt, Panel, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
-use crate::text::both;
+use crate::text::{Text, both};
+use crate::tick::Span;
+
+/// So long the view of a run that ended by itself stays.
+const AFTERWARDS: Span = Span::from_secs(60);
 
 /// Refuses what needs keys where there are none, and what no key could stop; before anything is opened.
 pub(super) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
@@ -58,7 +62,7 @@ pub(super) async fn open(
     if plan.args.dead_man {
         panel.needs_holding();
     }
-    let mut watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone());
+    let mut watched = Watched::begin(session, target, &items, (verb, plan.choice()), plan.keys.clone(), panel.clone());
     let mut before = before;
     if plan.args.dead_man {
         session.tell(Event::Note(both!(
@@ -80,22 +84,35 @@ pub(super) async fn open(
 /// stopped its view stays until somebody leaves.
 pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan: &Plan<'_>, interrupt: &Interrupt) {
     let panel = interrupt.panel();
-    let Some(by) = panel.ended() else { return };
+    let by = panel.ended();
     let was_held = motor.watched.as_ref().is_some_and(Watched::was_held);
     let is_interrupted = matches!(&ended.result, Err(failure) if failure.class == Class::Interrupted);
     if let (true, true, false, Some(stop)) = (was_held, is_interrupted, panel.is_interrupted(), &mut ended.stop)
+        && by.is_some()
         && plan.args.hold
         && stop.because == "interrupted"
     {
         ended.result = Ok(());
-        stop.because = if by == EndedBy::Key { "key" } else { "dead-man" };
+        stop.because = if by == Some(EndedBy::Key) { "key" } else { "dead-man" };
     }
-    if by == EndedBy::Key && !panel.is_left() {
-        let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
-        let told = match stands {
-            true => both!("the stop was acknowledged, the shaft stands", "der Halt wurde bestätigt, die Welle steht"),
-            false => may_turn(),
-        };
-        motor.linger(interrupt, told).await;
+    // Who lets go of the dead man's key has left. Behind an end that came by itself the view stays as well: keys that are still
+    // pressed would be typed into the shell, where an arrow and Enter run the same line again.
+    let most = match by {
+        Some(EndedBy::Key) => None,
+        None if was_held => Some(AFTERWARDS),
+        _ => return,
+    };
+    if panel.is_left() {
+        return;
     }
+    let stands = ended.stop.as_ref().is_some_and(|stop| stop.acknowledged && stop.standing == Some(true));
+    let told = match stands {
+        true => both!("the stop was acknowledged, the shaft stands", "der Halt wurde bestätigt, die Welle steht"),
+        false => may_turn(),
+    };
+    let told = match &ended.result {
+        Err(failure) if !is_interrupted => Text::join([&failure.message, &told], "; "),
+        _ => told,
+    };
+    motor.linger(interrupt, told, most).await;
 }

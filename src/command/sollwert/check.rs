@@ -98,6 +98,9 @@ impl Check<'_, '_> {
         let family = self.target.family.clone();
         let (shows, by) = (family.param_or_unknown(adds.param), family.param_or_unknown(adds.by));
         let Some(value) = working(self.session, self.target, &shows).await? else { return Ok(None) };
+        if value != 0 && wanted.keys.is_some() {
+            return Err(added_to_keys(&wanted.shown(value, &family), &shows.label()));
+        }
         if value != 0 {
             let selected = working(self.session, self.target, &by).await?;
             let text = self.told_addition(wanted, adds, (&shows, value), (&by, selected));
@@ -203,4 +206,19 @@ fn too_large(wanted: &Wanted, family: &Family) -> Failure {
         value = wanted.shown(wanted.schedule.peak(), family)
     );
     Failure::new(Class::Data, "data.range", text).with("param", wanted.param.id)
+}
+
+/// Where the drive adds something, the bounds of the arrows are not those of the shaft: a step up could turn it the other way.
+fn added_to_keys(own: &Text, label: &str) -> Failure {
+    let text = both!(
+        "the arrows cannot lead this setpoint: the drive adds {own} ({label}), so that --min and --max would not hold for the \
+         shaft",
+        "die Pfeile können diesen Sollwert nicht führen: der Antrieb addiert {own} ({label}), --min und --max gälten nicht \
+         für die Welle",
+        own
+    );
+    Failure::new(Class::Data, "data.keys", text).hint(both!(
+        "--source line leaves it out; or run without --step",
+        "--source line lässt ihn weg; oder ohne --step fahren"
+    ))
 }

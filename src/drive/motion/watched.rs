@@ -6,6 +6,7 @@ use super::look::status_word;
 use super::{Motor, StopChoice};
 use crate::drive::describe;
 use crate::drive::interrupt::Interrupt;
+use crate::drive::panel::Panel;
 use crate::drive::transfer::Reading;
 use crate::drive::{AccessError, Item, Session, Target};
 use crate::exchange::INSIST;
@@ -43,6 +44,8 @@ pub struct Watched {
     cost: Span,
     not_before: Tick,
     next: usize,
+    /// The keypad of whoever watches.
+    panel: Panel,
     /// It was held, so that ending it by a key is its normal end.
     held: bool,
     /// The setpoint is led along a schedule.
@@ -67,6 +70,7 @@ impl Watched {
         items: &[Item],
         (command, stop): (&'static str, StopChoice),
         keys: Option<RunKeys>,
+        panel: Panel,
     ) -> Self {
         let family = &target.family;
         let of = |item: &Item| item.columns(family).into_iter().next().map(|column| (item.param().clone(), column));
@@ -112,6 +116,7 @@ impl Watched {
             cost: COST,
             not_before: begun,
             next: 0,
+            panel,
             held: false,
             led: false,
         };
@@ -189,6 +194,9 @@ impl Motor<'_, '_> {
     pub(super) fn comes_to(&mut self, phase: &'static str, end: Option<Tick>) {
         let Some(shown) = &mut self.watched else { return };
         shown.held |= phase == "held";
+        if matches!(phase, "stopping" | "ended") {
+            shown.panel.rests();
+        }
         shown.news.phase = if phase == "held" && shown.led { "led" } else { phase };
         shown.news.ends = end.map(|end| seconds(end.since(shown.begun)));
         self.shows();
@@ -289,11 +297,13 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    /// Goes on showing the drive behind its stop, of which this is told, until nobody looks any more. Only reads.
-    pub async fn linger(&mut self, interrupt: &Interrupt, told: Text) {
+    /// Goes on showing the drive behind its end, of which this is told, until nobody looks any more, or for so long. Only
+    /// reads.
+    pub async fn linger(&mut self, interrupt: &Interrupt, told: Text, most: Option<Span>) {
         self.comes_to("ended", None);
         self.tell(told);
-        while !interrupt.panel().is_left() {
+        let end = most.map(|most| self.session.now() + most);
+        while !interrupt.panel().is_left() && end.is_none_or(|end| self.session.now() < end) {
             self.session.end_at(None);
             let retries = self.session.set_retries(0);
             let status = status_word(self.session, self.target).await;

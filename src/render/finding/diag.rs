@@ -40,7 +40,16 @@ impl Page {
         };
         let rows = diag.drives.iter().map(row).collect();
         let head = [">addr", "drive", "state", "fault", "warnings", "error register"];
-        self.table(head.get(..if refused { 6 } else { 5 }).unwrap_or(&head), rows)
+        let table = self.table(head.get(..if refused { 6 } else { 5 }).unwrap_or(&head), rows);
+        let missing = diag.drives.iter().filter(|report| !report.missing.is_empty());
+        let missing = missing.map(|report| {
+            let texts = report.missing.iter().map(|text| self.say(text)).collect::<Vec<_>>();
+            vec![report.address.to_string(), self.word("missing").to_owned(), texts.join("; ")]
+        });
+        match self.table(&[">", "", ""], missing.collect()) {
+            none if none.is_empty() => table,
+            missing => table + "\n" + &missing,
+        }
     }
 
     /// The fault that is present, in a few words.

@@ -164,6 +164,10 @@ impl<'a> Stream<'a> {
         if self.broken.is_some() {
             return false;
         }
+        if self.view == View::Live && matches!(&event, Event::Record(record) if matches!(**record, Record::Start(_))) {
+            // The question stands on the screen that is given back; nothing turns yet.
+            self.console.settles();
+        }
         let written = match event {
             Event::Record(record) => {
                 self.form.record(&record).inspect(|()| self.console.observe(Event::Record(record)))
