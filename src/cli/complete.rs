@@ -1,10 +1,8 @@
 //! `complete`: what could stand where somebody types. The completion scripts call it for values; what it knows nothing of is
 //! left to what they know by themselves. Nothing is opened, and whatever goes wrong is silence.
 
-use super::printed::Page;
-use super::typed::mentioned;
+use super::page::{Page, Source};
 use super::values::{self, Place};
-use crate::args::Environment;
 use crate::failure::Failure;
 use clap::{Arg, ArgAction, Args, Command, ValueEnum};
 use std::collections::BTreeMap;
@@ -42,15 +40,15 @@ impl Page for Complete {
     const NAME: &'static str = "complete";
     const EXAMPLES: &'static [&'static str] = &["antrieb complete zsh -- read rated"];
 
-    fn print(&self, environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut words: Vec<String> = self.words.iter().map(|word| word.to_string_lossy().into_owned()).collect();
         if self.next || words.is_empty() {
             words.push(String::new());
         }
         let arguments: Vec<OsString> = words.iter().map(OsString::from).collect();
-        let (place, head) = place(&mentioned(&arguments), &words);
+        let (place, head) = place(&(source.mentioned)(&arguments), &words);
         let head = if self.shell == Shell::Fish { "" } else { head };
-        for (value, about) in place.map(|place| values::fitting(&place, environment)).unwrap_or_default() {
+        for (value, about) in place.map(|place| values::fitting(&place, source.environment)).unwrap_or_default() {
             let about = about.replace(char::is_control, " ");
             match self.shell {
                 Shell::Bash => writeln!(out, "{head}{value}")?,

@@ -1,6 +1,6 @@
 //! Man pages (man-pages(7): SYNOPSIS, OPTIONS, EXIT STATUS, EXAMPLES), from the tree of arguments.
 
-use super::typed::FIRST_STEPS;
+use super::page::FIRST_STEPS;
 use crate::args::Globals;
 use crate::command::EXAMPLES;
 use crate::failure::Class;

@@ -2,6 +2,7 @@
 
 mod complete;
 mod manual;
+mod page;
 mod printed;
 mod signals;
 mod typed;
@@ -17,6 +18,7 @@ use crate::render::{self, Console, Format, Manner, Patience, Stream, Streams, Te
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
+use page::Source;
 use printed::Printed;
 use signals::{Signals, obey_keys, raise_on_closed_output};
 use std::cell::RefCell;
@@ -100,7 +102,7 @@ fn print(
 ) -> u8 {
     let printed = match page.takes.unkept(page.name, globals) {
         Some(failure) => Ok(Some(failure)),
-        None => (page.print)(matches, environment, out),
+        None => (page.print)(matches, source(environment), out),
     };
     match printed {
         Ok(None) => 0,
@@ -131,6 +133,11 @@ fn streamed<'o>(
         Err(error) if is_untaken(&error) => Ok(outcome),
         printed => printed.map(|()| outcome),
     }
+}
+
+/// What pages are made of.
+fn source(environment: &Environment) -> Source<'_> {
+    Source { environment, whole: typed::whole, offered: typed::offered, mentioned: typed::mentioned }
 }
 
 /// Prints what was found, all of it at the end.

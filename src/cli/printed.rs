@@ -2,8 +2,8 @@
 
 use super::complete::Complete;
 use super::manual;
-use super::typed::{Depth, offered, tree};
-use crate::args::{Environment, Takes};
+use super::page::{Page, Source};
+use crate::args::Takes;
 use crate::command::{VERBS, exemplified};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document};
@@ -21,18 +21,12 @@ pub(super) struct Printed {
     /// Its arguments and its help.
     pub(super) command: fn() -> Command,
     /// Prints it, or says why there is none.
-    pub(super) print: fn(&ArgMatches, &Environment, &mut dyn Write) -> io::Result<Option<Failure>>,
+    pub(super) print: fn(&ArgMatches, Source<'_>, &mut dyn Write) -> io::Result<Option<Failure>>,
 }
 
 /// All of them.
 pub(super) const PRINTED: &[Printed] =
     &[entry::<Schema>(), entry::<Completions>(), entry::<Man>(), entry::<Complete>()];
-
-pub(super) trait Page: Args {
-    const NAME: &'static str;
-    const EXAMPLES: &'static [&'static str];
-    fn print(&self, environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>>;
-}
 
 const fn entry<P: Page>() -> Printed {
     let takes = Takes::TELLS;
@@ -43,9 +37,9 @@ fn command<P: Page>() -> Command {
     exemplified(Takes::TELLS.fit(P::augment_args(Command::new(P::NAME))), "", P::EXAMPLES)
 }
 
-fn print<P: Page>(matches: &ArgMatches, environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+fn print<P: Page>(matches: &ArgMatches, source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
     match P::from_arg_matches(matches) {
-        Ok(page) => page.print(environment, out),
+        Ok(page) => page.print(source, out),
         Err(error) => Ok(Some(Failure::new(Class::Usage, "usage.arguments", Text::quoted(error)))),
     }
 }
@@ -61,7 +55,7 @@ impl Page for Schema {
     const NAME: &'static str = "schema";
     const EXAMPLES: &'static [&'static str] = &["antrieb schema read"];
 
-    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, _source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let schema = match self.verb.as_deref() {
             None => schemars::schema_for!(Document<Data>).to_value(),
             Some(typed) => match VERBS.iter().find(|verb| verb.name == typed || verb.alias == Some(typed)) {
@@ -93,9 +87,9 @@ impl Page for Completions {
     const NAME: &'static str = "completions";
     const EXAMPLES: &'static [&'static str] = &["antrieb completions bash"];
 
-    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+    fn print(&self, source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut offered(), "antrieb", &mut script);
+        clap_complete::generate(self.shell, &mut (source.offered)(), "antrieb", &mut script);
         out.write_all(hooked(self.shell, &String::from_utf8_lossy(&script)).as_bytes())?;
         out.flush().map(|()| None)
     }
@@ -130,8 +124,8 @@ impl Page for Man {
     const NAME: &'static str = "man";
     const EXAMPLES: &'static [&'static str] = &["antrieb man statemachine enable"];
 
-    fn print(&self, _environment: &Environment, out: &mut dyn Write) -> io::Result<Option<Failure>> {
-        let mut root = tree(Depth::Whole);
+    fn print(&self, source: Source<'_>, out: &mut dyn Write) -> io::Result<Option<Failure>> {
+        let mut root = (source.whole)();
         root.build();
         let found = self.verb.iter().try_fold(&root, |command, verb| command.find_subcommand(verb));
         let Some(command) = found else {

@@ -1,6 +1,7 @@
 //! What was typed: the tree of arguments from the list of verbs, and what to say of what does not fit it.
 
 use super::closed;
+use super::page::FIRST_STEPS;
 use super::printed::{PRINTED, Printed};
 use crate::args::{Environment, Globals, Useless, language};
 use crate::command::{self, Entry, VERBS};
@@ -85,16 +86,9 @@ fn exit_codes() -> String {
 /// What `antrieb -h` ends with.
 const SHORT: &str = "Exit codes: antrieb --help; first steps: antrieb --port sim scan";
 
-/// What `antrieb --help` ends with.
-pub(super) const FIRST_STEPS: &str = "First steps:
-  antrieb --port sim scan
-  antrieb --port sim -a 1 read 372@2 481 @actual
-  antrieb --port sim -a 2 diag
-";
-
 /// How much of the options of every verb is explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Depth {
+enum Depth {
     /// A line for each that matters to the verb, all of them together.
     Short,
     /// All that a verb takes, by their subjects.
@@ -102,7 +96,7 @@ pub(super) enum Depth {
 }
 
 /// The whole tree.
-pub(super) fn tree(depth: Depth) -> clap::Command {
+fn tree(depth: Depth) -> clap::Command {
     let root = Line::command();
     let globals: Vec<_> = root.get_arguments().map(|arg| arg.get_id().clone()).collect();
     let root = root.mut_args(|arg| {
@@ -119,6 +113,11 @@ const FIRST: &[&str] = &["port", "address", "baud", "parity", "protocol", "drive
 
 fn together(arg: clap::Arg, depth: Depth) -> clap::Arg {
     if depth == Depth::Short { arg.help_heading("Options of every verb (more with --help)") } else { arg }
+}
+
+/// Everything, for pages.
+pub(super) fn whole() -> clap::Command {
+    tree(Depth::Whole)
 }
 
 /// The tree for completions: what is offered, and nothing that only takes the place of something.
