@@ -3,12 +3,14 @@
 The server is `slave.py`, a process of its own.
 """
 
+import subprocess
 import sys
+import tempfile
 from contextlib import contextmanager
 from pathlib import Path
 
 import slave
-from harness import Running, antrieb, expect, expect_text, group, null_modem
+from harness import BINARY, Running, antrieb, expect, expect_text, group, null_modem
 
 case = group("pymodbus slave")
 
@@ -136,3 +138,25 @@ def _(framing):
         error = ask("-a", slave.STATION, "read", "372@2").exits(7).error
     expect("error", error["code"], "data.unknown_drive")
     expect_text("hint", error["hint"], "--drive")
+
+
+# Registers of the stock server as a maker's map would name them; addresses from 1.
+MAP = """{ "mbmap": 2, "vendor": "Acme", "model": "VSD", "address_base": 1, "byte_order": "big", "word_order": "big",
+ "registers": [
+  {"name": "Status", "area": "holding", "address": 412, "type": "uint16", "access": "R", "enum": {"35": "Switched on"}},
+  {"name": "Fault", "area": "holding", "address": 261, "type": "int16", "scale": 0.1, "unit": "V", "access": "RW"}
+ ] }"""
+
+
+@case("{}: a device known only from an MBMap, read and written", each=FRAMINGS)
+def _(framing):
+    with tempfile.TemporaryDirectory() as directory, station(framing, "stock") as ask:
+        given, catalogue = Path(directory) / "map.json", Path(directory) / "map.toml"
+        given.write_text(MAP)
+        ours = [BINARY, "--no-config", "params", "import", given, "--output", catalogue]
+        subprocess.run(ours, check=True, capture_output=True, timeout=30)
+        known = ["-a", slave.STATION, "--catalogue", catalogue, "--drive", "acme-vsd"]
+        done = ask(*known, "read", "status", "fault").exits(0)
+        expect("texts", [value["text"] for value in done.data["values"]], ["Switched on", None])
+        row = ask(*known, "write", "fault=1.5", "--yes").exits(0).data["values"][0]
+        expect("row", (row["raw"], row["result"]), (15, "verified"))

@@ -292,11 +292,8 @@ fn lines_of_registers(text: &str) -> Vec<usize> {
                     key.clear();
                 }
             }
-            _ if quoted => {
-                if depth == 1 {
-                    key.push(letter);
-                }
-            }
+            _ if quoted && depth == 1 => key.push(letter),
+            _ if quoted => {}
             '{' | '[' => {
                 inside |= depth == 1 && letter == '[' && key == "registers";
                 if inside && depth == 2 && letter == '{' {
