@@ -42,10 +42,10 @@ const TYPED: &[(&str, &[&str])] = &[
     ("statemachine", &["statemachine -a 2", "statemachine enable -a 2 --yes", "statemachine disable -a 2"]),
     (
         "sollwert",
-        &["sollwert -a 2", "sollwert 25Hz -a 2 --source line --enable --hold --duration 5s --yes", "sollwert 0 -a 2"],
+        &["sollwert -a 2", "sollwert 25Hz -a 2 --source line --enable --hold --duration 1s --yes", "sollwert 0 -a 2"],
     ),
     ("line", &["line show -a 1"]),
-    ("monitor", &["monitor -a 2 --line --count 3 --interval 1s"]),
+    ("monitor", &["monitor -a 2 --line --count 3 --interval 200ms"]),
     ("params", &["params frequency --drive act", "params 412"]),
     (
         "decode",
