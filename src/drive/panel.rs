@@ -54,6 +54,8 @@ pub struct Keypad {
     steps: VecDeque<i8>,
     /// It was the button that ends.
     leaves: bool,
+    /// How often anything was pressed or has repeated.
+    presses: u64,
     /// The run is on its way to its end, whoever wished it: no button wishes anything more.
     over: bool,
 }
@@ -68,6 +70,7 @@ impl Keypad {
     pub fn press(&mut self, button: Button, at: Tick) -> bool {
         // Who has let go does not take hold again only because nobody looked meanwhile.
         let released = self.look(at);
+        self.presses += 1;
         self.leaves |= button == Button::End;
         if self.over || self.ended.is_some() {
             return released;
@@ -172,6 +175,11 @@ impl Panel {
     /// See [`Keypad::due`].
     pub fn due(&self) -> Option<Tick> {
         self.lock().keypad.due
+    }
+
+    /// How often anything was pressed or has repeated.
+    pub fn presses(&self) -> u64 {
+        self.lock().keypad.presses
     }
 
     /// What ended the run, if that was the keypad.

@@ -4,15 +4,11 @@
 use super::{Plan, asking};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::monitor;
-use crate::drive::motion::{Ended, Motor, Situation, Watched, look, may_turn};
+use crate::drive::motion::{Ended, Motor, Situation, Stays, Watched, look, may_turn};
 use crate::drive::{AccessError, EndedBy, Interrupt, Panel, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
 use crate::text::{Text, both};
-use crate::tick::Span;
-
-/// So long the view of a run that ended by itself stays.
-const AFTERWARDS: Span = Span::from_secs(60);
 
 /// Refuses what needs keys where there are none, and what no key could stop; before anything is opened.
 pub(super) fn is_there(args: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
@@ -95,11 +91,11 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
         ended.result = Ok(());
         stop.because = if by == Some(EndedBy::Key) { "key" } else { "dead-man" };
     }
-    // Who lets go of the dead man's key has left. Behind an end that came by itself the view stays as well: keys that are still
-    // pressed would be typed into the shell, where an arrow and Enter run the same line again.
-    let most = match by {
-        Some(EndedBy::Key) => None,
-        None if was_held => Some(AFTERWARDS),
+    let stays = match (by, &ended.result) {
+        (Some(EndedBy::Key), _) => Stays::UntilLeft,
+        (None, Err(_)) if was_held => Stays::AWhile,
+        (None, Ok(())) if was_held => Stays::UntilQuiet,
+        // Who lets go of the dead man's key has left.
         _ => return,
     };
     if panel.is_left() {
@@ -114,5 +110,5 @@ pub(super) async fn close(motor: &mut Motor<'_, '_>, ended: &mut Ended<()>, plan
         Err(failure) if !is_interrupted => Text::join([&failure.message, &told], "; "),
         _ => told,
     };
-    motor.linger(interrupt, told, most).await;
+    motor.linger(interrupt, told, stays).await;
 }

@@ -33,7 +33,7 @@ pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
-pub use watched::Watched;
+pub use watched::{Stays, Watched};
 
 use super::access::AccessError;
 use super::session::Session;

@@ -30,6 +30,28 @@ const STALE: Span = Span::from_secs(3);
 /// Where one was not answered none is asked for so long.
 const SULK: Span = Span::from_secs(5);
 
+/// How long the view of a run stays behind its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stays {
+    /// Until somebody leaves.
+    UntilLeft,
+    /// Until somebody leaves, a minute at most: long enough for a diagnosis.
+    AWhile,
+    /// Until no key repeats any more: what is still pressed would be typed into the shell, where an arrow and Enter run the same
+    /// line again.
+    UntilQuiet,
+}
+
+impl Stays {
+    fn most(self) -> Option<Span> {
+        match self {
+            Stays::UntilLeft => None,
+            Stays::AWhile => Some(Span::from_secs(60)),
+            Stays::UntilQuiet => Some(Span::from_millis(1_200)),
+        }
+    }
+}
+
 /// What is shown of a run.
 #[derive(Debug)]
 pub struct Watched {
@@ -297,13 +319,17 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    /// Goes on showing the drive behind its end, of which this is told, until nobody looks any more, or for so long. Only
-    /// reads.
-    pub async fn linger(&mut self, interrupt: &Interrupt, told: Text, most: Option<Span>) {
+    /// Goes on showing the drive behind its end, of which this is told, until nobody looks any more, or it has stayed long
+    /// enough. Only reads.
+    pub async fn linger(&mut self, interrupt: &Interrupt, told: Text, stays: Stays) {
         self.comes_to("ended", None);
         self.tell(told);
-        let end = most.map(|most| self.session.now() + most);
-        while !interrupt.panel().is_left() && end.is_none_or(|end| self.session.now() < end) {
+        let panel = interrupt.panel();
+        let (mut since, mut presses) = (self.session.now(), panel.presses());
+        while !panel.is_left() && stays.most().is_none_or(|most| self.session.now().since(since) < most) {
+            if stays == Stays::UntilQuiet && presses != panel.presses() {
+                (since, presses) = (self.session.now(), panel.presses());
+            }
             self.session.end_at(None);
             let retries = self.session.set_retries(0);
             let status = status_word(self.session, self.target).await;
