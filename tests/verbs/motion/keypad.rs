@@ -135,10 +135,13 @@ fn no_shaft_is_left_turning_whatever_is_pressed() {
             (false, 1) => "--view --watchdog 1s",
             (false, _) => "--view",
         };
-        // From then on keys are pressed, and from then on, perhaps, none is held.
-        let (begin, tired) = (dice.below(60) as usize, dice.below(300) as usize);
+        // From then on keys are pressed, and from then on, perhaps, the dead man lets go of all of them.
+        let (begin, tired) = (dice.below(60) as usize, dice.below(200) as usize);
         let seen = run(drive, more, &mut |telegram, at, hand| match dice.below(400) {
             _ if telegram < begin => hand.button(Button::Hold, at),
+            // Whoever only stopped still looks.
+            _ if telegram > 3 * LATE => hand.button(Button::End, at),
+            _ if telegram > tired && more.contains("dead") => {}
             _ if telegram > LATE => hand.button(Button::End, at),
             0 => hand.button(Button::Stop, at),
             1 => hand.button(Button::End, at),
@@ -148,8 +151,7 @@ fn no_shaft_is_left_turning_whatever_is_pressed() {
             5 => (0..200).for_each(|_| hand.button(Button::Less, at)),
             6..20 => hand.button(Button::More, at),
             20..34 => hand.button(Button::Less, at),
-            _ if telegram < tired => hand.button(Button::Hold, at),
-            _ => {}
+            _ => hand.button(Button::Hold, at),
         });
         let mut later = seen.bench.clone();
         later.advance(seen.at + Span::from_secs(12));
