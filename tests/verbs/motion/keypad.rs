@@ -236,9 +236,10 @@ fn a_space_leaves_the_view_open_and_q_closes_it() {
 
 #[test]
 fn only_ctrl_c_asks_for_a_harder_stop() {
-    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
-        120.. => [Button::Stop, Button::End, Button::Stop].into_iter().for_each(|button| hand.button(button, at)),
-        _ => {}
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| {
+        if telegram >= 120 {
+            [Button::Stop, Button::End, Button::Stop].into_iter().for_each(|button| hand.button(button, at));
+        }
     });
     assert_eq!(seen.stop(), ("key", None, None), "who leans on the key gets the ramp");
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
@@ -247,6 +248,23 @@ fn only_ctrl_c_asks_for_a_harder_stop() {
         _ => {}
     });
     assert_eq!(seen.stop(), ("interrupted", Some(130), Some("quick-stop")));
+}
+
+#[test]
+fn who_lets_go_while_it_stops_anyway_asks_for_nothing_harder() {
+    let end = Tick::ZERO + Span::from_millis(2_800);
+    let seen = run(DRIVES[0], "--dead-man --duration 2s", &mut |_, at, hand| {
+        hand.look(at);
+        if at < end {
+            hand.button(Button::Hold, at);
+        }
+    });
+    assert!(
+        seen.at > end + Span::from_millis(500),
+        "it was let go while the shaft became slower: {}",
+        seen.at.since(end)
+    );
+    assert_eq!((seen.stop(), seen.turning()), (("end", None, None), 0), "{:?}", seen.failure);
 }
 
 #[test]
@@ -324,6 +342,16 @@ fn bounds_are_held_against_the_drive_like_a_setpoint_that_is_typed() {
     let line = "-a 1 --yes sollwert 5Hz --enable --hold --duration 300ms --step 1Hz";
     let refused = antrieb(&format!("{line} --max 900Hz")).on(&bench).exits(7);
     assert!(refused.err.contains("P.419"), "{}", refused.err);
+    // What the drive adds would move the bounds: a step up could turn the shaft the other way.
+    let adding = bench.replace("\"434\" = 2", "\"434\" = 3, \"228\" = -10");
+    assert_ne!(adding, bench);
+    let refused = antrieb(&format!("{line} --max 9Hz")).on(&adding).exits(7);
+    assert!(
+        refused.err.contains("the drive adds -10.00 Hz") && refused.err.contains("--source line"),
+        "{}",
+        refused.err
+    );
+    antrieb(&format!("{line} --max 9Hz --source line")).on(&adding).exits(0);
     let agreed = antrieb(&format!("{line} --max 9Hz")).on(&bench).exits(0);
     assert!(
         agreed.err.contains("the arrows change the setpoint by 1.00 Hz, from 0.00 Hz to 9.00 Hz"),
