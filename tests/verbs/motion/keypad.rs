@@ -236,9 +236,9 @@ fn a_space_leaves_the_view_open_and_q_closes_it() {
 
 #[test]
 fn only_ctrl_c_asks_for_a_harder_stop() {
-    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
-        120.. => [Button::Stop, Button::End, Button::Stop].into_iter().for_each(|button| hand.button(button, at)),
-        _ => {}
+    let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| {
+        let pressed = [Button::Stop, Button::End, Button::Stop].into_iter().filter(|_| telegram >= 120);
+        pressed.for_each(|button| hand.button(button, at));
     });
     assert_eq!(seen.stop(), ("key", None, None), "who leans on the key gets the ramp");
     let seen = run(DRIVES[0], "--view", &mut |telegram, at, hand| match telegram {
