@@ -29,6 +29,7 @@ pub(super) async fn obey_keys(
             key = keys.next() => key,
             () = hand.until(interrupt.panel().due()) => {
                 interrupt.look(hand.now());
+                stream.borrow_mut().catch_up();
                 continue;
             }
         };
@@ -52,17 +53,20 @@ struct Hand {
 /// 100 ms.
 const REPEATS: Span = Span::from_millis(150);
 
+/// So often what had to wait for the terminal is drawn.
+const MOMENT: Span = Span::from_millis(100);
+
 impl Hand {
     fn now(&self) -> Tick {
         Tick::from_micros(u64::try_from(self.begun.elapsed().as_micros()).unwrap_or(u64::MAX))
     }
 
     #[expect(clippy::disallowed_methods, reason = "a hand on a key; no telegram depends on this time")]
+    /// Until a held key is due, or for a moment.
     async fn until(&self, due: Option<Tick>) {
-        let Some(due) = due else { return std::future::pending().await };
         // It is over behind it, not with it.
-        let wait = due.since(self.now()) + Span::from_millis(1);
-        tokio::time::sleep(wait.into()).await;
+        let wait = due.map(|due| due.since(self.now()) + Span::from_millis(1));
+        tokio::time::sleep(wait.map_or(MOMENT, |wait| wait.min(MOMENT)).into()).await;
     }
 
     fn obey(&mut self, key: Key, interrupt: &Interrupt) {

@@ -178,6 +178,18 @@ impl AtTerminal {
         }
     }
 
+    /// Waits until this stands in the picture, whose size stays.
+    #[track_caller]
+    pub(crate) fn pictures(&mut self, text: &str) {
+        let deadline = Instant::now() + Duration::from_secs(15);
+        while !picture(&self.seen).contains(text) {
+            let left = deadline.saturating_duration_since(Instant::now());
+            let bytes = self.screen.recv_timeout(left);
+            let bytes = bytes.unwrap_or_else(|_| panic!("no '{text}' in:\n{}", self.seen));
+            self.seen += &String::from_utf8_lossy(&bytes);
+        }
+    }
+
     /// Whether the terminal hands on whole lines and shows what is typed, as before.
     pub(crate) fn is_cooked(&self) -> bool {
         let modes = rustix::termios::tcgetattr(&self.keyboard).unwrap().local_modes;

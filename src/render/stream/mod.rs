@@ -69,6 +69,11 @@ trait Form {
         Ok(false)
     }
 
+    /// Draws what had to wait for the terminal.
+    fn catch_up(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+
     /// A key was pressed.
     fn press(&mut self, _key: Key) -> io::Result<()> {
         Ok(())
@@ -188,6 +193,13 @@ impl<'a> Stream<'a> {
             self.console.observe(event);
         }
         Ok(())
+    }
+
+    /// A moment is over: what had to wait for the terminal is drawn if it can be.
+    pub fn catch_up(&mut self) {
+        if let Err(error) = self.form.catch_up() {
+            self.broken.get_or_insert(error);
+        }
     }
 
     /// Takes a key. `true`: it is meant to end the stream.

@@ -31,6 +31,8 @@ pub(super) struct Live<'a> {
     terminal: Terminal<'a>,
     screen: Screen,
     holds_stderr: bool,
+    /// Something is not drawn yet, because the terminal had not taken what was drawn before.
+    owes: bool,
 }
 
 impl<'a> Live<'a> {
@@ -39,14 +41,15 @@ impl<'a> Live<'a> {
         // Whether there are colours was decided with the settings; crossterm must not look at NO_COLOR for itself.
         ratatui::crossterm::style::force_color_output(manner.color);
         let (terminal, screen) = (Terminal::take(out, queue)?, Screen::new(manner.lang, manner.color));
-        let mut live = Live { terminal, screen, holds_stderr: manner.holds_stderr };
+        let mut live = Live { terminal, screen, holds_stderr: manner.holds_stderr, owes: false };
         ear.listen();
         live.draw()?;
         Ok(live)
     }
 
     fn draw(&mut self) -> io::Result<()> {
-        if self.terminal.queue.as_ref().is_some_and(|queue| !queue.is_idle()) {
+        self.owes = self.terminal.queue.as_ref().is_some_and(|queue| !queue.is_idle());
+        if self.owes {
             return Ok(());
         }
         self.terminal.inner.draw(|frame| self.screen.draw(frame)).map(|_| ())
@@ -54,6 +57,10 @@ impl<'a> Live<'a> {
 }
 
 impl Form for Live<'_> {
+    fn catch_up(&mut self) -> io::Result<()> {
+        if self.owes { self.draw() } else { Ok(()) }
+    }
+
     fn record(&mut self, record: &Record) -> io::Result<()> {
         self.screen.record(record);
         self.draw()
@@ -93,6 +100,10 @@ impl Late {
 }
 
 impl Form for Late {
+    fn catch_up(&mut self) -> io::Result<()> {
+        self.live.as_mut().map_or(Ok(()), Form::catch_up)
+    }
+
     fn record(&mut self, record: &Record) -> io::Result<()> {
         if let (Record::Start(_), Some(ear)) = (record, self.ear.take()) {
             let out = Box::new(self.queue.at_once());
