@@ -1,5 +1,5 @@
 import sys,os,pty,time,signal,subprocess,json,threading,select,fcntl,termios,struct,re
-sys.path.insert(0,os.path.join(os.path.dirname(os.path.abspath(__file__)),'..','active'))
+sys.path.insert(0,os.path.join(os.path.dirname(os.path.abspath(__file__)),'..','adversary'))
 import h
 from h import act,LX,env,ad
 K=os.environ.get('ANTRIEB','target/debug/antrieb')
