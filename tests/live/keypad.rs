@@ -84,7 +84,25 @@ fn a_terminal_that_goes_away_stops_the_run() {
         // Nobody is left to be told; the line is: shut down.
         let sent = std::fs::read_to_string(&trace).unwrap();
         assert!(sent.contains("01 06 01 9A 00 07"), "{more} {exit:?}: {sent}");
+        assert_eq!(exit, Some(130), "{more}");
     }
+}
+
+/// A shell would take an arrow for the last line, and Enter runs it again.
+#[test]
+fn keys_that_are_still_held_at_the_end_are_not_typed_into_the_shell() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let mut run = view(&port, "--view --step 0.5Hz --max 6Hz --duration 1s");
+    run.draws("held");
+    for _ in 0..100 {
+        run.types("\u{1b}[A");
+        thread::sleep(Duration::from_millis(50));
+    }
+    assert!(!run.is_cooked(), "the view stays as long as a key repeats");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows("ramp (end), acknowledged");
+    assert!(run.is_cooked());
 }
 
 /// Somebody looks at another screen: what is drawn is not taken.

@@ -13,6 +13,7 @@ pub fn missing(situation: &Situation, target: &Target) -> Vec<Text> {
     let mut missing: Vec<Text> = not_obeyed(situation, family).into_iter().collect();
     let lacking = family.motion.interlocks.iter().filter(|row| situation.lacks(row, family));
     missing.extend(lacking.filter_map(|row| situation.told(row)));
+    missing.extend(family.motion.interlocks.iter().filter_map(|row| situation.open(row, family)));
     if let Some(fault) = situation.fault.and_then(|code| describe::fault(family, code as u32)) {
         missing.push(fault.told());
     }

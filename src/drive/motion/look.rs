@@ -57,6 +57,14 @@ impl Situation {
         tells && (bit || setting)
     }
 
+    /// Which inputs of an interlock are open, where nobody obeys the control word and so the status word tells nothing of it.
+    pub(super) fn open(&self, row: &Interlock, family: &Family) -> Option<Text> {
+        let word = self.inputs.filter(|_| row.controlled && !self.obeys(family))?;
+        let is_open = |inputs: &[u8]| !inputs.iter().any(|bit| word >> bit & 1 == 1);
+        let open: Vec<_> = row.parts.iter().filter(|part| is_open(&part.inputs)).map(|part| part.text()).collect();
+        (!open.is_empty()).then(|| Text::join(&open, "; "))
+    }
+
     /// What is missing behind an interlock, and where one sees it.
     pub(super) fn told(&self, row: &Interlock) -> Option<Text> {
         let missing = row.missing.clone()?;
@@ -356,6 +364,9 @@ mod tests {
         // Remote tells nothing where nobody would obey it.
         let foreign = told(&situation(0x0010, Some(0)));
         assert!(foreign.len() == 1 && foreign.iter().all(|text| text.contains("P.412 is 0")), "{foreign:?}");
+        // But the inputs do.
+        let open = told(&Situation { inputs: Some(0b010), ..situation(0x0010, Some(0)) });
+        assert!(open.len() == 2 && open.iter().any(|text| text.contains(enable) && !text.contains(start)), "{open:?}");
         let tripped = told(&Situation { fault: Some(0x0500), ..ready.clone() });
         assert!(tripped.len() == 1 && tripped.iter().all(|text| text.starts_with("F0500 ")), "{tripped:?}");
     }

@@ -17,7 +17,8 @@ pub(super) struct Ticker<'a> {
     follows: bool,
     board: Board,
     /// The last sample of each drive, as text.
-    drives: BTreeMap<u8, String>,
+    /// What is told of each: its state, then what matters most first.
+    drives: BTreeMap<u8, Vec<String>>,
     t: Decimal,
     /// Columns of what stands there now.
     shown: usize,
@@ -31,33 +32,35 @@ impl<'a> Ticker<'a> {
         Ticker { out, lang: manner.lang, width, follows, board, drives: BTreeMap::new(), t, shown: 0 }
     }
 
-    fn sample(&self, sample: &Sample) -> String {
-        let mut parts = vec![match (&sample.state, &sample.error) {
+    fn sample(&self, sample: &Sample) -> Vec<String> {
+        let (mut ills, mut rest) = (Vec::new(), Vec::new());
+        let state = match (&sample.state, &sample.error) {
             (Some(state), _) => state.name.get(self.lang).to_owned(),
             (None, Some(error)) => format!("{GAP} {}", error.message.get(self.lang)),
             (None, None) => String::new(),
-        }];
+        };
         for (column, value) in self.board.values(sample) {
-            let quiet =
-                matches!(column.role, Some("fault" | "warnings")) && value.is_some_and(|value| value.raw == Some(0));
+            let ill = matches!(column.role, Some("fault" | "warnings"));
+            let quiet = ill && value.is_some_and(|value| value.raw == Some(0));
             if quiet || column.role == Some("status-word") || sample.error.is_some() {
                 continue;
             }
             let unit =
                 column.unit.as_ref().filter(|_| is_number(column)).map_or(String::new(), |unit| format!(" {unit}"));
-            parts.push(format!("{} {}{unit}", self.board.label(column, self.lang), short(column, value, self.lang)));
+            let part = format!("{} {}{unit}", self.board.label(column, self.lang), short(column, value, self.lang));
+            if ill { ills.push(part) } else { rest.push(part) }
         }
-        let parts: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-        clean(&format!("{}: {}", sample.address, parts.join("  ")))
+        let state = format!("{}: {state}", sample.address);
+        [state].into_iter().chain(ills).chain(rest).map(|part| clean(&part)).collect()
     }
 
     fn show(&mut self) -> io::Result<()> {
         if let Some(width) = terminal_width().filter(|_| self.follows) {
             self.width = width.into();
         }
-        let drives: Vec<&str> = self.drives.values().map(String::as_str).collect();
         // The last column stays free: some terminals begin a new line behind it.
-        let text = cut(&format!("{} s  {}", seconds(self.t), drives.join(" | ")), self.width.saturating_sub(1));
+        let drives: Vec<&[String]> = self.drives.values().map(Vec::as_slice).collect();
+        let text = fitting(&format!("{} s  ", seconds(self.t)), &drives, self.width.saturating_sub(1));
         self.write(&text)
     }
 
@@ -99,6 +102,17 @@ impl Form for Ticker<'_> {
     }
 }
 
+/// As many parts of every drive as fit; what does not is left out whole. Only what would not even fit alone is cut.
+fn fitting(head: &str, drives: &[&[String]], width: usize) -> String {
+    let line = |parts: usize| {
+        let drives: Vec<_> = drives.iter().map(|drive| drive.get(..parts).unwrap_or(drive).join("  ")).collect();
+        format!("{head}{}", drives.join(" | "))
+    };
+    let most = drives.iter().map(|drive| drive.len()).max().unwrap_or(0);
+    let whole = (1..=most).rev().map(line).find(|line| line.width() <= width);
+    whole.unwrap_or_else(|| cut(&line(1), width))
+}
+
 /// As much of a text as fits.
 fn cut(text: &str, width: usize) -> String {
     let mut room = width;
@@ -109,4 +123,24 @@ fn cut(text: &str, width: usize) -> String {
         fits
     };
     text.chars().take_while(fits).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_left_out_whole_and_what_matters_least_first() {
+        let parts = |text: &str| text.split('|').map(str::to_owned).collect::<Vec<_>>();
+        let (one, two) = (parts("1: Störung|Störung F0500|Strom 1,2 A"), parts("2: Bereit|Strom 0,0 A"));
+        let drives = [&one[..], &two[..]];
+        for (width, expected) in [
+            (80, "3 s  1: Störung  Störung F0500  Strom 1,2 A | 2: Bereit  Strom 0,0 A"),
+            (60, "3 s  1: Störung  Störung F0500 | 2: Bereit  Strom 0,0 A"),
+            (50, "3 s  1: Störung | 2: Bereit"),
+            (20, "3 s  1: Störung | 2:"),
+        ] {
+            assert_eq!(fitting("3 s  ", &drives, width), expected, "{width}");
+        }
+    }
 }
