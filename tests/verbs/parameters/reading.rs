@@ -100,7 +100,7 @@ fn an_unknown_width_is_found_by_asking_16_bits_then_32_and_remembered() {
     let functions: Vec<String> = run.questions().iter().map(|hex| hex[3..11].to_owned()).collect();
     // Code 3 is refused, P.11 = 14; code 100 is right, and for the second time asked at once.
     assert_eq!(functions, ["03 00 F1", "03 00 0B", "64 00 F1", "64 00 F1"], "{}", run.err);
-    assert_eq!(antrieb("-p sim -a 1 read 241").json().exits(0).data("/values/0/type"), "long");
+    assert_eq!(antrieb("-p sim -a 1 read 241").json().exits(0).data("/values/0/data_type"), "long");
     // A word is a word at the first question.
     let run = antrieb("-p sim -a 1 --drive act -v read 373").exits(0);
     assert_eq!(run.questions().len(), 1);
