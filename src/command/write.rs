@@ -26,7 +26,7 @@ use clap::Args as ClapArgs;
 /// read back. What the drive has already is not sent again.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
-    /// PARAMETER[@SET]=VALUE, such as 376@4=1.5kW
+    /// PARAMETER=VALUE, such as 480=12,5Hz or 376@4=1.5kW
     ///
     /// Or as two words: 376@4 1.5kW. A value below zero needs the `=`.
     #[arg(value_name = "PARAMETER=VALUE", required = true)]

@@ -1,7 +1,7 @@
 //! What the protocols differ in, as a conversation sees it: telegrams, silences, and which replies could be confused.
 //!
-//! A file for each protocol, which says what it is by [`Speech`], and what may be asked and answered by [`Asks`] and
-//! [`Says`]; the enums here only pick. RTU, ASCII and TCP are framings of [`modbus`].
+//! A file for each protocol, which says what it is by `Speech`, and what may be asked and answered by `Asks` and
+//! `Says`; the enums here only pick. RTU, ASCII and TCP are framings of `modbus`.
 
 mod modbus;
 mod vabus;
