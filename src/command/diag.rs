@@ -246,7 +246,12 @@ async fn diagnose(
     let (mut failures, good) = reader.into_failures();
     let code = present_fault(&family, status.as_ref(), fault);
     let missing = match status.as_ref().filter(|_| failures.is_empty() && family.is_movable()) {
-        Some(word) => missing(&surroundings(session, &mut target, word.raw).await?, &target),
+        Some(word) => match surroundings(session, &mut target, word.raw).await {
+            Ok(around) => missing(&around, &target),
+            Err(failure) if is_over(&failure) => return Err(failure),
+            // What it does not tell besides spoils no diagnosis.
+            Err(_) => Vec::new(),
+        },
         None => Vec::new(),
     };
     let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
