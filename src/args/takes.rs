@@ -19,8 +19,8 @@ pub struct Takes {
     first: &'static [&'static str],
     /// Taken, but offered by nobody.
     silent: &'static [&'static str],
-    /// Of no use here.
-    refused: &'static [&'static str],
+    /// Of no use here, list by list.
+    refused: &'static [&'static [&'static str]],
 }
 
 impl Takes {
@@ -52,50 +52,22 @@ impl Takes {
     pub const EXPLAINS: Takes = Takes {
         first: &["protocol", "drive", "word_order", "format", "lang", "catalogue"],
         silent: &["address", "dry_run", "yes"],
-        refused: &[
-            "port",
-            "baud",
-            "parity",
-            "stop_bits",
-            "data_bits",
-            "rs485",
-            "rs485_before",
-            "rs485_after",
-            "timeout",
-            "retries",
-            "trace",
-            "force",
-        ],
+        refused: &[OF_A_LINE, &["force"]],
     };
     /// Knows drives, and no line.
     pub const BROWSES: Takes = Takes {
         first: &["drive", "format", "lang", "catalogue"],
         silent: &["dry_run", "yes"],
-        refused: &[
-            "port",
-            "address",
-            "baud",
-            "parity",
-            "stop_bits",
-            "data_bits",
-            "rs485",
-            "rs485_before",
-            "rs485_after",
-            "protocol",
-            "word_order",
-            "timeout",
-            "retries",
-            "trace",
-        ],
+        refused: &[OF_A_LINE, &["address", "protocol", "word_order"]],
     };
     /// Is a line itself.
     pub const SERVES: Takes =
-        Takes { first: &["format", "lang", "quiet", "catalogue"], silent: &["yes"], refused: OF_A_LINE };
+        Takes { first: &["format", "lang", "quiet", "catalogue"], silent: &["yes"], refused: &[OF_A_LINE, OF_A_DRIVE] };
     /// Tells of the program itself.
     pub const TELLS: Takes = Takes {
         first: &[],
         silent: &["format", "json", "lang", "quiet", "verbose", "color", "no_progress", "config", "no_config", "yes"],
-        refused: OF_A_LINE,
+        refused: &[OF_A_LINE, OF_A_DRIVE],
     };
 
     /// The command with these options, as this verb takes them.
@@ -110,29 +82,33 @@ impl Takes {
     fn arg(&self, arg: &Arg, verb: &str) -> Arg {
         let is_in = |list: &[&str]| list.contains(&arg.get_id().as_str());
         let is_first = is_in(self.first);
-        if is_in(self.refused) {
+        if self.refuses(arg.get_id().as_str()) {
             refusing(arg, verb)
         } else {
             arg.clone().hide(is_in(self.silent)).hide_short_help(!is_first)
         }
     }
 
+    fn refuses(&self, option: &str) -> bool {
+        self.refused.iter().any(|list| list.contains(&option))
+    }
+
     /// Whether it offers this option.
     pub fn offers(&self, option: &str) -> bool {
-        !self.silent.contains(&option) && !self.refused.contains(&option)
+        !self.silent.contains(&option) && !self.refuses(option)
     }
 
     /// What was asked for before the verb and will not happen.
     pub fn unkept(&self, verb: &str, typed: &Globals) -> Option<Failure> {
         let asked = [("trace", typed.trace.is_some()), ("dry_run", typed.dry_run)];
-        let unkept = asked.into_iter().find(|(option, asked)| *asked && self.refused.contains(option));
+        let unkept = asked.into_iter().find(|(option, asked)| *asked && self.refuses(option));
         unkept.map(|(option, _)| Useless { verb: verb.to_owned(), option: flag(option) }.into())
     }
 }
 
+/// How a line is reached, set and heard.
 const OF_A_LINE: &[&str] = &[
     "port",
-    "address",
     "baud",
     "parity",
     "stop_bits",
@@ -140,15 +116,12 @@ const OF_A_LINE: &[&str] = &[
     "rs485",
     "rs485_before",
     "rs485_after",
-    "protocol",
-    "drive",
-    "word_order",
     "timeout",
     "retries",
     "trace",
-    "force",
-    "dry_run",
 ];
+/// Whom is talked to on it, how, and what is done there.
+const OF_A_DRIVE: &[&str] = &["address", "protocol", "drive", "word_order", "force", "dry_run"];
 
 /// Takes the place of an option, and says that it is of no use here.
 fn refusing(arg: &Arg, verb: &str) -> Arg {
