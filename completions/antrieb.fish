@@ -60,7 +60,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "scan" -d 'Finds eve
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "identify" -d 'Tells what a drive is, and how it is set up for talking to it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "read" -d 'Reads parameters'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "write" -d 'Writes parameters'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "dataset" -d 'Shows, selects, copies and compares a drive\'s four data sets'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "dataset" -d 'Shows, selects, copies a drive\'s data sets; saves and compares its settings'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "diag" -d 'Diagnoses a drive and the line to it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "statemachine" -d 'Shows a drive\'s state, and walks it to another'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows a drive\'s state, and walks it to another'
@@ -75,6 +75,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sniff" -d 'Listens 
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "simulate" -d 'Serves simulated drives on a pseudo terminal or a TCP port'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "schema" -d 'Prints the JSON Schema of a verb\'s output, or of every verb\'s'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "completions" -d 'Prints a completion script: bash, zsh, fish, powershell'
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l within -d 'End after this time, whatever is left: `90s`, `2m`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l resume -d 'Go on where this result of `scan --json` ends' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
@@ -205,43 +206,47 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l no-config -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l trace -d 'Record the line to a new file' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s v -l verbose -d 'Show settings and telegrams, on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l force -d 'Replace the file of --trace if it exists'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -l yes -d 'Answer the safety question with yes'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "show" -d 'Show parameters in all four data sets side by side'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "active" -d 'Show the data set in use (P.249), and what selects it (P.414)'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "select" -d 'Select a data set (P.414): 1-4, or 0 for the digital inputs'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "copy" -d 'Copy the values of one data set into another'
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff" -f -a "diff" -d 'Compare two data sets; exits with 1 if they differ'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "show" -d 'Show parameters in all four data sets side by side'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "active" -d 'Show the data set in use (P.249), and what selects it (P.414)'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "select" -d 'Select a data set (P.414): 1-4, or 0 for the digital inputs'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "copy" -d 'Copy the values of one data set into another'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "diff" -d 'Compare data sets, files, drives, factory settings; 1 if they differ'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "save" -d 'Save a drive\'s settings into a file'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "check" -d 'Check a drive against a file; exits with 1 if they differ'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "load" -d 'Write parameter files into a drive: all of it, or nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -f -a "undo" -d 'Take a `dataset load` back, by the undo file that it left'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -395,6 +400,7 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l unified -d 'Show the differences as lines of both files'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -s v -l verbose -d 'Show settings and telegrams, on stderr'
@@ -404,6 +410,143 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l changed -d 'Only what differs from the factory settings that are known'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l discover -d 'All numbers 0-1599, also those that no catalogue knows'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l resume -d 'Go on with a save that was interrupted'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l unified -d 'Show the differences as lines of both files'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l except -d 'Without these groups and parameters' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l sets -d 'Only these data sets, 0 for what exists once: 1,3' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l undo-file -d 'Where the undo file goes [default: beside FILE]' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l ram -d 'Write to RAM only, until power-off'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions: error rate, reply times' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r

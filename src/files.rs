@@ -147,6 +147,22 @@ pub fn write_whole(path: &Path, text: &str, overwrite: bool) -> Result<(), FileE
     }
 }
 
+/// Takes a file of ours away, if it is there.
+pub fn remove(path: &Path) -> Result<(), FileError> {
+    match std::fs::symlink_metadata(path) {
+        Ok(found) => must_be_regular(&found)?,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) => return Err(error.into()),
+    }
+    Ok(std::fs::remove_file(path)?)
+}
+
+/// Whether something stands at a path, and if so whether it is a directory.
+pub fn found(path: &Path) -> Option<bool> {
+    std::fs::symlink_metadata(path).ok()?;
+    Some(path.is_dir())
+}
+
 /// A new file to write to. One that exists is only replaced with `overwrite`, and only if it is a regular file and no
 /// link.
 pub fn create(path: &Path, overwrite: bool) -> Result<File, FileError> {

@@ -127,7 +127,7 @@ impl FromStr for Span {
                 "erwartet: eine Zeit wie 500ms, 2s oder 1m; angegeben: '{text}'"
             ))
         };
-        let typed = text.trim();
+        let typed = text.trim().replacen(',', ".", 1);
         let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
         let (number, unit) = typed.split_at(end);
         if number.trim_matches('.').is_empty() {

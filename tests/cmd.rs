@@ -47,6 +47,25 @@ fn nobody_has_to_read_stderr() {
     assert!(!ended.stdout.is_empty());
 }
 
+/// What cannot be written, and what cannot be opened, is neither an interrupt nor a bug of ours.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_system_does_not_give_is_named() {
+    let run = "-p sim -a 1 --yes --format ndjson sollwert 5Hz --enable --hold --duration 2s --take-control";
+    let mut full = antrieb(&run.split(' ').collect::<Vec<_>>());
+    let ended = full.stdout(std::fs::File::options().write(true).open("/dev/full").unwrap()).output().unwrap();
+    let told = String::from_utf8_lossy(&ended.stderr).into_owned();
+    assert_eq!(ended.status.code(), Some(3), "{told}");
+    assert!(told.contains("cannot write the output: No space left"), "{told}");
+    for files in 4..12 {
+        let line = format!("ulimit -n {files}; exec {} --lang en -p sim -a 1 read 411", env!("CARGO_BIN_EXE_antrieb"));
+        let ended = Command::new("bash").args(["-c", &line]).output().unwrap();
+        let told = String::from_utf8_lossy(&ended.stderr).into_owned();
+        assert_eq!(ended.status.code(), Some(3), "{files}: {told}");
+        assert!(told.contains("too few files can be opened"), "{files}: {told}");
+    }
+}
+
 #[test]
 fn the_project_file_lies_in_the_working_directory() {
     let directory = tempfile::tempdir().unwrap();

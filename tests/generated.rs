@@ -1,4 +1,4 @@
-//! Completions, man pages and the JSON of the catalogues are committed; this keeps them true.
+//! Completions, man pages, the JSON of the catalogues and the schema of parameter files are committed; this keeps them true.
 //! `UPDATE=1 cargo test --test generated` writes them.
 
 #![expect(clippy::unwrap_used, reason = "what a test needs and does not get ends it")]
@@ -43,6 +43,12 @@ fn the_json_of_the_catalogues_is_up_to_date() {
         let head = serde_json::Value::from_iter(head);
         check_text(&format!("{head}\n{}\n", serde_json::Value::Object(whole)), &file.with_extension("ndjson"));
     }
+}
+
+#[test]
+fn the_schema_of_parameter_files_is_up_to_date() {
+    let schema = serde_json::to_string_pretty(&antrieb::profile::paramfile::schema()).unwrap();
+    check_text(&format!("{schema}\n"), &root().join("docs/parameter-file.schema.json"));
 }
 
 #[test]

@@ -46,7 +46,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let settings = what.unkept(&globals).map_or_else(|| Settings::resolve(&globals, environment), Err);
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
     let quiet = globals.quiet;
-    let console = Console::new(err, lang, quiet, err_is_terminal && !quiet && !globals.no_progress);
+    let progress = !quiet && !globals.no_progress;
+    let console = Console::new(err, lang, quiet, err_is_terminal && progress).told_by_lines(progress);
     let (entry, verb) = match what {
         What::Work(entry, verb) => (entry, verb),
         What::Print(page, matches) => return print(page, &matches, (&globals, environment), out.as_mut(), &console),
@@ -75,9 +76,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     };
     let printed = match view {
         None => whole(carry_out(None), entry, format, manner, out.as_mut(), &console),
-        Some(view) if is_run => {
-            let stream =
-                Stream::of_run(view, queued.map(|queued| queued(patience.clone())), out.as_mut(), manner, &console);
+        Some(view) if is_run || matches!(flow, Some(Flow::Search)) => {
+            let queue = queued.filter(|_| is_run).map(|queued| queued(patience.clone()));
+            let stream = Stream::of_run(view, queue, out.as_mut(), manner, &console);
             let stream = RefCell::new(stream);
             let outcome = carry_out(Some(&stream));
             stream.into_inner().close();
@@ -152,12 +153,28 @@ fn whole(
     match render::print(&outcome, verb.name, format, manner, out, console) {
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
         Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
+            let outcome = unwritten(outcome, &error);
             render::print_end(&outcome, console);
             if outcome.failure.is_some() || is_untaken(&error) { Ok(outcome) } else { Err(error) }
         }
         Err(error) if is_untaken(&error) => Ok(outcome),
         printed => printed.map(|()| outcome),
     }
+}
+
+/// Nobody interrupted a run whose records had no place any more; a terminal that is gone was closed by somebody.
+fn unwritten(mut outcome: Outcome, error: &io::Error) -> Outcome {
+    use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+    let is_full = matches!(error.kind(), StorageFull | QuotaExceeded | FileTooLarge);
+    if let Some(failure) = outcome.failure.as_mut().filter(|failure| is_full && failure.class == Class::Interrupted) {
+        failure.message = both!(
+            "cannot write the output: {error}; {what}",
+            "die Ausgabe lässt sich nicht schreiben: {error}; {what}",
+            what = failure.message
+        );
+        (failure.class, failure.code) = (Class::Port, "port.output".into());
+    }
+    outcome
 }
 
 /// The reader took nothing any more, and was waited for long enough: what could not be said is lost, what came of the work is
@@ -205,6 +222,8 @@ fn view(
         (Flow::Run { .. }, _) if !sends => None,
         (Flow::Run { view: true }, _) if at_terminal && !is_dumb && Stream::has_terminal() => Some(View::Live),
         (Flow::Run { view: true }, _) => None,
+        (Flow::Search, Format::Ndjson) if sends => Some(View::Ndjson),
+        (Flow::Search, _) => None,
         (_, Format::Ndjson) => Some(View::Ndjson),
         // Without an end to wait for there is no document: its JSON is one object a line.
         (Flow::Samples { .. }, Format::Json) => Some(View::Ndjson),
@@ -244,8 +263,29 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
 
 /// Everything waits in one thread.
 fn one_thread() -> Result<Runtime, Failure> {
+    files_left()?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
     runtime.context("cannot start the runtime").map_err(|error| Failure::caused(Class::Bug, "bug.runtime", &error))
+}
+
+/// A runtime, its signals and a port take this many open files, some of which nobody can be told that they fail.
+const FILES: usize = 12;
+
+/// Whether this process may open what it needs.
+fn files_left() -> Result<(), Failure> {
+    #[cfg(unix)]
+    {
+        let taken: io::Result<Vec<_>> = (0..FILES).map(|_| std::fs::File::open("/dev/null")).collect();
+        taken.map_err(|error| {
+            let text =
+                both!("too few files can be opened: {error}", "es lassen sich zu wenige Dateien öffnen: {error}");
+            Failure::new(Class::Port, "port.files", text).hint(both!(
+                "`ulimit -n` shows the limit of this shell; 64 are plenty",
+                "`ulimit -n` zeigt die Grenze dieser Shell; 64 reichen gut"
+            ))
+        })?;
+    }
+    Ok(())
 }
 
 fn work(

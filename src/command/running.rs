@@ -36,7 +36,9 @@ pub(super) struct Plan<'p> {
     pub(super) args: &'p MotionArgs,
     /// The control word is needed, so it must be obeyed.
     pub(super) needs_control: bool,
-    /// It can only take motion away, so nobody is asked. The check may find out otherwise.
+    /// What it is to take away, if it is there to stop the drive: it is judged by that.
+    pub(super) aim: Option<Relief>,
+    /// It can do nothing else, so nobody is asked, and it goes out first. The check may find out otherwise.
     pub(super) relief: Option<Relief>,
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
@@ -51,13 +53,14 @@ pub(super) struct Plan<'p> {
 impl<'p> Plan<'p> {
     /// Something that needs the control word, may turn the shaft, and leaves the drive as it comes to stand.
     pub(super) fn of(action: &'p str, announce: Text, args: &'p MotionArgs) -> Self {
-        let (details, relief, zero) = (Vec::new(), None, None);
+        let (details, aim, relief, zero) = (Vec::new(), None, None, None);
         Plan {
             action,
             announce,
             details,
             args,
             needs_control: true,
+            aim,
             relief,
             runs: false,
             zero,
@@ -67,8 +70,8 @@ impl<'p> Plan<'p> {
     }
 
     /// What takes control or changes a setting does more than take motion away; what is held is a run.
-    pub(super) fn only_relieves(args: &MotionArgs) -> bool {
-        !(args.hold || args.take_control || args.watchdog.is_some())
+    pub(super) fn only_relieves(args: &MotionArgs, needs_control: bool) -> bool {
+        !(args.hold || (needs_control && args.take_control) || args.watchdog.is_some())
     }
 
     /// Whether the drive is powered in it, or can be.
@@ -139,17 +142,19 @@ pub(super) async fn run<'p, C>(
     let Context { settings, registry, interrupt, observe, ask } = context;
     keypad::is_there(plan.args, interrupt.panel())?;
     let act = plan.relief;
-    if act.is_some() {
+    // Whatever else somebody must agree to, a command that stops goes out before.
+    let goes_first = act.or(plan.aim.filter(|aim| *aim != Relief::Zero));
+    if goes_first.is_some() {
         // A stop goes out and is proven whether or not somebody reads what comes of it.
         interrupt.hear_only_keys();
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let first_word = match act {
+    let first_word = match goes_first {
         Some(act) => relieve_first(&mut session, settings, registry, address, act, &mut plan).await?,
         None => FirstWord::default(),
     };
     let (begun, said) = (session.now(), plan.said);
-    let unstopped = |failure: Failure| act.map_or(failure.clone(), |act| unstopped(failure, act, said));
+    let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
     let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
@@ -159,7 +164,9 @@ pub(super) async fn run<'p, C>(
     let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
-        None => agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind))).await?,
+        None => agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
+            .await
+            .map_err(|failure| if plan.said { but_said(unstopped(failure)) } else { failure })?,
     };
     if plan.args.hold {
         session.pace();
@@ -199,6 +206,18 @@ async fn relieve_first(
     session.insist(true);
     session.end_at(Some(session.now() + PROOF));
     Ok(first_word)
+}
+
+/// Nobody agreed to the rest.
+fn but_said(mut failure: Failure) -> Failure {
+    if !["forbidden.not_confirmed", "forbidden.no_terminal"].contains(&failure.code.as_str()) {
+        return failure;
+    }
+    failure.message = both!(
+        "the stop was sent, and is not proven; nobody agreed to the rest",
+        "der Halt wurde gesendet und ist nicht belegt; dem Übrigen stimmte niemand zu"
+    );
+    failure
 }
 
 /// What the drive says before anything else is done. A command that relieves looks for itself, and goes out even where little
@@ -336,6 +355,7 @@ fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool
             "er wird angehalten, wenn dieses Programm endet ({stop})",
             stop = stop_name(stop)
         ),
+        (false, _) if plan.aim.is_some() => both!("it is to stop", "er soll anhalten"),
         (false, _) if powers => both!(
             "the drive KEEPS RUNNING when this program ends; --hold bounds it",
             "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es"

@@ -1,16 +1,19 @@
 //! `scan`: who is on the line?
 
+mod report;
 mod resume;
 
 use super::Context;
-use super::verb::{Verb, Working};
-use crate::args::{Addresses, Settings, Takes};
-use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Searched, Unknown, Upper, open_port, scan};
+use super::verb::{Flow, Verb, Working};
+use crate::args::{Addresses, Settings, Takes, parse_span};
+use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Document, Event, FoundDrive, OrPlan, Outcome, Plan, Scan, Search, Warning};
+use crate::outcome::{Data, Document, Event, OrPlan, OrRecord, Outcome, Plan, Scan, SearchNews};
 use crate::text::{Text, both};
+use crate::tick::Span;
 use clap::Args as ClapArgs;
-use resume::{asked_before, earlier, ranges};
+use report::report;
+use resume::{asked_before, earlier};
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::pin::pin;
@@ -25,14 +28,17 @@ use std::task::Poll;
 /// come, and whoever may have been garbled is asked again. A drive that takes long to answer can still be lost behind the
 /// question to another; --thorough leaves nobody out.
 ///
-/// What is not known of the line is found with `--baud auto`, `--parity auto`, `--protocol auto`: likely settings and low
-/// addresses first. Where a drive is found, its setting is searched to the end at once. Several ports are searched at
-/// once: -p A -p B.
+/// What is not known of the line is found with `--baud auto`, `--parity auto`, `--protocol auto`, in rounds through all settings,
+/// the likeliest first: address 1 at each of them, then addresses 1-10, then 1-32, then everybody. Where a drive is found its
+/// setting is searched to the end at once, and the other settings follow; so it is before the next round where garbage came.
+/// Before it begins and after every setting the search says how long it still lasts. Several ports are searched at once:
+/// -p A -p B.
 ///
-/// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8. --force
-/// goes on.
+/// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8; where settings
+/// are sought it is listened to before anything is sent. --force goes on.
 ///
-/// Ctrl-C ends the search and shows what was found so far; `--resume` goes on from a result that was saved with --json.
+/// Ctrl-C ends the search, as --within does, and shows what was found so far and what was left open; `--resume` goes on from a
+/// result that was saved with --json.
 #[derive(Clone, Debug, Default, ClapArgs)]
 pub struct Args {
     /// By the book: every address gets its full time
@@ -48,6 +54,11 @@ pub struct Args {
     /// The first drive ends the search
     #[arg(long)]
     pub until_first: bool,
+    /// End after this time, whatever is left: `90s`, `2m`
+    ///
+    /// The likeliest settings and addresses have had their turn by then; what was left open is told.
+    #[arg(long, value_name = "TIME", value_parser = parse_span)]
+    pub within: Option<Span>,
     /// Go on where this result of `scan --json` ends
     #[arg(long, value_name = "RESULT.json")]
     pub resume: Option<PathBuf>,
@@ -60,10 +71,18 @@ impl Verb for Args {
         "antrieb --port sim scan",
         "antrieb --port sim -a 1-10 scan --until-first",
         "antrieb --port sim --baud auto --parity auto -a 1,2 scan",
+        "antrieb --port sim --baud auto --parity auto --protocol auto scan --within 2m",
     ];
-    const UPPER: Upper =
-        Upper::drive(30).each(4, "address and setting").unless("Ctrl-C ends it before, and shows what was found.");
-    type Prints = Document<OrPlan<Scan>>;
+    const UPPER: Upper = Upper::drive(30).each(4, "address at a setting that is known").unless(
+        "A search for settings says before it begins how long it lasts and how long at most, and keeps to that: at most twice \
+         the time of a silent line, and the questions to each drive that answers. With everything unknown, 49 settings and 247 \
+         addresses, that is 8 min and at most 16 min. --within or Ctrl-C ends it before, and shows what was found.",
+    );
+    type Prints = OrRecord<Document<OrPlan<Scan>>>;
+
+    fn streams(&self) -> Option<Flow> {
+        Some(Flow::Search)
+    }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))
@@ -88,10 +107,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         },
         until_first: args.until_first.then(First::default),
         force: settings.force,
+        within: args.within,
         ..ScanPlan::new(addresses)
     };
     let lines = search_all(context, &ports, &plan, before.as_ref()).await;
-    Ok(report(settings, &ports, lines, before))
+    Ok(report(args, settings, &ports, lines, before))
 }
 
 fn addresses(settings: &Settings) -> Result<Vec<u8>, Failure> {
@@ -206,6 +226,7 @@ async fn search_all(
 /// What happens on one of several ports, with its name.
 fn of_port(port: &str, event: Event) -> Event {
     match event {
+        Event::Sought(news) => Event::Sought(Box::new(SearchNews { is_named: true, ..*news })),
         Event::Progress { done, total, what } => Event::Search { port: port.to_owned(), done, total, what },
         Event::Telegram { at_us, direction, hex, meaning } => {
             let meaning = both!("{port}: {meaning}", "{port}: {meaning}", meaning);
@@ -230,142 +251,4 @@ async fn side_by_side<F: Future>(futures: Vec<F>) -> Vec<F::Output> {
     });
     pin!(all).await;
     running.into_iter().filter_map(|(_, output)| output).collect()
-}
-
-/// One result of all that the ports brought.
-fn report(
-    settings: &Settings,
-    ports: &[Port],
-    lines: Vec<Result<ScanResult, Failure>>,
-    before: Option<Scan>,
-) -> Outcome {
-    let (mut drives, mut searches) = before.map_or_else(Default::default, |scan| (scan.drives, scan.searches));
-    let (mut addresses, mut asked, mut complete) = (0, 0, true);
-    let (mut warnings, mut failures): (Vec<Warning>, Vec<Failure>) = (Vec::new(), Vec::new());
-    for (port, line) in ports.iter().zip(lines) {
-        let result = match line {
-            Ok(result) => result,
-            Err(failure) => {
-                complete = false;
-                failures.push(failure);
-                continue;
-            }
-        };
-        let left_out = result.left_out();
-        drives.extend(result.drives);
-        warnings.extend(result.warnings);
-        failures.extend(result.yielded.then(other_master).or(left_out));
-        failures.extend(result.cut.map(|error| {
-            let mut failure = error.failure(0, None);
-            failure.context.clear();
-            failure
-        }));
-        for searched in &result.searched {
-            addresses += searched.total;
-            asked += searched.asked.len();
-            complete &= searched.is_complete();
-            let search = search(port, searched);
-            searches.retain(|old: &Search| {
-                (&old.port, &old.line, &old.protocol) != (&search.port, &search.line, &search.protocol)
-            });
-            if !search.asked.is_empty() || !search.garbled.is_empty() {
-                searches.push(search);
-            }
-        }
-    }
-    let failure = verdict(settings, failures, ports.len(), &drives, (asked, addresses));
-    let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
-    // In the order of the addresses, not of the finds, so that two scans of one line give the same document.
-    drives.sort_by_key(|drive| (names.iter().position(|name| *name == drive.port), drive.address));
-    let unknown = settings.unknown;
-    let auto = |is_unknown: bool, known: String| if is_unknown { "auto".to_owned() } else { known };
-    let data = Scan {
-        port: names.join(", "),
-        line: auto(unknown.baud || unknown.parity, settings.line.to_string()),
-        protocol: auto(unknown.protocol, settings.protocol.name().to_owned()),
-        addresses,
-        asked,
-        complete,
-        drives,
-        searches,
-    };
-    Outcome { data: Some(Data::Scan(data)), warnings, failure }
-}
-
-/// What was asked at one setting.
-fn search(port: &Port, searched: &Searched) -> Search {
-    Search {
-        port: port.to_string(),
-        line: searched.tuning.line.to_string(),
-        protocol: searched.tuning.protocol.name().to_owned(),
-        asked: ranges(&searched.asked),
-        complete: searched.is_complete(),
-        garbled: searched.garbled.iter().copied().collect(),
-    }
-}
-
-/// Why it is not all that was asked for: interrupted, a port that failed, or nobody there.
-fn verdict(
-    settings: &Settings,
-    failures: Vec<Failure>,
-    ports: usize,
-    drives: &[FoundDrive],
-    (asked, addresses): (usize, usize),
-) -> Option<Failure> {
-    let count = failures.len();
-    let interrupted = failures.iter().position(|failure| failure.class == Class::Interrupted);
-    let Some(first) = failures.into_iter().nth(interrupted.unwrap_or(0)) else {
-        return drives.is_empty().then(|| nobody(settings));
-    };
-    let so_far = both!(
-        "{why}; {asked} of {addresses} addresses were asked",
-        "{why}; {asked} von {addresses} Adressen wurden gefragt",
-        why = first.message
-    );
-    if interrupted.is_some() {
-        let hint = both!(
-            "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
-            "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json"
-        );
-        return Some(Failure { message: so_far, ..first }.hint(hint));
-    }
-    if ports == 1 || count == ports {
-        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
-    }
-    let message = both!(
-        "{count} of {ports} ports failed; the first: {why}",
-        "{count} von {ports} Anschlüssen gescheitert; zuerst: {why}",
-        why = first.message
-    );
-    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
-}
-
-fn other_master() -> Failure {
-    let message = both!(
-        "another master asks on this line, so nothing more was sent",
-        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet"
-    );
-    let hint = both!(
-        "disconnect the other master; `antrieb sniff` shows what it asks; --force goes on beside it and may disturb it",
-        "den anderen Master abklemmen; `antrieb sniff` zeigt, was er fragt; --force macht neben ihm weiter und kann ihn \
-         stören"
-    );
-    Failure::new(Class::Forbidden, "forbidden.other_master", message).hint(hint)
-}
-
-fn nobody(settings: &Settings) -> Failure {
-    let hint = if settings.unknown == crate::args::Unknown::default() {
-        both!(
-            "if the setting of the line is not known: --baud auto --parity auto --protocol auto (a drive leaves the \
-             factory speaking VABus, P.395 = 0); else check whether A and B are swapped, and termination",
-            "falls die Einstellung der Leitung unbekannt ist: --baud auto --parity auto --protocol auto (ein Antrieb \
-             spricht ab Werk VABus, P.395 = 0); sonst prüfen, ob A und B vertauscht sind, und den Abschluss"
-        )
-    } else {
-        both!(
-            "no setting brought an answer: check supply, whether A and B are swapped, termination, and the adapter",
-            "keine Einstellung brachte eine Antwort: Versorgung, Vertauschung von A und B, Abschluss und Adapter prüfen"
-        )
-    };
-    Failure::new(Class::No, "no.drive_found", both!("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
 }

@@ -3,6 +3,7 @@
 mod check;
 mod keys;
 mod shown;
+mod told;
 mod wanted;
 mod zero;
 
@@ -16,12 +17,13 @@ use crate::drive::{Panel, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Document, OrMotion, OrRecord, Outcome, Sollwert};
-use crate::profile::{Family, Start};
+use crate::profile::Family;
 use crate::text::{Text, both};
 use crate::tick::Span;
 use check::Check;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
+use told::{announce, begins_later, tells_more};
 use wanted::{Spoken, Wanted, spoken, understand};
 
 /// Shows setpoint and actual value, or gives one.
@@ -153,8 +155,22 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if context.settings.dry_run {
         return dry_run(args, &family, &wanted, context);
     }
+    takes_what_it_needs(args, &wanted)?;
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
     give(args, &spoken, relief, context).await
+}
+
+/// A setpoint alone is obeyed whoever starts and stops the drive: control is taken for an enable only.
+fn takes_what_it_needs(args: &Args, wanted: &Wanted) -> Result<(), Failure> {
+    if !args.motion.take_control || args.enable || args.jog.is_some() || zero::is_aim(args, wanted) {
+        return Ok(());
+    }
+    let message = both!(
+        "--take-control needs --enable: a setpoint alone is obeyed whoever has control",
+        "--take-control braucht --enable: ein Sollwert allein gilt, wer auch immer die Steuerung hat"
+    );
+    Err(Failure::new(Class::Usage, "usage.take_control", message)
+        .hint(both!("add --enable, or leave --take-control out", "--enable angeben oder --take-control weglassen")))
 }
 
 async fn give(
@@ -193,12 +209,13 @@ async fn give(
                 Some(_) => zero::relief(session, target, before, &wanted).await?,
                 None => None,
             };
-            if args.until.is_some() && motion.duration.is_some() {
-                plan.details.push(both!(
-                    "its time begins when the setpoint is reached: until then it turns as well",
-                    "seine Zeit beginnt, wenn der Sollwert erreicht ist: auch bis dahin dreht er"
-                ));
-            }
+            plan.aim = match plan.relief {
+                None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
+                relief => relief,
+            };
+            tells_more(session, target, plan, &wanted, enable).await?;
+            let waits = args.until.is_some() && motion.duration.is_some();
+            plan.details.extend(waits.then(begins_later));
             plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
             let needs_control = enable && !motion.take_control;
             let mut check = Check { args, session, target, before };
@@ -206,9 +223,9 @@ async fn give(
             plan.announce = announce(&wanted, &target.family, enable);
             plan.details.extend(wanted.told_keys(&target.family));
             plan.keys = wanted.shown_keys();
-            Ok((wanted, plan.relief))
+            Ok((wanted, plan.aim))
         },
-        async |motor, (wanted, relief)| match relief {
+        async |motor, (wanted, aim)| match aim {
             Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
             None => carry_out(motor, &wanted, (enable, args.until.is_some()), &motion, &panel).await,
         },
@@ -339,26 +356,6 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Pa
     motor.is_led(false);
     let value = wanted.schedule.at(end);
     if value == last { Ok(()) } else { motor.give(&wanted.param, value, unit).await }
-}
-
-fn announce(wanted: &Wanted, family: &Family, enable: bool) -> Text {
-    let value = |raw: i64| wanted.shown(raw, family);
-    let (from, to) = (wanted.schedule.at(0), wanted.schedule.at(u64::MAX));
-    let what = match wanted.schedule.end_us() {
-        0 => value(to),
-        _ => Text::join([&value(from), &value(to)], " … "),
-    };
-    let makes = wanted.effective.and_then(|effective| effective.of(to)).filter(|&sum| sum != to).map(value);
-    let what = match makes {
-        Some(sum) => both!("{what} (the drive runs at {sum})", "{what} (der Antrieb läuft mit {sum})", what, sum),
-        None => what,
-    };
-    let enables = enable.then(|| both!("enable operation", "Betrieb freigeben"));
-    let mode = wanted.mode.value.map(|_| wanted.mode.text());
-    let setpoint = both!("setpoint {what}", "Sollwert {what}", what);
-    let start = wanted.start.as_ref().map(Start::text);
-    let parts: Vec<Text> = [enables, mode, Some(setpoint), start].into_iter().flatten().collect();
-    Text::join(&parts, ", ")
 }
 
 /// What to do where a speed cannot be made a frequency.

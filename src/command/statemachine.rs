@@ -143,16 +143,16 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let text = both!("this drive has no command '{slug}'", "dieser Antrieb hat keinen Befehl '{slug}'");
         Failure::new(Class::Data, "data.machine", text)
     })?;
-    let relief = relief_of(slug).filter(|_| Plan::only_relieves(motion));
+    let aim = relief_of(slug).filter(|_| !motion.hold);
+    let relief = aim.filter(|_| Plan::only_relieves(motion, true));
     if context.settings.dry_run {
-        return dry_run(context, &family, motion, true, relief.map(|_| slug), |told| match slug {
+        return dry_run(context, &family, motion, true, aim.map(|_| slug), |told| match slug {
             "enable" => told.walk("operation-enabled"),
             "switch-on" => told.walk("switched-on"),
             slug => told.command(slug),
         });
     }
-    let plan = Plan { relief, runs: slug == "enable", ..Plan::of(slug, command.text(), motion) };
-    let hold = motion.hold.then_some(motion.duration);
+    let plan = Plan { aim, relief, runs: slug == "enable", ..Plan::of(slug, command.text(), motion) };
     running::run(
         context,
         plan,
@@ -174,8 +174,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                 ("reset", _) => motor.reset().await?,
                 (other, _) => motor.command(other).await?,
             }
-            if let (Some(duration), "enable") = (hold, slug) {
-                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+            if motion.hold && slug == "enable" {
+                motor.hold(motion.duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
             }
             Ok(())
         },

@@ -50,6 +50,8 @@ pub enum Flow {
     },
     /// Telegrams.
     Telegrams,
+    /// How far a search is, and a document at its end.
+    Search,
     /// A run that is held, and a document at its end.
     Run {
         /// The whole terminal is wanted, with its keys.

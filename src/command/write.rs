@@ -270,13 +270,7 @@ pub(super) fn plan_only(
         }
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
-    let proves = both!(
-        "before the first of these every old value is read, after each the new one; what the drive has already is \
-         not sent",
-        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht \
-         gesendet"
-    );
-    outcome.warnings.push(Warning { code: "dry_run.reads".to_owned(), message: proves });
+    outcome.warnings.push(dry_run_reads());
     if terms.named.is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
@@ -288,4 +282,15 @@ pub(super) fn plan_only(
         });
     }
     Ok(outcome)
+}
+
+/// What a dry run of writes cannot show.
+pub(super) fn dry_run_reads() -> Warning {
+    let proves = both!(
+        "before the first of these every old value is read, after each the new one; what the drive has already is \
+         not sent",
+        "vor dem ersten wird jeder alte Wert gelesen, nach jedem der neue; was der Antrieb schon hat, wird nicht \
+         gesendet"
+    );
+    Warning { code: "dry_run.reads".to_owned(), message: proves }
 }

@@ -3,7 +3,8 @@
 use super::transfer::Reading;
 use crate::failure::Failure;
 use crate::outcome::{
-    Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, ParamDoc, Register, State, Value, Word, WriteResult, Written,
+    Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, NotLoaded, NotLoadedWhy, ParamDoc, Register, State, Value, Word,
+    WriteResult, Written,
 };
 use crate::profile::value::format_decimal;
 use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Role, Sets, Store};
@@ -18,6 +19,12 @@ pub fn place(wire_set: u8) -> (u8, Store) {
         Some(set) => (set, Store::Ram),
         None => (wire_set, Store::Eeprom),
     }
+}
+
+/// The same as what is asked for.
+pub fn sets(wire_set: u8) -> DataSets {
+    let (set, store) = place(wire_set);
+    DataSets::One(set, store)
 }
 
 /// Word that names a memory: `eeprom` or `ram`. Volatile parameters live in RAM whatever the data set says.
@@ -139,6 +146,11 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         note: (param.effective == Effective::Reset).then(|| family.link.after_reset.clone()),
         error: None,
     }
+}
+
+/// A setting of a file that is not written.
+pub fn left_out(param: &Param, data_set: u8, why: NotLoadedWhy) -> NotLoaded {
+    NotLoaded { param: param.id, data_set, slug: param.slug.clone(), name: param.name.clone(), why }
 }
 
 /// A word bit by bit.

@@ -354,6 +354,11 @@ impl<'a> Session<'a> {
         self.link.now()
     }
 
+    /// The time of day in UTC (RFC 3339); the bench has none.
+    pub fn utc(&self) -> Option<String> {
+        self.link.utc()
+    }
+
     /// Tells an event to whoever watches.
     pub fn tell(&mut self, event: Event) {
         self.account.tell(event);

@@ -24,6 +24,17 @@ pub struct Terms<'a> {
     pub speech: decode::Reader<'static>,
 }
 
+/// A drive, and what told that it is this one.
+#[derive(Debug)]
+pub struct Recognised {
+    /// The drive.
+    pub target: Target,
+    /// What it answered that tells its family.
+    pub evidence: Vec<Evidence>,
+    /// What it calls itself, if it does.
+    pub product: Option<String>,
+}
+
 impl Terms<'_> {
     /// Takes telegrams of this family apart.
     pub fn telegrams<'f>(&self, family: &'f Family) -> decode::Reader<'f> {
@@ -49,12 +60,39 @@ impl Terms<'_> {
         if let Some(family) = &self.named {
             return Ok(Target::new(address, family.clone()).in_word_order(self.word_order));
         }
+        Ok(self.recognised(session, address, shows_register).await?.target)
+    }
+
+    /// The same with what told which drive it is.
+    ///
+    /// # Errors
+    /// As [`Terms::target`].
+    pub async fn recognised(
+        &self,
+        session: &mut Session<'_>,
+        address: u8,
+        shows_register: bool,
+    ) -> Result<Recognised, Failure> {
+        if let Some(family) = &self.named {
+            let target = Target::new(address, family.clone()).in_word_order(self.word_order);
+            let given = Evidence {
+                asked: Text::name("--drive"),
+                answered: Text::name(&family.drive),
+                tells: both!("as given", "so angegeben"),
+            };
+            return Ok(Recognised { target, evidence: vec![given], product: None });
+        }
         let presumed = self.registry.presumed();
         let finding = recognise(session, self.registry, address, shows_register)
             .await
             .map_err(|error| error.failure(address, presumed.as_deref()))?;
         let target = finding.target(address, self.registry);
-        target.map(|target| target.in_word_order(self.word_order)).ok_or_else(|| {
+        let evidence = finding.evidence.clone();
+        let recognised = |target: Target| {
+            let (target, product) = (target.in_word_order(self.word_order), finding.product.clone());
+            Recognised { target, evidence, product }
+        };
+        target.map(recognised).ok_or_else(|| {
             let row = |row: &Evidence| {
                 let Evidence { asked, answered, tells } = row;
                 both!("{asked}: {answered} ({tells})", "{asked}: {answered} ({tells})", asked, answered, tells)

@@ -83,6 +83,14 @@ pub struct Survey {
     ready_at: Tick,
     /// Since when the line is waited for.
     held: Option<Tick>,
+    /// It ends then, whoever is still to be asked.
+    ends_at: Option<Tick>,
+    /// Since when somebody else of us has the line.
+    away: Option<Tick>,
+    /// It ended before everybody was asked.
+    cut: bool,
+    /// Something came before anybody was asked.
+    unasked: bool,
     /// An exchange must be ended on the line, where the protocol wants that.
     farewell: bool,
     /// Who is being asked, until that is told.
@@ -123,8 +131,12 @@ impl Survey {
             ear: Ear::default(),
             ours: Ours::default(),
             window: None,
-            ready_at: now + dialect.silence(line),
+            ready_at: now + dialect.silence(line).longer(patience.listen),
             held: None,
+            ends_at: patience.limit.map(|limit| now + limit),
+            away: None,
+            cut: false,
+            unasked: false,
             farewell: false,
             asking: None,
             signs: VecDeque::new(),
@@ -148,9 +160,14 @@ impl Survey {
         self.stations.iter().filter(move |(station, known)| over(known) && !open(station)).map(|(&station, _)| station)
     }
 
-    /// Whether garbage came at all: somebody is there.
-    pub fn is_garbled(&self) -> bool {
-        self.garbage > 0
+    /// Whether somebody spoke before anybody was asked.
+    pub fn is_spoken_on(&self) -> bool {
+        self.unasked
+    }
+
+    /// How often garbage came. At all: somebody is there.
+    pub fn garbage(&self) -> u32 {
+        self.garbage
     }
 
     /// Stations that sent telegrams without having been asked: somebody else asks them.
@@ -166,6 +183,11 @@ impl Survey {
     /// Whether somebody else spoke all the time, so that nobody could be asked any more.
     pub fn is_occupied(&self) -> bool {
         self.occupied
+    }
+
+    /// Whether its time was over before everybody was asked, and asked again who was garbled.
+    pub fn is_cut(&self) -> bool {
+        self.cut
     }
 
     /// Whether another master asks on this line.
@@ -208,7 +230,12 @@ impl Survey {
             return self.send(now, self.dialect.farewell().to_vec(), Verdict::Farewell);
         }
         if let Some(sign) = self.signs.pop_front() {
+            self.away = Some(now);
             return Step::Done(News::Heard(sign));
+        }
+        if self.ends_at.is_some_and(|at| now >= at) {
+            self.cut = !self.queue.is_empty() || self.suspicious().next().is_some();
+            return self.end();
         }
         match self.window {
             Some((_, until)) if now < until => return Step::Wait(until),
@@ -226,7 +253,7 @@ impl Survey {
         let recent = self.suspicious().filter_map(|station| self.stations.get(&station.0)).map(|known| known.end).max();
         let is_long = recent.is_some_and(|end| now >= end + self.patience.full) && self.round.number == 0;
         match self.last_reply_by().filter(|&until| now < until && !is_long) {
-            Some(until) => Step::Wait(until),
+            Some(until) => Step::Wait(self.ends_at.map_or(until, |at| until.min(at))),
             None if self.next_round() => self.proceed(now),
             None => self.end(),
         }
@@ -260,7 +287,7 @@ impl Survey {
     /// Until when somebody may still answer; `None` if nobody is waited for.
     fn last_reply_by(&self) -> Option<Tick> {
         let silent = self.stations.values().filter(|station| !station.heard);
-        silent.map(|station| station.end + self.patience.full).max().filter(|_| self.patience.thorough)
+        silent.map(|station| station.end + self.patience.tail).max()
     }
 
     /// Takes bytes that came in at `at`.
@@ -297,6 +324,8 @@ impl Survey {
 
     /// Somebody else has had the line until now.
     pub fn resume(&mut self, now: Tick) {
+        let away = self.away.take().map_or(Span::ZERO, |since| now.since(since));
+        self.ends_at = self.ends_at.map(|at| at + away);
         self.ready_at = self.ready_at.max(now + self.dialect.gap(self.line, PAUSE));
     }
 
@@ -324,6 +353,7 @@ impl Survey {
 
     /// A piece of what came: a reply belongs to the station that it names, and garbage has its suspects.
     fn take(&mut self, at: Tick, piece: Piece, bytes: Vec<u8>) {
+        self.unasked |= self.stations.is_empty();
         if matches!(piece, Piece::Stray(..) | Piece::Garbage) {
             self.foreign += foreign::questions(self.dialect, &bytes, |piece| self.ours.hold(piece));
         }

@@ -1,6 +1,6 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
-use super::{ErrorDoc, LineCheck, Motion, Plan, Read, Record, Warning, Write};
+use super::{ErrorDoc, LineCheck, Load, Motion, Plan, Read, Record, Warning, Write};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -46,6 +46,20 @@ pub enum OrWrite<D> {
     Plan(Plan),
     /// What was written, or would be.
     Write(Write),
+}
+
+/// What a verb finds, what it would ask or write under `--dry-run`, or what became of a file.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrLoad<D> {
+    /// What was found.
+    Found(D),
+    /// What would be sent.
+    Plan(Plan),
+    /// What was written, or would be.
+    Write(Write),
+    /// What became of a parameter file.
+    Load(Box<Load>),
 }
 
 /// What a verb finds, what it did to the shaft, or what it would send under `--dry-run`.

@@ -1,6 +1,6 @@
 //! What `scan`, `identify` and `diag` found.
 
-use super::{ErrorDoc, Fault, Register, State, Value, Word};
+use super::{Decimal, ErrorDoc, Fault, Register, State, Value, Word};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -20,9 +20,18 @@ pub struct Scan {
     pub asked: usize,
     /// Whether every address was asked.
     pub complete: bool,
+    /// Settings that were to be tried, of all ports together.
+    #[serde(default)]
+    pub settings: usize,
+    /// Settings at which every address was asked.
+    #[serde(default)]
+    pub settings_done: usize,
+    /// What was left open would take about so many seconds; 0 if nothing was.
+    #[serde(default)]
+    pub left_s: u64,
     /// What answered.
     pub drives: Vec<FoundDrive>,
-    /// What was asked at every setting; `scan --resume` goes on from here.
+    /// What was asked and what was not, at every setting in the order of its likelihood; `scan --resume` goes on from here.
     pub searches: Vec<Search>,
 }
 
@@ -37,10 +46,64 @@ pub struct Search {
     pub protocol: String,
     /// Addresses that have had their time to answer, such as `1-10,17`.
     pub asked: String,
+    /// Addresses that have not.
+    #[serde(default)]
+    pub open: String,
     /// Whether every address was asked.
     pub complete: bool,
     /// Addresses where only garbage came.
     pub garbled: Vec<u8>,
+}
+
+/// How far the search of a line has come whose setting nobody knows: a line of `scan --format ndjson` before it begins
+/// (`setting` 0) and after every setting.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SearchNews {
+    /// Seconds since the port was opened.
+    pub t: Decimal,
+    /// Port.
+    pub port: String,
+    /// Line setting that was asked.
+    pub line: String,
+    /// Protocol that was asked.
+    pub protocol: &'static str,
+    /// Which of the settings it is, in the order of their likelihood, from 1.
+    pub setting: usize,
+    /// How many settings there are.
+    pub settings: usize,
+    /// Which round: each goes through all settings, the first ones with few likely addresses.
+    pub round: usize,
+    /// How many rounds there are.
+    pub rounds: usize,
+    /// Addresses that were asked at this setting now.
+    pub asked_here: String,
+    /// Addresses of the drives that were found at this setting now.
+    pub found_here: Vec<u8>,
+    /// Whether garbage came at this setting: somebody is there whom nobody understands.
+    pub garbled: bool,
+    /// Drives found so far.
+    pub found: usize,
+    /// Addresses that have had their time, at all settings together.
+    pub asked: usize,
+    /// Addresses that are to be asked, at all settings together.
+    pub addresses: usize,
+    /// What is left takes about so many seconds.
+    pub left_s: Decimal,
+    /// And at most so many, whatever comes over the line; a drive that is found adds the look at it.
+    pub at_most_s: Decimal,
+    /// The setting is done, and not on the way.
+    #[serde(skip)]
+    pub is_over: bool,
+    /// One of several ports.
+    #[serde(skip)]
+    pub is_named: bool,
+}
+
+impl SearchNews {
+    /// Whether it tells more than where a setting is that takes long.
+    pub fn is_told(&self) -> bool {
+        self.is_over || self.setting == 0
+    }
 }
 
 /// Something that answered a scan.

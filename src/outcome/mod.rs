@@ -9,25 +9,30 @@ mod import;
 mod line;
 mod motion;
 mod offline;
+mod paramfile;
 mod relocation;
 mod stream;
 mod transfer;
 mod value;
 
-pub use document::{Document, Envelope, OrLine, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
+pub use document::{Document, Envelope, OrLine, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
+    SearchNews,
 };
 pub use import::{Export, Import, ImportColumn, ImportRow, ListOr, RowLeftOut};
 pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
+pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
     Column, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary, StreamEnd,
     StreamStart, StreamSummary, WatchedDrive,
 };
-pub use transfer::{Dataset, DatasetRow, Plan, Read, Write, WriteResult, Written};
+pub use transfer::{
+    Dataset, DatasetRow, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
+};
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
 
 use crate::failure::Failure;
@@ -93,6 +98,12 @@ pub enum Data {
     Write(Write),
     /// `dataset show`, `dataset copy` …
     Dataset(Dataset),
+    /// `dataset load`, `dataset undo`
+    Load(Load),
+    /// `dataset save`
+    Saves(Saves),
+    /// `dataset check`, `dataset diff` of files
+    Comparisons(Comparisons),
     /// `diag`
     Diag(Diag),
     /// `diag line`
@@ -157,6 +168,8 @@ pub enum Event {
         /// What is being tried.
         what: Text,
     },
+    /// A search for the setting of a line has come so far.
+    Sought(Box<SearchNews>),
     /// A drive was found.
     Found(Box<FoundDrive>),
     /// For people, on the way.

@@ -1,6 +1,6 @@
-//! What `monitor`, `sniff` and a run that is held tell as it comes.
+//! What `monitor`, `sniff`, a search for settings and a run that is held tell as it comes.
 
-use super::{Decimal, ErrorDoc, State, TelegramDoc, Value, Warning};
+use super::{Decimal, ErrorDoc, SearchNews, State, TelegramDoc, Value, Warning};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -21,6 +21,8 @@ pub enum Record {
     Reopened(PortChange),
     /// What `sniff` heard, or what would be sent, under `--dry-run`.
     Telegram(TelegramDoc),
+    /// How far a search for settings has come; what it found stands in the rows behind.
+    Search(SearchNews),
     /// How it ended; the last line.
     End(StreamEnd),
 }

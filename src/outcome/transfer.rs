@@ -22,7 +22,7 @@ pub struct Write {
 }
 
 /// A value that was, or would be, written.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Written {
     /// Address of the drive; 0 is a broadcast.
     pub address: u8,
@@ -87,6 +87,10 @@ pub enum WriteResult {
     Broadcast,
     /// Not tried, because something before it failed.
     Skipped,
+    /// It has its old value again, read back, because something behind it failed.
+    Restored,
+    /// Something behind it failed, and it may not have its old value again.
+    Unrestored,
 }
 
 /// What a verb that reads would send, under `--dry-run`.
@@ -134,4 +138,79 @@ pub struct DatasetRow {
     pub equal: bool,
     /// One value a data set.
     pub values: Vec<Value>,
+}
+
+/// Result of `dataset load` and `dataset undo`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Load {
+    /// Address of the drive.
+    pub address: u8,
+    /// System-bus node behind it; missing where it is the drive itself.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub node: u8,
+    /// Family.
+    pub drive: String,
+    /// The parameter files, later ones over earlier ones.
+    pub files: Vec<String>,
+    /// Whether nothing was sent.
+    pub dry_run: bool,
+    /// How it ended; null where nothing was begun.
+    pub ended: Option<LoadEnd>,
+    /// The file that takes it back; null where none was needed.
+    pub undo_file: Option<String>,
+    /// Cells of the EEPROM that were going to be written at most.
+    pub eeprom_writes: u64,
+    /// Cells that putting everything back writes at most.
+    pub eeprom_writes_back: u64,
+    /// Whether something takes effect only after a restart of the drive.
+    pub restart: bool,
+    /// What the file holds and is not written.
+    pub left_out: Vec<NotLoaded>,
+    /// One entry a value.
+    pub values: Vec<Written>,
+}
+
+/// How a transaction ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadEnd {
+    /// The drive has every value, proven.
+    Done,
+    /// Nothing was changed.
+    Untouched,
+    /// Everything that was written is as it was before, proven.
+    Back,
+    /// Some of it is not as before, or nobody knows; the rows say which.
+    Torn,
+}
+
+/// A setting of a file that is not written.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct NotLoaded {
+    /// Parameter number.
+    pub param: u32,
+    /// Data set, 0-4.
+    pub data_set: u8,
+    /// Stable English name.
+    pub slug: String,
+    /// Name in the chosen language.
+    pub name: Text,
+    /// Why.
+    pub why: NotLoadedWhy,
+}
+
+/// Why a setting of a file is not written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NotLoadedWhy {
+    /// A setting of a bus, for which nobody asked.
+    NotAskedFor,
+    /// The drive only tells it.
+    ReadOnly,
+    /// A command or a setpoint, which lives in RAM only.
+    Command,
+    /// It restarts the drive.
+    Restarts,
+    /// A text, for which there is no telegram.
+    Text,
 }

@@ -1,5 +1,6 @@
 //! One drive as its catalogues describe it, and decoding by it.
 
+use super::files::FileRules;
 use super::link::Link;
 use super::machine::StateMachine;
 use super::motion::{Mode, MotionRules};
@@ -23,6 +24,8 @@ pub struct Family {
     pub title: Text,
     /// How its parameters are reached.
     pub link: Link,
+    /// What its parameter files hold, and in which order.
+    pub files: FileRules,
     /// What moving it needs.
     pub motion: MotionRules,
     /// Kinds of setpoints that it takes; the first is the usual one.
@@ -103,6 +106,7 @@ impl Family {
             siblings: Vec::new(),
             title,
             link: Link::default(),
+            files: FileRules::default(),
             motion: MotionRules::default(),
             modes: Vec::new(),
             params: BTreeMap::new(),

@@ -6,12 +6,14 @@
 
 mod catalogue;
 mod family;
+mod files;
 pub mod import;
 mod link;
 mod machine;
 mod motion;
 mod names;
 mod param;
+pub mod paramfile;
 mod role;
 mod row;
 mod select;
@@ -21,6 +23,7 @@ pub mod value;
 pub use crate::text::{Lang, Text};
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{Family, LookupError, WordBit};
+pub use files::{Alters, FileRules, Goes};
 pub use link::{Cause, Holds, LineTable, Link, Route};
 pub use machine::{Command, Facts, Need, NoPlan, StateMachine, Takes, Transition};
 pub use motion::{

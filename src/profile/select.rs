@@ -113,8 +113,8 @@ impl SelectError {
                  @actual"
             ),
             SelectError::Range(text) => both!(
-                "'{text}' is no range: expected FIRST-LAST with at most 1000 numbers",
-                "'{text}' ist kein Bereich: erwartet ERSTE-LETZTE mit höchstens 1000 Nummern"
+                "'{text}' is no range: expected FIRST-LAST, the smaller number first, with at most 1000 numbers",
+                "'{text}' ist kein Bereich: erwartet ERSTE-LETZTE, die kleinere Nummer zuerst, mit höchstens 1000 Nummern"
             ),
             SelectError::Group { name, known } => both!(
                 "there is no group '@{name}' (expected: {known})",
@@ -164,7 +164,7 @@ impl FromStr for Selector {
             Some((who, sets)) => (who.trim(), sets.trim().parse()?),
             None => (text, DataSets::Unnamed),
         };
-        let who_text = who.strip_prefix("P.").or_else(|| who.strip_prefix("p.")).unwrap_or(who);
+        let who_text = bare(who);
         if who_text.is_empty() {
             return Err(SelectError::Empty(text.to_owned()));
         }
@@ -178,6 +178,16 @@ impl FromStr for Selector {
             (None, None) => Who::Name(who_text.to_owned()),
         };
         Ok(Selector { who, sets })
+    }
+}
+
+/// Without the `P.` before a number; `p372` is no name either.
+fn bare(who: &str) -> &str {
+    let Some(rest) = who.strip_prefix(['P', 'p']) else { return who };
+    match rest.strip_prefix('.') {
+        Some(number) => number,
+        None if rest.starts_with(|first: char| first.is_ascii_digit()) && number(rest).is_some() => rest,
+        None => who,
     }
 }
 
@@ -200,6 +210,11 @@ impl Selector {
     /// Whether a whole group is meant.
     pub fn is_group(&self) -> bool {
         matches!(self.who, Who::Group(_))
+    }
+
+    /// The data sets that are meant.
+    pub fn sets(&self) -> DataSets {
+        self.sets
     }
 
     /// Whether data sets were named.
@@ -290,7 +305,10 @@ mod tests {
     fn selectors_are_numbers_ranges_names_and_groups() {
         let parsed = |text: &str| text.parse::<Selector>().map(|selector| selector.who);
         assert_eq!(parsed("372@2"), Ok(Who::Number(372)));
-        assert_eq!(parsed("P.372"), Ok(Who::Number(372)));
+        for typed in ["P.372", "p.372", "P372", "p372"] {
+            assert_eq!(parsed(typed), Ok(Who::Number(372)));
+        }
+        assert_eq!(parsed("p3x"), Ok(Who::Name("p3x".to_owned())));
         for text in ["7700", "0x1E14", "0X1e14", "1E14h", "1e14H", "16#1E14"] {
             assert_eq!(parsed(text), Ok(Who::Number(7700)), "{text}");
         }

@@ -80,6 +80,9 @@ pub struct Schedule {
 }
 
 impl Schedule {
+    /// So many places of a way are told one by one.
+    const TOLD: usize = 6;
+
     /// A ramp from one value to another.
     pub fn ramp(from: i64, to: i64, duration_us: u64) -> Self {
         Schedule { points: vec![(0, from), (duration_us, to)], straight: true }
@@ -114,6 +117,31 @@ impl Schedule {
     /// Every value that it passes or jumps to.
     pub fn values(&self) -> impl Iterator<Item = i64> + '_ {
         self.points.iter().map(|point| point.1)
+    }
+
+    /// The way that it takes, from where it begins to where it ends by all places where it turns; of a long one the ends, and
+    /// between them the least and the greatest.
+    pub fn turns(&self) -> Vec<i64> {
+        let mut way: Vec<i64> = Vec::new();
+        for raw in self.values() {
+            match way.as_slice() {
+                [.., last] if *last == raw => {}
+                [.., before, last] if (*last > *before) == (raw > *last) => {
+                    way.pop();
+                    way.push(raw);
+                }
+                _ => way.push(raw),
+            }
+        }
+        let (Some(&first), Some(&last)) = (way.first(), way.last()) else { return way };
+        if way.len() <= Self::TOLD {
+            return way;
+        }
+        let least = way.iter().copied().min().unwrap_or(first);
+        let greatest = way.iter().copied().max().unwrap_or(last);
+        let mut told = vec![first, least, greatest, last];
+        told.dedup();
+        told
     }
 
     /// The value at a time; before the first point the first value, after the last the last.

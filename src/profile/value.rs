@@ -194,10 +194,13 @@ pub(super) fn carries_unit(text: &str, unit: Option<&str>) -> bool {
 /// Power of ten between a typed unit and the parameter's; `None` if they do not fit.
 fn unit_power(typed: &str, unit: Option<&str>) -> Option<i32> {
     let unit = unit?;
-    if typed.eq_ignore_ascii_case(unit) {
+    // Small and capital letters are the same, but for the prefix: MW is no mW.
+    let is_mega = typed.starts_with('M') && !typed.eq_ignore_ascii_case("min");
+    let is = |name: &str| name.eq_ignore_ascii_case(typed) && !(is_mega && name.starts_with('m'));
+    if is(unit) {
         return Some(0);
     }
-    UNITS.iter().find(|row| row.0.eq_ignore_ascii_case(typed) && row.1 == unit).map(|row| row.2)
+    UNITS.iter().find(|row| is(row.0) && row.1 == unit).map(|row| row.2)
 }
 
 /// Reads a typed value for a parameter: number with or without unit, `0x…`, or a text of its table (`choices`).
@@ -231,10 +234,12 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
             }
         },
     };
-    // `10=19200` means the value that is called "19200 Bd", not the raw value 19200.
+    // `10=19200` means the value that is called "19200 Bd", not the raw value 19200, which P.10 does not take. A number that the
+    // parameter may take is one: tables do not name all of them.
     if let Ok(raw) = shifted(number, 0, 0)
         && !choices.is_empty()
         && !choices.iter().any(|choice| choice.0 == raw)
+        && !may_be_raw(raw, param, choices)
         && let Some(named) = by_text()
     {
         return Ok(named);
@@ -243,6 +248,15 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
     shifted(number, param.decimals_or_zero(), power)
+}
+
+/// Whether a parameter may take a value that its table does not name: within its range, or, if no source tells that, up to the
+/// largest of the table.
+fn may_be_raw(raw: i64, param: &Param, choices: &[(i64, [&str; 2])]) -> bool {
+    match param.min.or(param.max) {
+        Some(_) => check_range(raw, param).is_ok(),
+        None => choices.iter().any(|choice| raw <= choice.0),
+    }
 }
 
 /// The raw value whose text it is; or the only one whose text starts with it or has it as a word.

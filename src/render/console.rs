@@ -2,9 +2,9 @@
 
 use super::run_line::RunLine;
 use super::words::word;
-use super::{Outlet, Patience, clean};
+use super::{Outlet, Patience, clean, search};
 use crate::failure::Failure;
-use crate::outcome::{Event, FoundDrive, Record};
+use crate::outcome::{Event, FoundDrive, Record, SearchNews};
 use crate::text::{Lang, Text};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
@@ -65,6 +65,8 @@ struct Inner {
     lang: Lang,
     quiet: bool,
     progress: bool,
+    /// Without bars progress is told line by line, where it goes on for minutes.
+    lines: bool,
     /// What is written is waited for until its reader has taken it.
     waits: bool,
     /// The bars on the terminal, as long as there are any.
@@ -78,8 +80,16 @@ struct Inner {
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
-        let inner = Inner { err, lang, quiet, progress, waits: true, drawn: None, run: None, bars: BTreeMap::new() };
+        let (drawn, run, bars) = (None, None, BTreeMap::new());
+        let inner = Inner { err, lang, quiet, progress, lines: false, waits: true, drawn, run, bars };
         Console { inner: Rc::new(RefCell::new(inner)) }
+    }
+
+    /// Without a bar the progress of what goes on for minutes is told line by line.
+    #[must_use]
+    pub fn told_by_lines(self, lines: bool) -> Self {
+        self.inner.borrow_mut().lines = lines;
+        self
     }
 
     /// Whether what is written is waited for until its reader has taken it, as it is from the beginning. While a shaft turns
@@ -135,6 +145,7 @@ impl Console {
             }
             Event::Progress { done, total, what } => inner.progress(String::new(), done, total, &what),
             Event::Search { port, done, total, what } => inner.progress(port, done, total, &what),
+            Event::Sought(news) => inner.sought(&news),
             Event::Found(drive) => {
                 if !inner.quiet {
                     let FoundDrive { drive, address, title, port, line, protocol, .. } = *drive;
@@ -226,11 +237,35 @@ impl Inner {
         if !self.progress {
             return;
         }
+        self.bar(name, (done, total), what, "{bar:30} {pos}/{len} {prefix}{msg} {eta}");
+    }
+
+    /// How far a search for settings is: by its own estimate, because its steps do not take the same time.
+    fn sought(&mut self, news: &SearchNews) {
+        let name = if news.is_named { news.port.clone() } else { String::new() };
+        match news {
+            _ if news.setting == 0 && !self.quiet => {
+                let told = search::begun(news).get(self.lang).to_owned();
+                self.line(&told);
+            }
+            _ if self.progress && news.setting > 0 => {
+                let (gone, left) = (news.t.raw.unsigned_abs(), news.left_s.raw.unsigned_abs());
+                self.bar(name, (gone, gone + left), &search::short(news), "{bar:8} {prefix}{msg}");
+            }
+            _ if self.lines && news.is_over => {
+                let told = search::told(news).get(self.lang).to_owned();
+                self.line(&told);
+            }
+            _ => {}
+        }
+    }
+
+    fn bar(&mut self, name: String, (done, total): (u64, u64), what: &Text, template: &str) {
         let stderr = || MultiProgress::with_draw_target(ProgressDrawTarget::stderr());
         let drawn = self.drawn.get_or_insert_with(stderr);
         let bar = self.bars.entry(name).or_insert_with_key(|name| {
             let bar = drawn.add(ProgressBar::new(total));
-            if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {prefix}{msg} {eta}") {
+            if let Ok(style) = ProgressStyle::with_template(template) {
                 bar.set_style(style);
             }
             if !name.is_empty() {

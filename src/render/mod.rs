@@ -6,6 +6,7 @@ mod document;
 mod finding;
 mod outlet;
 mod run_line;
+mod search;
 mod spoken;
 mod stream;
 mod words;

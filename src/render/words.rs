@@ -169,6 +169,16 @@ const GERMAN: &[(&str, &str)] = &[
     ("warnings", "Warnungen"),
     ("watchdog", "Watchdog"),
     ("yes", "ja"),
+    // Parameter files.
+    ("a", "a"),
+    ("b", "b"),
+    ("changed since it was saved", "seit dem Sichern geändert"),
+    ("compared", "verglichen"),
+    ("complete", "vollständig"),
+    ("different", "verschieden"),
+    ("file", "Datei"),
+    ("not in the file", "nicht in der Datei"),
+    ("signature", "Signatur"),
     // What became of a write.
     ("verified", "geprüft"),
     ("written", "geschrieben"),
@@ -177,6 +187,20 @@ const GERMAN: &[(&str, &str)] = &[
     ("differs", "abweichend"),
     ("broadcast", "an alle"),
     ("skipped", "ausgelassen"),
+    ("restored", "zurückgenommen"),
+    ("unrestored", "NICHT zurückgenommen"),
+    // A parameter file in a drive.
+    ("files", "Dateien"),
+    ("undo file", "Datei zum Zurücknehmen"),
+    ("done, every value proven", "fertig, jeder Wert geprüft"),
+    ("nothing was changed", "nichts wurde geändert"),
+    ("as before, proven", "wie vorher, geprüft"),
+    ("NOT as before", "NICHT wie vorher"),
+    ("left out, of the bus", "ausgelassen, vom Bus"),
+    ("left out, only told", "ausgelassen, nur lesbar"),
+    ("left out, commands", "ausgelassen, Befehle"),
+    ("left out, restarts", "ausgelassen, Neustart"),
+    ("left out, texts", "ausgelassen, Texte"),
 ];
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 use super::Wake;
 use crate::tick::{Span, Tick};
 use std::io;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 use tokio::io::{AsyncRead, AsyncReadExt};
 
 /// Tells the time since a port was first opened.
@@ -76,10 +76,50 @@ impl Clock {
     }
 }
 
+/// The time of day in UTC: `2026-11-22T14:03:07Z`.
+#[expect(clippy::disallowed_methods, reason = "this is the room's clock")]
+pub(super) fn utc() -> String {
+    date(SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs()))
+}
+
+/// The date and time of so many seconds since the beginning of 1970 (RFC 3339), by the Gregorian calendar.
+fn date(seconds: u64) -> String {
+    let (days, second) = (seconds / 86_400, seconds % 86_400);
+    // Years begin in March, so that the leap day is the last one; eras have 400 of them.
+    let day = days + 719_468;
+    let (era, day) = (day / 146_097, day % 146_097);
+    let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let (day, month) = (day - (153 * month + 2) / 5 + 1, if month < 10 { month + 3 } else { month - 9 });
+    let year = era * 400 + year + u64::from(month <= 2);
+    let (hour, minute, second) = (second / 3_600, second / 60 % 60, second % 60);
+    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
+}
+
 /// A tty that was hung up reads as end of file for ever, and so does a connection that the other end has closed.
 fn took(count: usize, buffer: &[u8]) -> io::Result<Wake> {
     match buffer.get(..count) {
         Some(bytes @ [_, ..]) => Ok(Wake::Bytes(bytes.to_vec())),
         _ => Err(io::ErrorKind::UnexpectedEof.into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seconds_are_a_date() {
+        for (seconds, told) in [
+            (0, "1970-01-01T00:00:00Z"),
+            (951_782_399, "2000-02-28T23:59:59Z"),
+            (951_782_400, "2000-02-29T00:00:00Z"),
+            (951_868_800, "2000-03-01T00:00:00Z"),
+            (1_795_356_187, "2026-11-22T14:03:07Z"),
+            (4_107_542_400, "2100-03-01T00:00:00Z"),
+        ] {
+            assert_eq!(date(seconds), told);
+        }
     }
 }

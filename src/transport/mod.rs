@@ -273,6 +273,14 @@ impl Link {
         }
     }
 
+    /// The time of day in UTC (RFC 3339); the bench and a recording have none.
+    pub fn utc(&self) -> Option<String> {
+        match &self.carrier {
+            Carrier::Serial(_) | Carrier::Net(_) => Some(clock::utc()),
+            Carrier::Tape(_) | Carrier::Sim(_) => None,
+        }
+    }
+
     /// The time of this link.
     pub fn now(&self) -> Tick {
         match &self.carrier {

@@ -29,7 +29,8 @@ const AHEAD: Duration = Duration::from_millis(2);
 
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
-        SimLink { bench, line, now: Tick::ZERO, pace: None }
+        let (bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
+        SimLink { bench, line, now, pace: None }
     }
 
     pub(super) fn now(&self) -> Tick {
@@ -104,11 +105,12 @@ pub mod witness {
         static CALLED: Cell<bool> = const { Cell::new(false) };
         static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
         static LEFT: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
+        static STANDS: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
     }
 
-    /// Calls the witness on this thread.
-    pub fn call() {
-        CALLED.set(true);
+    /// Calls the witness on this thread, or sends him home. While he is there no bench follows the wall clock.
+    pub fn call(attends: bool) {
+        CALLED.set(attends);
     }
 
     /// Pulls the adapter once so many telegrams have gone out on this thread; `None` leaves it in.
@@ -131,6 +133,16 @@ pub mod witness {
     /// The bench that was left behind, and when.
     pub fn left() -> Option<(Bench, Tick)> {
         LEFT.take()
+    }
+
+    /// The next line that is opened on this thread finds this bench, at this time, whatever its port names: a verb that comes
+    /// behind another one.
+    pub fn stands(bench: Bench, at: Tick) {
+        STANDS.set(Some((bench, at)));
+    }
+
+    pub(super) fn standing() -> Option<(Bench, Tick)> {
+        STANDS.take()
     }
 
     pub(super) fn is_called() -> bool {

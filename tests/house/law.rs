@@ -94,6 +94,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::route",
             "drive::scan",
             "drive::scan::order",
+            "drive::scan::search",
             "drive::session",
             "drive::target",
             "drive::terms",

@@ -2,7 +2,12 @@
 //! that go away.
 
 use crate::program::{AtTerminal, Piped, alone};
+use antrieb::profile::Registry;
+use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::rtu;
+use antrieb::simulator::Bench;
+use antrieb::tick::Span;
+use antrieb::transport::{Link, Wake};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::net::TcpListener;
@@ -111,4 +116,103 @@ fn two_answers_of_a_gateway_to_one_question_are_named() {
     let document: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(document["error"]["code"], "garbled.two_answers", "{document:#}{err}");
     assert_eq!(exit, Some(5));
+}
+
+/// A server of a bench in virtual time, which outlives its masters: they come one after the other. A gateway, or for `mbtcp` false
+/// a raw port.
+fn server_of(bench: String, line: LineSetting, mbtcp: bool) -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = listener.local_addr().unwrap().to_string();
+    std::thread::spawn(move || {
+        let bench = Bench::from_toml("bench.toml", &bench, &Registry::open(&[]).unwrap()).unwrap();
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        let mut link = Link::open_sim(bench, line);
+        let mut buffer = [0; 512];
+        while let Ok((mut client, _)) = listener.accept() {
+            while let Ok(count @ 1..) = client.read(&mut buffer) {
+                let question = &buffer[..count];
+                let asked = if mbtcp { rtu::encode(question[6], &question[7..]) } else { question.to_vec() };
+                let answer = match runtime.block_on(passed_on(&mut link, &asked)) {
+                    answer if mbtcp && answer.len() > 3 => behind_gateway(question, &answer[1..answer.len() - 2]),
+                    answer => answer,
+                };
+                if client.write_all(&answer).is_err() {
+                    break;
+                }
+            }
+        }
+    });
+    address
+}
+
+/// What a bench answers.
+async fn passed_on(link: &mut Link, asked: &[u8]) -> Vec<u8> {
+    link.wait(link.now() + Span::from_millis(3)).await.unwrap();
+    link.send(asked).await.unwrap();
+    let mut answer = Vec::new();
+    loop {
+        let patience = Span::from_millis(if answer.is_empty() { 500 } else { 5 });
+        match link.wait(link.now() + patience).await.unwrap() {
+            Wake::Bytes(bytes) => answer.extend(bytes),
+            Wake::Silence => return answer,
+        }
+    }
+}
+
+/// Saved, at its factory settings again, loaded, checked: the same.
+#[track_caller]
+fn comes_back(model: &str, protocol: &str, line: LineSetting, set: &str) {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("pump.toml").display().to_string();
+    let (mbtcp, spoken) = (protocol == "mbtcp", if protocol == "mbtcp" { "rtu" } else { protocol });
+    let way = if mbtcp { "-p mbtcp://".to_owned() } else { format!("--protocol {protocol} -p tcp://") };
+    let on = |address: &str, verb: &str| Piped::run(&format!("{way}{address} -a 1 --yes dataset {verb} {file} --json"));
+    let drive = |set: &str| {
+        let bench =
+            format!("[[drive]]\nmodel = \"{model}\"\nprotocol = \"{spoken}\"\naddress = 1\nset = {{ {set} }}\n");
+        server_of(bench, line, mbtcp)
+    };
+    let before = drive(set);
+    let (exit, out, err) = on(&before, "save");
+    assert_eq!(exit, Some(0), "{model} {protocol}: {out}{err}");
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(text.contains(&format!("protocol = \"{protocol}\"")) && text.contains("\ntime = \"20"), "{text}");
+    assert_eq!(on(&before, "check").0, Some(0), "{model} {protocol}");
+    let reset = drive("");
+    let (exit, out, _) = on(&reset, "check");
+    let document: Value = serde_json::from_str(&out).unwrap();
+    let differences = document["data"]["comparisons"][0]["differences"].as_array().unwrap();
+    assert_eq!((exit, differences.len()), (Some(1), 3), "{model} {protocol}: {out}");
+    let (exit, out, err) = on(&reset, "load");
+    assert_eq!(exit, Some(0), "{model} {protocol}: {out}{err}");
+    let (exit, out, _) = on(&reset, "check");
+    assert_eq!(exit, Some(0), "{model} {protocol}: {out}");
+}
+
+const OF_ACT: &str = "\"372@2\" = 1450, \"480\" = -12.5, \"30\" = 210";
+const OF_ACU: &str = "\"372@2\" = 1450, \"480\" = -12.5, \"376@4\" = 1.5";
+const OF_SERVO: &str = "RAMPacc = 500, HMn = 61, JOGn_slow = 30";
+
+#[test]
+fn behind_a_gateway_what_was_saved_comes_back_after_a_factory_reset() {
+    let _alone = alone();
+    let line = LineSetting::rtu(19_200, Parity::Even);
+    for (model, set) in [("act", OF_ACT), ("acu", OF_ACU), ("lxm05", OF_SERVO)] {
+        comes_back(model, "mbtcp", line, set);
+    }
+}
+
+#[test]
+fn on_a_line_what_was_saved_comes_back_after_a_factory_reset() {
+    let _alone = alone();
+    let rtu = LineSetting::rtu(19_200, Parity::Even);
+    for (model, protocol, line, set) in [
+        ("act", "rtu", rtu, OF_ACT),
+        ("acu", "ascii", LineSetting::ascii(19_200, Parity::Even), OF_ACU),
+        ("act", "vabus", LineSetting::vabus(19_200), OF_ACT),
+        ("acu", "vabus", LineSetting::vabus(19_200), OF_ACU),
+        ("lxm05", "rtu", rtu, OF_SERVO),
+    ] {
+        comes_back(model, protocol, line, set);
+    }
 }

@@ -153,7 +153,7 @@ fn every_survey_ends_whatever_the_line_says() {
                 let question = questions(protocol).remove(0);
                 let mut patience = match dice.below(3) {
                     0 => Patience::brief(protocol, line, &question, full),
-                    1 => Patience::glance(protocol, line, full),
+                    1 => Patience::quick(protocol, line, &question, full),
                     _ => Patience::by_the_book(full),
                 };
                 (patience.yields, patience.twice) = (dice.one_in(2), dice.below(4) as usize);

@@ -9,6 +9,7 @@ mod endless;
 mod jitter;
 mod line;
 mod once;
+mod stations;
 mod thrown;
 
 use antrieb::exchange::{Answer, Limits, Master, Question, Record, Said, Step, Tally};

@@ -1,7 +1,8 @@
 //! The trial with dice: many short sessions, each on a line with hazards of its own.
 
 use super::dice::Dice;
-use super::line::{Asked, Hazards, HostileLine, STATIONS};
+use super::line::{Hazards, HostileLine};
+use super::stations::{Asked, STATIONS};
 use antrieb::exchange::{Answer, ExchangeError, Limits, Master, Record, Said, Step};
 use antrieb::protocol::Protocol;
 use antrieb::protocol::line::Parity;

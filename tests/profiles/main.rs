@@ -5,6 +5,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
 mod lexium05;
+mod parameter_files;
 
 use antrieb::profile::value::parse_decimal;
 use antrieb::profile::{Access, Family, HazardKind, Lang, Registry};

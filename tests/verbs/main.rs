@@ -16,8 +16,12 @@ mod run;
 
 /// What a drive holds: parameters and data sets.
 mod parameters {
+    mod comparing;
+    mod loading;
     mod own_family;
     mod reading;
+    mod saving;
+    mod transactions;
     mod worked;
     mod writing;
 }
@@ -30,6 +34,7 @@ mod line {
     mod noise;
     mod relocation;
     mod scanning;
+    mod searching;
     mod sniffing;
     mod tape;
     mod twins;
@@ -40,6 +45,7 @@ mod line {
 mod motion {
     mod asked_for;
     mod clock;
+    mod coasting;
     mod counted;
     mod hasty;
     mod held;
@@ -50,9 +56,11 @@ mod motion {
     mod question;
     mod refused;
     mod relief;
+    mod rig;
     mod runs;
     mod stopping;
     mod stops;
+    mod taken;
     mod to_the_letter;
     mod unmeasured;
 }
@@ -62,6 +70,8 @@ mod offline {
     mod catalogues;
     mod completing;
     mod decoding;
+    mod decoding_lexium;
+    mod decoding_vabus;
     mod files;
     mod lists;
     mod naming;

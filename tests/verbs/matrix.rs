@@ -4,6 +4,9 @@
 //! schema of the verb. What is interrupted is cut short after some telegrams, in [`interrupted`].
 //! [`every_verb_has_its_rows`] walks the list: a verb without a row fails it.
 
+mod bench;
+mod rows;
+
 use crate::agreeable::Agreeable;
 use crate::german;
 use crate::run::{Run, antrieb, check_document};
@@ -17,34 +20,8 @@ use antrieb::render::{self, Console, Format};
 use clap::{Args, FromArgMatches};
 use serde_json::{Map, Value};
 
-/// An ACU with a fault and a warning, an ACT whose data sets differ, and a device that is no drive.
-const BENCH: &str = "\
-[[drive]]
-model = \"act\"
-address = 1
-set = { \"372@2\" = 1450, \"480@3\" = -12.5 }
-[[drive]]
-model = \"acu\"
-address = 2
-modules = [\"EM-RES-03\"]
-set = { \"412\" = 1, \"210\" = 12.49, \"228\" = 12.5 }
-[[drive.event]]
-at = \"0s\"
-fault = \"F0500\"
-warning = 0x0020
-[[drive]]
-model = \"foreign\"
-address = 9
-registers = { \"0\" = 17 }
-";
-
-/// What was heard while somebody else asked.
-const TAPE: &str = "# antrieb trace 1, 19200 8E1, rtu
-1000 < 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8
-30000 < 03 06 41 78 00 0F 5C 09
-36000 < 03 06 41 78 00 0F 5C 09
-60000 < 01 83 02 C0 F1
-";
+use bench::{BENCH, FILES, HELD, TAPE};
+use rows::{cell, rows, shortened};
 
 /// Runs a line in every form; it must end with this code in each.
 #[track_caller]
@@ -52,11 +29,16 @@ fn case(name: &str, code: u8, line: &str) {
     if name.starts_with("monitor") || name.starts_with("sniff") {
         return stream(name, code, line);
     }
-    let run = |options: &str| -> Run { antrieb(&format!("{line} {options}")).on(BENCH) };
+    let run = |options: &str| -> Run {
+        let run = antrieb(&format!("{line} {options}")).on(BENCH);
+        FILES.iter().chain(&[("held.toml", HELD)]).fold(run, |run, (name, text)| run.file(name, text))
+    };
     tables(name, code, run);
 
     let document = run("").json().exits(code).value;
-    insta::assert_snapshot!(format!("{name}_json"), format!("{:#}\n", shortened(document.clone())));
+    insta::with_settings!({ filters => vec![(r#"[^\s"]*\.tmp\w+"#, "DIR")] }, {
+        insta::assert_snapshot!(format!("{name}_json"), format!("{:#}\n", shortened(document.clone())));
+    });
 
     let rows: Vec<Map<String, Value>> = rows(&document).into_iter().map(anywhere).collect();
     let ndjson = run("--format ndjson").exits(code).out;
@@ -147,11 +129,12 @@ fn entry(name: &str) -> &'static Entry {
 #[track_caller]
 fn interrupted(after: usize, code: u8, line: &str) {
     let directory = tempfile::tempdir().unwrap();
-    for (name, text) in [("bench.toml", BENCH), ("heard", TAPE)] {
+    for (name, text) in [("bench.toml", BENCH), ("heard", TAPE), ("held.toml", HELD)] {
         std::fs::write(directory.path().join(name), text).unwrap();
     }
     let (kind, file) = if line.contains("sniff") { ("tape", "heard") } else { ("sim", "bench.toml") };
     let port = format!("{kind}:{}/{file}", directory.path().display());
+    let line = line.replace("{dir}", &directory.path().display().to_string());
     let words = ["antrieb", "-p", &port].into_iter().chain(line.split_whitespace());
     let verbs = VERBS.iter().map(|verb| (verb.command)());
     let tree = Globals::augment_args(clap::Command::new("antrieb")).subcommands(verbs);
@@ -217,67 +200,6 @@ fn untagged(line: Value) -> Map<String, Value> {
     let Value::Object(mut fields) = line else { panic!("{line}") };
     assert!(fields.remove("type").is_some_and(|tag| tag.is_string()));
     fields
-}
-
-/// What a value is in CSV.
-fn cell(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
-    }
-}
-
-/// The list that a document is in the main.
-fn rows(document: &Value) -> Vec<Map<String, Value>> {
-    let data = &document["data"];
-    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
-    let rows: Vec<Value> = match document["command"].as_str().unwrap() {
-        _ if data.is_null() => Vec::new(),
-        "scan" | "identify" | "diag" | "statemachine" => list(&data["drives"]),
-        "read" | "write" => list(&data["values"]),
-        "protocol" | "line" if data["values"].is_array() => list(&data["values"]),
-        "protocol" | "line" | "simulate" => vec![data.clone()],
-        "sniff" => list(&data["telegrams"]),
-        "params" => list(&data["params"]),
-        "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
-        "decode" => vec![data.clone()],
-        "dataset" if list(&data["rows"]).is_empty() && list(&data["written"]).is_empty() => vec![data.clone()],
-        "dataset" => {
-            let values = list(&data["rows"]).into_iter().flat_map(|row| list(&row["values"]));
-            values.chain(list(&data["written"])).collect()
-        }
-        "sollwert" => {
-            let of = |drive: Value| {
-                ["setpoints", "actual", "sources"]
-                    .into_iter()
-                    .flat_map(move |part| list(&drive[part]))
-                    .collect::<Vec<_>>()
-            };
-            let failed = list(&data["drives"]).into_iter().filter(|drive| !drive["error"].is_null());
-            list(&data["drives"]).into_iter().flat_map(of).chain(failed).collect()
-        }
-        other => panic!("{other}"),
-    };
-    rows.into_iter().map(|row| row.as_object().unwrap().clone()).collect()
-}
-
-/// A document without its long lists of bits and counters, for snapshots that people read.
-fn shortened(mut value: Value) -> Value {
-    match &mut value {
-        Value::Object(fields) => {
-            for (key, field) in fields.iter_mut() {
-                match (key.as_str(), &field) {
-                    ("bits" | "counters", Value::Array(list)) => *field = format!("({} rows)", list.len()).into(),
-                    ("port" | "way_back", Value::String(_)) => *field = "(port)".into(),
-                    _ => *field = shortened(field.take()),
-                }
-            }
-        }
-        Value::Array(list) => list.iter_mut().for_each(|item| *item = shortened(item.take())),
-        _ => {}
-    }
-    value
 }
 
 macro_rules! cases {
@@ -367,7 +289,22 @@ cases! {
     dataset_diff: 1, "-a 1 dataset diff 1 2";
     dataset_copy: 0, "-a 1 --yes dataset copy 2 3 372 376";
     dataset_select: 0, "-a 1 --yes dataset select 3";
+    dataset_save: 0, "-a 1 dataset save --changed {dir}/saved.toml";
+    dataset_save_partial: 9, "-a 1,7 dataset save --changed {dir}/saved-{address}.toml";
+    dataset_check: 1, "-a 1 dataset check {dir}/held.toml";
+    dataset_check_partial: 9, "-a 1,7 dataset check {dir}/held.toml";
+    dataset_diff_files: 1, "dataset diff {dir}/held.toml factory";
+    dataset_diff_unified: 1, "-a 1 dataset diff --unified {dir}/held.toml drive";
+    dataset_diff_ram: 0, "-a 1 dataset diff 2 2ram 372";
     dataset_silence: 4, "-a 7 dataset show 372";
+    dataset_load: 0, "-a 1 --yes dataset load {dir}/base.toml {dir}/pump.toml";
+    dataset_load_dry: 0, "-a 1 --dry-run dataset load {dir}/pump.toml --only setpoints";
+    dataset_load_same: 0, "-a 1 --yes dataset load {dir}/same.toml --ram";
+    dataset_load_silence: 4, "-a 7 --drive act --yes dataset load {dir}/base.toml";
+    dataset_load_refused: 7, "-a 1 --yes dataset load {dir}/wild.toml";
+    dataset_load_undone: 9, "-a 1 --yes dataset load {dir}/refused.toml";
+    dataset_undo: 0, "-a 1 --yes dataset undo {dir}/undo.toml";
+    dataset_undo_changed: 9, "-a 1 --yes dataset undo {dir}/stale.toml";
     dataset_refused: 6, "-a 1 dataset show 1600";
     dataset_partial: 9, "-a 1 dataset show 372 1600";
 
@@ -436,6 +373,8 @@ cuts! {
     read_interrupted: 8, 130, "-a 1,2 read 372 480@all 411";
     write_interrupted: 7, 130, "-a 1,2 --yes write 376@4=1.5kW 480@2ram=-12,5";
     dataset_interrupted: 12, 130, "-a 1 dataset show 372 376 480";
+    dataset_save_interrupted: 30, 130, "-a 1 dataset save {dir}/saved.toml";
+    dataset_check_interrupted: 8, 130, "-a 1 dataset check {dir}/held.toml";
     diag_interrupted: 8, 130, "-a 1,2 diag";
     statemachine_interrupted: 8, 130, "-a 1,2 statemachine";
     sollwert_interrupted: 8, 130, "-a 1,2 sollwert";

@@ -94,7 +94,7 @@ fn a_paced_bench_takes_its_time_and_tells_the_same() {
     let line = "-p sim -a 1 monitor --count 3 --interval 250ms --json";
     #[expect(clippy::disallowed_methods, reason = "whether real time goes by is the question")]
     let begin = std::time::Instant::now();
-    let paced = antrieb(line).exits(0).out;
+    let paced = antrieb(line).paced().exits(0).out;
     #[expect(clippy::disallowed_methods, reason = "whether real time goes by is the question")]
     let took = begin.elapsed();
     assert!(took.as_millis() >= 590, "{took:?}"); // 2 intervals and the last round

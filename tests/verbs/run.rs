@@ -4,6 +4,7 @@ use crate::german;
 use antrieb::args::Environment;
 use antrieb::command::VERBS;
 use antrieb::render::{Patience, Streams};
+use antrieb::transport::witness;
 use jsonschema::Validator;
 use serde_json::Value;
 use std::cell::RefCell;
@@ -32,6 +33,7 @@ pub(crate) fn antrieb(line: &str) -> Run {
         answer: None,
         columns: None,
         pipe_holds: usize::MAX,
+        is_paced: false,
     }
 }
 
@@ -44,6 +46,7 @@ pub(crate) struct Run {
     answer: Option<String>,
     columns: Option<u16>,
     pipe_holds: usize,
+    is_paced: bool,
 }
 
 impl Run {
@@ -92,6 +95,12 @@ impl Run {
         self
     }
 
+    /// On a bench that follows the wall clock where the program wants that; otherwise the witness stands by.
+    pub(crate) fn paced(mut self) -> Self {
+        self.is_paced = true;
+        self
+    }
+
     /// Also with these words.
     pub(crate) fn and(mut self, more: &str) -> Self {
         self.line = format!("{} {more}", self.line);
@@ -105,6 +114,7 @@ impl Run {
 
     /// Runs, whatever comes of it.
     pub(crate) fn run(self) -> Output {
+        witness::call(!self.is_paced);
         let at = self.directory.path().display().to_string();
         let line = format!("antrieb {} {}", self.port.as_deref().unwrap_or(""), self.line);
         let words: Vec<OsString> = words(&line).into_iter().map(|word| word.replace("{dir}", &at).into()).collect();
@@ -163,6 +173,18 @@ impl Output {
     /// The working directory.
     pub(crate) fn directory(&self) -> &Path {
         self.directory.path()
+    }
+
+    /// Another command in the same directory.
+    pub(crate) fn then(self, line: &str) -> Run {
+        let environment = Environment { directory: self.directory.path().to_owned(), ..Environment::default() };
+        Run { directory: self.directory, environment, ..antrieb(line) }
+    }
+
+    /// What stands in a file of the directory.
+    #[track_caller]
+    pub(crate) fn text_of(&self, name: &str) -> String {
+        std::fs::read_to_string(self.directory.path().join(name)).unwrap()
     }
 
     /// What the user sees, for snapshots: without the place of the temporary directory.

@@ -32,7 +32,7 @@ pub(super) async fn aftermath(
         _ if after.is_some() => motor.stands_at_the_end().await,
         _ => None,
     };
-    let unseen = match plan.relief {
+    let unseen = match plan.aim {
         Some(_) if standing.is_none() && (motor.shouted || motor.powered) => Some(motor.why_unseen().await),
         _ => None,
     };
@@ -95,7 +95,7 @@ pub(super) fn report(plan: &Plan<'_>, target: &Target, seen: Seen, done: Done, e
 
 /// What the drive does that keeps its power.
 fn keeps(plan: &Plan<'_>, after: Option<&Situation>, standing: Option<bool>) -> Text {
-    match (plan.relief, after.map(|seen| seen.state.as_str())) {
+    match (plan.aim, after.map(|seen| seen.state.as_str())) {
         (Some(Relief::Zero), _) => {
             both!("the drive stays enabled, at a setpoint of 0", "der Antrieb bleibt freigegeben, Sollwert 0")
         }

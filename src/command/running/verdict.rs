@@ -23,9 +23,12 @@ pub(super) fn of(
     done: &Done,
 ) -> Option<Failure> {
     match (ended.result.as_ref().err().cloned(), &ended.stop) {
-        (Some(failure), Some(stop)) => Some(stopped(failure, stop, running, family, done)),
+        (Some(failure), Some(stop)) => {
+            let failure = told_whole(failure, fault(plan, seen).map(|code| tripped(family, code)));
+            Some(stopped(failure, stop, running, family, done))
+        }
         // A stop that nobody saw come to anything.
-        (Some(failure), None) if plan.relief.is_some() && running != Some(false) && tells_nothing(&failure) => {
+        (Some(failure), None) if plan.aim.is_some() && running != Some(false) && tells_nothing(&failure) => {
             Some(dangerous(failure, family))
         }
         (Some(failure), None) => Some(failure),
@@ -42,6 +45,19 @@ pub(super) fn of(
             .or_else(|| not_standing(plan, family, done.setpoint.as_ref()))
             .or_else(|| not_given_back(plan, &done.changed)),
     }
+}
+
+/// Somebody who interrupts has waited for no answer; and behind a line that failed, the drive may say that it tripped.
+fn told_whole(failure: Failure, trip: Option<Failure>) -> Failure {
+    let mut failure = failure;
+    match trip {
+        _ if failure.class == Class::Interrupted => failure.message = both!("interrupted", "unterbrochen"),
+        Some(trip) if tells_nothing(&failure) => {
+            failure.message = both!("{why}; {trip}", "{why}; {trip}", why = failure.message, trip = trip.message);
+        }
+        _ => {}
+    }
+    failure
 }
 
 /// Whether a stop is not the one that was promised: a ramp or a quick stop ends at standstill, whoever was in a hurry, and
@@ -67,9 +83,15 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
         );
         return if failure.class == Class::Port { dangerous(failure, family) } else { failure };
     }
+    let runs_on = stop.acknowledged && running == Some(true);
     let way = stop.escalated.map_or_else(|| stop.choice.to_owned(), |by| format!("{} -> {by}", stop.choice));
     let came = came_of(stop, done.idle);
     failure.message = both!("{why}; {way}: {came}", "{why}; {way}: {came}", why = failure.message, came);
+    if runs_on {
+        let again = still_running(family);
+        failure.message = both!("{why}; {again}", "{why}; {again}", why = failure.message, again = again.message);
+        return dangerous(hinted(failure, [again.hint.map(|hint| *hint)]), family);
+    }
     if stop.acknowledged && stop.standing == Some(true) {
         return failure;
     }
@@ -163,7 +185,7 @@ fn unseen(why: Option<Text>) -> Failure {
 /// even where that showed no power any more. What is set to coast may do so.
 fn unseen_relief(plan: &Plan<'_>, done: &Done) -> Option<Failure> {
     let seen = done.unseen.as_ref()?;
-    let failure = match plan.relief? {
+    let failure = match plan.aim? {
         Relief::QuickStop => unseen(Some(seen.why.clone())),
         Relief::Disable if !seen.as_set => unseen(Some(seen.why.clone())),
         Relief::Zero if done.setpoint.as_ref()?.reached.is_none() => {
@@ -205,9 +227,9 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
         return Some(tripped(family, code));
     }
     let must_stand = plan.args.hold && plan.args.on_exit != StopArg::Keep;
-    let must_stop = matches!(plan.relief, Some(act) if act != Relief::Zero);
+    let must_stop = matches!(plan.aim, Some(act) if act != Relief::Zero);
     // A run that was to end must have ended, whatever was acknowledged on the way.
-    ((must_stand || must_stop) && running != Some(false)).then(still_running).or_else(|| {
+    ((must_stand || must_stop) && running != Some(false)).then(|| still_running(family)).or_else(|| {
         let must_run = plan.runs && !must_stand;
         (must_run && running == Some(false)).then(|| {
             let text = both!("the drive does not run any more", "der Antrieb läuft nicht mehr");
@@ -219,20 +241,21 @@ fn broken_promise(plan: &Plan<'_>, family: &Family, seen: &Seen, running: Option
 /// The fault in which the run ended; a stop of a drive that had tripped before may leave it so.
 fn fault(plan: &Plan<'_>, seen: &Seen) -> Option<u32> {
     let tripped = |situation: &&Situation| situation.state.starts_with("fault");
-    let had = seen.before.as_ref().or(seen.first.as_ref()).filter(tripped).is_some() && plan.relief.is_some();
+    let had = seen.before.as_ref().or(seen.first.as_ref()).filter(tripped).is_some() && plan.aim.is_some();
     let after = seen.after.as_ref().filter(tripped).filter(|_| !had)?;
     Some(after.fault.unwrap_or(0) as u32)
 }
 
 /// A setpoint of zero at which the shaft turns on.
 fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>) -> Option<Failure> {
-    let turns = plan.relief == Some(Relief::Zero) && setpoint?.reached == Some(false);
+    let turns = plan.aim == Some(Relief::Zero) && setpoint?.reached == Some(false);
     turns.then(|| {
         let text =
             both!("the setpoint is 0, but the shaft turns on", "der Sollwert ist 0, aber die Welle dreht weiter");
         Failure::new(Class::No, "no.not_standing", text).hint(both!(
-            "`statemachine quick-stop` stops it; {why}",
-            "`statemachine quick-stop` hält sie an; {why}",
+            "{stops}; {why}",
+            "{stops}; {why}",
+            stops = how_to_stop(family),
             why = family.motion.not_reached
         ))
     })
@@ -262,15 +285,25 @@ fn interrupted() -> Failure {
     Failure::new(Class::Interrupted, "interrupted", text)
 }
 
-fn still_running() -> Failure {
+fn still_running(family: &Family) -> Failure {
     let text = both!(
         "the drive is running at the end of a run that was to stop it",
         "der Antrieb läuft am Ende eines Laufs, der ihn anhalten sollte",
     );
-    Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(both!(
-        "stop it with `statemachine quick-stop`, or by its contacts",
-        "anhalten mit `statemachine quick-stop` oder über seine Kontakte",
-    ))
+    Failure::new(Class::Forbidden, "forbidden.still_running", text).hint(how_to_stop(family))
+}
+
+/// What stops a drive that runs on: not everyone obeys the control word at all times.
+fn how_to_stop(family: &Family) -> Text {
+    match family.motion.control {
+        Some(control) => both!(
+            "its start contact or enable input stops it, and `statemachine quick-stop` where {label} = {obeys}",
+            "ihn hält sein Startkontakt oder seine Freigabe an, und `statemachine quick-stop` bei {label} = {obeys}",
+            label = family.role_label("control-mode"),
+            obeys = control.obeys
+        ),
+        None => both!("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an"),
+    }
 }
 
 fn unknown() -> Failure {

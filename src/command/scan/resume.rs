@@ -10,20 +10,6 @@ use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Writes `1-10,17`.
-pub(super) fn ranges(addresses: &BTreeSet<u8>) -> String {
-    let mut runs: Vec<(u8, u8)> = Vec::new();
-    for &address in addresses {
-        match runs.last_mut() {
-            Some((_, last)) if last.checked_add(1) == Some(address) => *last = address,
-            _ => runs.push((address, address)),
-        }
-    }
-    let shown =
-        runs.iter().map(|(first, last)| if first == last { first.to_string() } else { format!("{first}-{last}") });
-    shown.collect::<Vec<_>>().join(",")
-}
-
 /// The document of an earlier scan, as far as it matters here.
 #[derive(Deserialize)]
 struct Saved {
@@ -102,6 +88,7 @@ fn asked_at(search: &Search) -> Result<BTreeSet<u8>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drive::ranges;
 
     #[test]
     fn addresses_are_written_as_they_are_read() {

@@ -10,15 +10,22 @@ use crate::gate::Relief;
 use crate::profile::{Family, Mode};
 use crate::text::both;
 
-/// Whether nothing but a setpoint of zero is wanted, as far as the words tell.
+/// Whether a setpoint of zero is all that is given, and it can do nothing else, as far as the words tell: control is not
+/// taken for it.
 pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
-    let plain = !(args.enable || args.until.is_some() || args.source.is_some()) && args.options.is_empty();
+    is_aim(args, wanted) && Plan::only_relieves(&args.motion, false)
+}
+
+/// Whether nothing but a standstill is wanted.
+pub(super) fn is_aim(args: &Args, wanted: &Wanted) -> bool {
+    // A standstill is waited for anyway (--until reached).
+    let plain = !(args.enable || args.source.is_some()) && args.options.is_empty();
     let mode = &wanted.mode;
     plain
         && args.jog.is_none()
         && args.ramp.is_none()
         && args.profile.is_none()
-        && Plan::only_relieves(&args.motion)
+        && !args.motion.hold
         && mode.zero_stops()
         && mode.starts.is_empty()
         && wanted.schedule.values().all(|raw| raw == 0)

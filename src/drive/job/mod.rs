@@ -79,7 +79,7 @@ pub async fn prepare(
         }
         if address != 0 && step.param.access.reads() {
             let mut reader = Reader::new(session, target);
-            let old = reader.rows(&step.param, wire_sets(step.set)).await?;
+            let old = reader.rows(&step.param, describe::sets(step.set)).await?;
             if let [old] = old.as_slice() {
                 (row.old_raw, row.old) = (old.raw, old.value);
             }
@@ -89,8 +89,9 @@ pub async fn prepare(
             }
         }
         check_found(step, target)?;
-        if row.old_raw == Some(step.raw) && !force {
+        if row.old_raw == Some(step.raw) && !force && !differs_in_ram(session, target, step).await {
             row.result = WriteResult::Unchanged;
+            row.note = might_be_ram(target, step);
         }
         let kind = step.kind.or(target.known_width(step.param.id));
         tell(&mut row, kind.and_then(|kind| telegram(terms, &target.family, address, step, kind)));
@@ -139,9 +140,26 @@ pub fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
     row.telegram = telegram.map(|doc| doc.hex);
 }
 
-fn wire_sets(set: u8) -> DataSets {
-    let (set, store) = describe::place(set);
-    DataSets::One(set, store)
+/// Whether a value of the EEPROM is another one in RAM, which is the one in force (CM-485 manual 7): then it is written, though
+/// the EEPROM has it.
+async fn differs_in_ram(session: &mut Session<'_>, target: &mut Target, step: &Step) -> bool {
+    let Some(set) = ram_of(target, step) else { return false };
+    let mut reader = Reader::new(session, target);
+    // What cannot be read there differs from nothing.
+    let rows = reader.rows(&step.param, describe::sets(set)).await.unwrap_or_default();
+    rows.first().and_then(|row| row.raw).is_some_and(|raw| raw != step.raw)
+}
+
+/// Some drives read the value in force from the EEPROM's sets (facts: readings): nobody can tell then what they store.
+fn might_be_ram(target: &Target, step: &Step) -> Option<Text> {
+    ram_of(target, step)?;
+    Some(both!("if it was set in RAM only, --force stores it", "stand er nur im RAM, speichert ihn --force"))
+}
+
+/// The set in RAM behind a set of the EEPROM.
+fn ram_of(target: &Target, step: &Step) -> Option<u8> {
+    let is_stored = target.family.link.route.has_data_sets() && step.set < DataSets::RAM_OFFSET;
+    (is_stored && target.address != 0).then_some(step.set + DataSets::RAM_OFFSET)
 }
 
 /// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.
@@ -152,7 +170,6 @@ pub async fn carry_out(
     permit: &Permit<Writing>,
     failures: &mut Vec<Failure>,
 ) -> bool {
-    let address = job.target.address;
     let mut stopped = false;
     let mut over = false;
     for (step, row) in job.steps.iter().zip(&mut job.rows) {
@@ -163,44 +180,57 @@ pub async fn carry_out(
             row.result = WriteResult::Skipped;
             continue;
         }
-        let fate = match begin(session, &mut job.target, step).await {
-            Ok(kind) => {
-                tell(row, telegram(terms, &job.target.family, address, step, kind));
-                let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
-                let fate = job.target.write(session, &step.param, order, permit).await;
-                let fate = proven_there(session, &job.target, step, fate).await;
-                fate.map_err(|error| (error, WriteResult::Unknown))
-            }
-            Err(error) => Err((error, WriteResult::Skipped)),
-        };
-        let failure = match fate {
-            Ok(fate) => {
-                row.result = result(&fate);
-                unproven(&fate, &job.target, row)
-            }
-            Err((error, otherwise)) => {
-                row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
-                let mut failure = error.failure(address, Some(&job.target.family));
-                if row.result == WriteResult::Skipped {
-                    failure.message = both!(
-                        "{why}; P.{param} was not begun",
-                        "{why}; P.{param} wurde nicht begonnen",
-                        why = failure.message,
-                        param = row.param
-                    );
-                }
-                Some(failure)
-            }
-        };
-        if let Some(failure) = failure {
-            let failure = failure.with("param", step.param.id);
-            row.error = Some(ErrorDoc::from(&failure));
+        if let Some(failure) = carry_step(session, &mut job.target, step, row, terms, permit).await {
             over = is_over(&failure);
             stopped = true;
             failures.push(failure);
         }
     }
     over
+}
+
+/// Writes one value and proves it; the row says what became of it, and why. A row that is `Skipped` was not begun.
+pub(in crate::drive) async fn carry_step(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    step: &Step,
+    row: &mut Written,
+    terms: &Terms<'_>,
+    permit: &Permit<Writing>,
+) -> Option<Failure> {
+    let address = target.address;
+    let fate = match begin(session, target, step).await {
+        Ok(kind) => {
+            tell(row, telegram(terms, &target.family, address, step, kind));
+            let order = Order { set: step.set, raw: step.raw, kind, read_back: reads_back(&step.param) };
+            let fate = target.write(session, &step.param, order, permit).await;
+            let fate = proven_there(session, target, step, fate).await;
+            fate.map_err(|error| (error, WriteResult::Unknown))
+        }
+        Err(error) => Err((error, WriteResult::Skipped)),
+    };
+    let failure = match fate {
+        Ok(fate) => {
+            row.result = result(&fate);
+            unproven(&fate, target, row)
+        }
+        Err((error, otherwise)) => {
+            row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
+            let mut failure = error.failure(address, Some(&target.family));
+            if row.result == WriteResult::Skipped {
+                failure.message = both!(
+                    "{why}; P.{param} was not begun",
+                    "{why}; P.{param} wurde nicht begonnen",
+                    why = failure.message,
+                    param = row.param
+                );
+            }
+            Some(failure)
+        }
+    };
+    let failure = failure?.with("param", step.param.id);
+    row.error = Some(ErrorDoc::from(&failure));
+    Some(failure)
 }
 
 /// What became of a write behind which the drive has another address at once: there it is asked.

@@ -50,7 +50,7 @@ pub async fn runs_at(session: &mut Session<'_>, target: &mut Target) -> Result<V
 }
 
 /// What the drive runs at by its own settings, whatever the line says.
-async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
+pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
     let family = target.family.clone();
     let mut told = Vec::new();
     for mode in &family.modes {

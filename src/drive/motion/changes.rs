@@ -1,7 +1,8 @@
 //! What is changed for a run, and giving it back.
 
 use super::look::{ram_set, raw};
-use super::{Lever, Motor, StopChoice, guard, has_power};
+use super::watchdog::guard;
+use super::{Lever, Motor, StopChoice, has_power};
 use crate::drive::describe;
 use crate::failure::Failure;
 use crate::outcome::{Change, Stop};
@@ -129,7 +130,9 @@ impl Motor<'_, '_> {
     }
 
     /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual
-    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them.
+    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them, or one
+    /// that ran before control was taken: who started it then is not known, and would start it again. So would a contact
+    /// that was closed since.
     async fn may_give_control_back(&mut self, old: i64) -> bool {
         if self.write_control(0).await.is_err() {
             return false;
@@ -137,18 +140,51 @@ impl Motor<'_, '_> {
         let family = self.target.family.clone();
         let Some(control) = family.motion.control else { return true };
         let Ok(status) = self.status().await else { return false };
-        let released = family.motion.interlock(Need::Release).and_then(|row| row.bit);
-        if old != control.terminals || released.is_none_or(|bit| status >> bit & 1 == 0) {
+        let may_start = old == control.terminals || (old != control.contacts && self.taken != Taken::Idle);
+        if !may_start || self.is_released(status) != Some(true) {
             return true;
         }
-        let label = family.role_label("control-mode");
-        let (now, would) = (control.obeys, control.terminals);
-        self.notes.push(both!(
-            "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = \
-             {would}",
-            "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
-             {would} starten"
-        ));
+        let (label, now) = (family.role_label("control-mode"), control.obeys);
+        let ran = self.taken == Taken::Running;
+        self.notes.push(match ran {
+            true => both!(
+                "{label} stays {now}: enable and start contact are closed, and the drive ran under {label} = {old} before",
+                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen, und der Antrieb lief vorher unter {label} = \
+                 {old}"
+            ),
+            false => both!(
+                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {old}",
+                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
+                 {old} starten"
+            ),
+        });
         false
     }
+
+    /// Whether the contacts that a run needs are closed; `None` if the status word does not tell.
+    fn is_released(&self, status: u32) -> Option<bool> {
+        let bit = self.target.family.motion.interlock(Need::Release)?.bit?;
+        Some(status >> bit & 1 == 1)
+    }
+
+    /// Takes note of the contacts at the first look behind the taking of control.
+    pub(super) fn notes_contacts(&mut self, status: u32) {
+        if self.taken == Taken::Unseen {
+            self.taken = if self.is_released(status) == Some(true) { Taken::Idle } else { Taken::Open };
+        }
+    }
+}
+
+/// What is known of the drive as control over it was taken from somebody else.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// It has not answered since.
+    #[default]
+    Unseen,
+    /// It had power before: somebody else ran it.
+    Running,
+    /// It had none, though its contacts were closed: they do not start it.
+    Idle,
+    /// It had none, and its contacts were open.
+    Open,
 }

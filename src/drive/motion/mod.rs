@@ -22,7 +22,7 @@ mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
-pub use before::{Standing, runs_at, standing, upon_enabling};
+pub use before::{Standing, own_setpoints, runs_at, standing, upon_enabling};
 pub use lacking::{missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
@@ -45,11 +45,13 @@ use crate::outcome::{Change, Setpoint, State, Step, Stop};
 use crate::profile::{Blind, Mode, Need, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
+use changes::Taken;
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::pin::pin;
 use std::task::Poll;
 use still::Sight;
+use watchdog::guard;
 
 /// What comes behind the stop takes no longer, whatever the line is like: giving back, and what is reported.
 const ENDING: Span = Span::from_secs(10);
@@ -107,6 +109,8 @@ pub struct Motor<'a, 's> {
     lever: Lever,
     /// The drive was seen to obey the control word in this run.
     remote: bool,
+    /// How it was when control over it was taken.
+    taken: Taken,
     /// Control word as last written.
     word: u16,
     /// Slug of the state that was seen last, if no control word was written since.
@@ -196,6 +200,7 @@ impl<'a, 's> Motor<'a, 's> {
             stopping: false,
             lever,
             remote: false,
+            taken: Taken::default(),
             word: 0,
             seen: None,
             shown: None,
@@ -230,6 +235,8 @@ impl<'a, 's> Motor<'a, 's> {
         self.see(&situation.state);
         if situation.obeys(&self.target.family) {
             self.lever = Lever::ControlWord;
+        } else if has_power(&situation.state) == Some(true) {
+            self.taken = Taken::Running;
         }
     }
 
@@ -296,6 +303,7 @@ impl<'a, 's> Motor<'a, 's> {
         let status = self.bear(async |motor: &mut Self| motor.status_word().await).await?;
         self.shown = Some((status, self.session.now()));
         self.sees_status(status);
+        self.notes_contacts(status);
         let state = describe::state(&self.target.family, status).slug;
         let enabled = state == "operation-enabled" && !(self.remote && self.is_remote(status) == Some(false));
         self.see(&state);
@@ -308,28 +316,6 @@ impl<'a, 's> Motor<'a, 's> {
     fn is_remote(&self, status: u32) -> Option<bool> {
         let row = self.target.family.motion.interlock(Need::Release).filter(|row| row.controlled)?;
         Some(status >> row.bit? & 1 == 1)
-    }
-
-    /// Writes what was written last once more, which changes nothing, before the drive's watchdog misses us: some are fed
-    /// by writes only. An enable is repeated only to a drive that has just said that it is enabled.
-    async fn feed(&mut self, enabled: bool) -> Result<(), Failure> {
-        let (Some(guard), Some((param, raw))) = (self.guard, self.again.clone()) else { return Ok(()) };
-        let is_due = self.session.now().since(self.fed).as_micros() >= guard.as_micros() / 3;
-        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
-        if !is_due || (is_word && self.enables(raw) && !enabled) {
-            return Ok(());
-        }
-        match self.write_once(&param, 0, raw).await {
-            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
-            // Whether the drive is there is what the next look tells.
-            _ => Ok(()),
-        }
-    }
-
-    /// Whether a control word asks for power.
-    fn enables(&self, word: i64) -> bool {
-        let enable = self.target.family.machine.command("enable");
-        enable.is_some_and(|row| word & i64::from(row.mask) == i64::from(row.value))
     }
 
     async fn state(&mut self) -> Result<State, Failure> {
@@ -429,12 +415,6 @@ impl<'a, 's> Motor<'a, 's> {
     fn failure(&self, error: &AccessError) -> Failure {
         error.failure(self.target.address, Some(&self.target.family))
     }
-}
-
-/// The drive's watchdog as a time, if it is on.
-fn guard(target: &Target, watchdog: Option<i64>) -> Option<Span> {
-    let watchdog = watchdog.map(|raw| watchdog_seconds(&target.family, raw)).filter(|span| span.raw > 0)?;
-    Some(Span::from_millis(watchdog.raw.unsigned_abs() * 1_000 / 10u64.pow(watchdog.decimals.into())))
 }
 
 /// Runs a future; `None` if it panics.

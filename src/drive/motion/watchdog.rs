@@ -1,13 +1,38 @@
-//! What the drive's own watchdog does once nobody talks to it any more, in words.
+//! The drive's own watchdog: what feeds it, and in words what it does once nobody talks to the drive any more.
 
 use super::look::{watchdog_seconds, working_raw};
 use super::{Motor, may_turn};
+use crate::drive::target::Target;
+use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
 use crate::profile::{Family, Param};
 use crate::text::{Text, both};
+use crate::tick::Span;
 
 impl Motor<'_, '_> {
+    /// Writes what was written last once more, which changes nothing, before the drive's watchdog misses us: some are fed
+    /// by writes only. An enable is repeated only to a drive that has just said that it is enabled.
+    pub(super) async fn feed(&mut self, enabled: bool) -> Result<(), Failure> {
+        let (Some(guard), Some((param, raw))) = (self.guard, self.again.clone()) else { return Ok(()) };
+        let is_due = self.session.now().since(self.fed).as_micros() >= guard.as_micros() / 3;
+        let is_word = self.target.family.role("control-word").is_some_and(|word| word.id == param.id);
+        if !is_due || (is_word && self.enables(raw) && !enabled) {
+            return Ok(());
+        }
+        match self.write_once(&param, 0, raw).await {
+            Err(failure) if matches!(failure.class, Class::Port | Class::Interrupted) => Err(failure),
+            // Whether the drive is there is what the next look tells.
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether a control word asks for power.
+    pub(super) fn enables(&self, word: i64) -> bool {
+        let enable = self.target.family.machine.command("enable");
+        enable.is_some_and(|row| word & i64::from(row.mask) == i64::from(row.value))
+    }
+
     /// What is to be known of it where the stop was not proven.
     pub(super) async fn watchdog_note(&mut self) -> Text {
         let changed = self.target.family.role("watchdog").map(|param| param.id);
@@ -28,6 +53,12 @@ impl Motor<'_, '_> {
             }
         }
     }
+}
+
+/// The drive's watchdog as a time, if it is on.
+pub(super) fn guard(target: &Target, watchdog: Option<i64>) -> Option<Span> {
+    let watchdog = watchdog.map(|raw| watchdog_seconds(&target.family, raw)).filter(|span| span.raw > 0)?;
+    Some(Span::from_millis(watchdog.raw.unsigned_abs() * 1_000 / 10u64.pow(watchdog.decimals.into())))
 }
 
 /// What the drive's watchdog is set to, and what it does then.

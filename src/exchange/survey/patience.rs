@@ -12,13 +12,20 @@ pub struct Patience {
     pub window: Span,
     /// From the end of a question until its reply cannot come any more.
     pub full: Span,
-    /// Whether late replies are waited for at the end, and whoever may have been garbled is asked again.
-    pub thorough: bool,
+    /// So long the line is listened to before the first question: whoever speaks unasked is another master, or noise.
+    pub listen: Span,
+    /// From the end of the last question on so long replies are waited for.
+    pub tail: Span,
+    /// Whether whoever may have been garbled is asked again.
+    pub again: bool,
     /// So many of the first stations are asked once more in any case if they are silent: a late reply that came while
     /// another station was asked leaves no trace.
     pub twice: usize,
     /// Whether the line is left to another master that speaks on it.
     pub yields: bool,
+    /// The longest that it takes, but for the time that somebody else of us has the line: whoever is still to be asked then is
+    /// left out. `None`: as long as it needs.
+    pub limit: Option<Span>,
 }
 
 /// A drive answers not before 10 ms (CM-485 manual 6.8).
@@ -42,18 +49,59 @@ impl Patience {
         let length = dialect.encode(1, question).len().saturating_sub(1);
         let whole = dialect.duration(line, length) + dialect.gap(line, PAUSE);
         let window = REPLY_DELAY + SLACK + whole.min(first_byte(dialect, line));
-        Patience { window: window.min(full), full, thorough: true, twice: 0, yields: true }
+        Patience { window: window.min(full), ..Patience::by_the_book(full) }
     }
 
-    /// A short look before the setting of the line is changed: the first byte of a typical drive has been seen.
-    pub fn glance(protocol: Protocol, line: LineSetting, full: Span) -> Self {
-        let window = REPLY_DELAY + SLACK + first_byte(Dialect::new(protocol), line) + GLANCE;
-        Patience { window: window.min(full), full, thorough: false, twice: 0, yields: true }
+    /// A quick look before the setting of the line is changed: of the last station, too, the first byte has been seen if it is
+    /// a typical drive. Nobody is asked again.
+    pub fn quick(protocol: Protocol, line: LineSetting, question: &Question, full: Span) -> Self {
+        let tail = REPLY_DELAY + SLACK + first_byte(Dialect::new(protocol), line) + GLANCE;
+        Patience { tail: tail.min(full), again: false, ..Patience::brief(protocol, line, question, full) }
+    }
+
+    /// One time around: nobody is asked again, and nobody is waited for at the end.
+    pub fn once(self) -> Self {
+        Patience { tail: Span::ZERO, again: false, ..self }
     }
 
     /// Every station gets its full time before the next is asked.
     pub fn by_the_book(full: Span) -> Self {
-        Patience { window: full, full, thorough: true, twice: 0, yields: true }
+        Patience {
+            window: full,
+            full,
+            listen: Span::ZERO,
+            tail: full,
+            again: true,
+            twice: 0,
+            yields: true,
+            limit: None,
+        }
+    }
+
+    /// How long so many stations take that are silent, on a line that is silent: questions on the wire, windows, the end of the
+    /// last ones, and whoever is asked twice.
+    pub fn lasts(&self, protocol: Protocol, line: LineSetting, question: &Question, stations: usize) -> Span {
+        if stations == 0 {
+            return Span::ZERO;
+        }
+        let mut dialect = Dialect::new(protocol);
+        let (length, silence) = (dialect.encode(1, question).len(), dialect.silence(line));
+        let one = |window: Span| dialect.duration(line, length) + window.longer(silence);
+        let again = if self.again { self.twice.min(stations) } else { 0 };
+        let first = one(self.window).times(stations as u64);
+        // Whoever is asked twice has had his time first.
+        let (pause, second) = match again {
+            0 => (Span::ZERO, self.window),
+            1 => (self.full - one(self.window).times(stations as u64 - 1), self.full),
+            again => (self.full - one(self.window).times((stations - again) as u64), self.second_window()),
+        };
+        let tail = self.tail.longer(second) - second;
+        self.listen.longer(silence) + first + pause + one(second).times(again as u64) + tail
+    }
+
+    /// The window of the second time around: another rhythm, so that a reply does not meet the same moment again.
+    pub(super) fn second_window(&self) -> Span {
+        Span::from_micros(self.window.as_micros() * 5 / 4).min(self.full)
     }
 }
 

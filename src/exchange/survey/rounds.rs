@@ -22,7 +22,7 @@ impl Survey {
     /// Silent stations that garbage came from: again and again, or right after the only question to them.
     pub fn garbled(&self) -> impl Iterator<Item = u8> {
         let soon = |station: &u8| self.suspects.get(station).is_some_and(|&delay| delay <= self.patience.window);
-        let once = move |station: &u8| !self.patience.thorough && soon(station);
+        let once = move |station: &u8| !self.patience.again && soon(station);
         let silent = self.stations.iter().filter(|(_, known)| !known.heard);
         silent.filter(move |(station, known)| known.garbled >= TRIES || once(station)).map(|(&station, _)| station)
     }
@@ -36,22 +36,32 @@ impl Survey {
         all.filter(|(station, _)| self.stations.get(station).is_some_and(|known| !known.heard && known.garbled < TRIES))
     }
 
+    /// Whether garbage comes so often that it is the line's own: then nobody is asked again for it.
+    fn is_usual(&self) -> bool {
+        self.round.asked >= NOISE_SAMPLE && self.round.garbage > self.round.asked / 2
+    }
+
+    /// How many are still to be asked, or asked again.
+    pub fn pending(&self) -> usize {
+        let again = if self.is_usual() || !self.patience.again { 0 } else { self.suspects.len() };
+        self.queue.len() + again
+    }
+
     /// Puts the suspects into the queue; `false` if there are none.
     pub(super) fn next_round(&mut self) -> bool {
         let mut suspects: Vec<(u8, Span)> = self.suspicious().collect();
         self.suspects.clear();
         // The most suspicious first: who was asked right before the garbage came.
         suspects.sort_by_key(|suspect| suspect.1);
-        let usual = self.round.asked >= NOISE_SAMPLE && self.round.garbage > self.round.asked / 2;
+        let usual = self.is_usual();
         self.noisy |= usual;
         let enough = self.round.number >= MOST_ROUNDS;
-        if suspects.is_empty() || usual || enough || !self.patience.thorough {
+        if suspects.is_empty() || usual || enough || !self.patience.again {
             return false;
         }
         let window = match self.round.number {
             _ if suspects.len() == 1 => self.patience.full,
-            // In another rhythm, so that a reply does not meet the same moment again.
-            0 => Span::from_micros(self.patience.window.as_micros() * 5 / 4).min(self.patience.full),
+            0 => self.patience.second_window(),
             _ => self.round.window.times(2).min(self.patience.full),
         };
         self.queue = suspects.into_iter().map(|suspect| suspect.0).collect();

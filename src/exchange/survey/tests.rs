@@ -378,11 +378,63 @@ fn a_survey_ends_whatever_comes() {
 }
 
 #[test]
-fn a_glance_waits_for_the_first_byte_of_a_typical_drive() {
+fn a_quick_look_waits_behind_the_last_one_for_the_first_byte_of_a_typical_drive() {
     let line = LineSetting::rtu(19_200, Parity::Even);
-    let window = |protocol, full| Patience::glance(protocol, line, Span::from_millis(full)).window.as_micros();
+    let quick = |protocol, full| Patience::quick(protocol, line, &question(), Span::from_millis(full));
+    let tail = |protocol, full| quick(protocol, full).tail.as_micros();
     // 10 ms of a drive and 2 of slack, 16 of the adapter, 20 beside; 573 us for a character of 11 bits.
-    assert_eq!(window(Framing::Tcp.into(), 500), 48_000);
-    assert_eq!(window(Framing::Rtu.into(), 500).abs_diff(48_573), 0);
-    assert_eq!(window(Framing::Tcp.into(), 30), 30_000);
+    assert_eq!(tail(Framing::Tcp.into(), 500), 48_000);
+    assert_eq!(tail(Framing::Rtu.into(), 500).abs_diff(48_573), 0);
+    assert_eq!(tail(Framing::Tcp.into(), 30), 30_000);
+    let latest = Bus { latency: ADAPTER, ..Bus::new(&[(3, 12, 7)], 1..=3, quick(RTU, 500)) }.run();
+    assert_eq!(latest.found(), [3], "the last one, behind an adapter that holds bytes back");
+    let late = Bus::new(&[(3, 60, 7)], 1..=3, quick(RTU, 500)).run();
+    assert_eq!(late.found(), [0; 0], "nobody who is late");
+}
+
+#[test]
+fn how_long_a_silent_line_takes_is_known_beforehand() {
+    let book = Patience::by_the_book(FULL);
+    let all = [brief(), brief().once(), book, Patience::quick(RTU, LINE, &question(), FULL)];
+    for patience in all.into_iter().chain([Patience { twice: 20, ..brief() }]) {
+        for stations in [1, 9, 100] {
+            let took = Bus::new(&[], 1..=stations, patience).run().now.since(Tick::ZERO);
+            let expected = patience.lasts(RTU, LINE, &question(), usize::from(stations));
+            let off = took.as_micros().abs_diff(expected.as_micros());
+            assert!(off * 20 <= expected.as_micros() || off <= 25_000, "{patience:?}: {took}, expected {expected}");
+        }
+    }
+    assert_eq!(brief().lasts(RTU, LINE, &question(), 0), Span::ZERO);
+}
+
+#[test]
+fn a_survey_with_a_limit_ends_then_and_says_that_it_was_cut() {
+    let limit = Some(Span::from_millis(1_000));
+    let bus = Bus::new(&[(1, 10, 7)], 1..=247, Patience { limit, ..brief() }).run();
+    let took = bus.now.since(Tick::ZERO);
+    assert!(bus.survey.is_cut() && took < Span::from_millis(1_100), "{took}");
+    let settled = bus.survey.settled(bus.now).count();
+    assert!((15..40).contains(&settled), "only who had his time: {settled}");
+    let whole = Bus::new(&[(1, 10, 7)], 1..=5, Patience { limit, ..brief() }).run();
+    assert!(!whole.survey.is_cut() && whole.survey.settled(whole.now).count() == 5);
+    // Who has the line meanwhile costs it nothing.
+    let mut survey = survey(1..=3, Patience { limit, ..brief() });
+    let mut now = Tick::ZERO;
+    loop {
+        match survey.step(now) {
+            Step::Done(News::Over) => break,
+            Step::Done(News::Heard(_)) => {
+                now += Span::from_secs(5);
+                survey.resume(now);
+            }
+            Step::Done(News::Asked(_)) => {}
+            Step::Send(bytes) if bytes.first() == Some(&1) => {
+                now += Span::from_millis(30);
+                survey.feed(now, &rtu::encode(1, &Reply::Registers(vec![8]).encode()));
+            }
+            Step::Send(_) => {}
+            Step::Wait(until) => now = until,
+        }
+    }
+    assert!(!survey.is_cut() && survey.attendance().len() == 3);
 }

@@ -1,5 +1,6 @@
 //! The tables of a catalogue as TOML, and their JSON, have them.
 
+use crate::profile::files::FileRules;
 use crate::profile::link::Link;
 use crate::profile::machine::{Command, Transition};
 use crate::profile::motion::{Mode, MotionRules};
@@ -34,6 +35,7 @@ pub(super) struct Body {
     pub(super) presumed: Option<String>,
     pub(super) fault_codes: Option<FaultCodes>,
     pub(super) link: Option<Link>,
+    pub(super) files: Option<FileRules>,
     pub(super) motion: Option<MotionRules>,
     #[serde(default)]
     pub(super) modes: Vec<Mode>,
@@ -153,6 +155,7 @@ impl Body {
     pub(super) fn founding_key(&self) -> Option<&'static str> {
         let keys = [
             ("[link]", self.link.is_some()),
+            ("[files]", self.files.is_some()),
             ("[motion]", self.motion.is_some()),
             ("fault_codes", self.fault_codes.is_some()),
         ];

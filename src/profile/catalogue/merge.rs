@@ -32,14 +32,16 @@ impl Origin {
         self.transitions(body.transitions, family)?;
         family.fault_codes = body.fault_codes.unwrap_or_else(|| std::mem::take(&mut family.fault_codes));
         family.link = body.link.unwrap_or_else(|| std::mem::take(&mut family.link));
+        let ordered: Vec<u32> = body.files.iter().flat_map(|files| files.numbers()).collect();
+        family.files = body.files.unwrap_or_else(|| std::mem::take(&mut family.files));
         family.motion = body.motion.unwrap_or_else(|| std::mem::take(&mut family.motion));
         self.modes(body.modes, family)?;
         self.join("fault_groups", body.fault_groups, &mut family.fault_groups)?;
         self.join("errors", body.errors, &mut family.errors)?;
         self.join("counters", body.counters, &mut family.counters)?;
-        for id in body.roles.values().chain(body.groups.values().flatten()) {
+        for id in body.roles.values().chain(body.groups.values().flatten()).chain(&ordered) {
             if !family.params.contains_key(id) && !anywhere.contains(id) {
-                let message = format!("a role or group names parameter {id}, which has no row");
+                let message = format!("a role, group or [files] names parameter {id}, which has no row");
                 return Err(self.error(Position::File, message));
             }
         }

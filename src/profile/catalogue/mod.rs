@@ -103,10 +103,11 @@ impl Registry {
 
     fn load(&self, drive: &str) -> Result<Option<Family>, CatalogueError> {
         let rows = self.files.iter().flat_map(|file| file.head.drives.iter().map(move |row| (file, row)));
-        let Some((home, row)) = rows.into_iter().find(|(_, row)| row.id == drive) else {
+        let Some((home, row)) = rows.into_iter().find(|(_, row)| row.id.eq_ignore_ascii_case(drive)) else {
             return Ok(None);
         };
         let title = home.head.title.clone().unwrap_or_else(|| row.title());
+        let drive = row.id.as_str();
         let mut family = Family::empty(&home.head.family, drive, title);
         family.siblings = home.head.drives.iter().map(|row| row.id.clone()).collect();
         for file in self.files.iter().filter(|file| file.head.family == home.head.family) {

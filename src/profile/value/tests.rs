@@ -106,6 +106,9 @@ fn a_number_that_is_a_raw_value_is_that_value() {
     assert_eq!(parse("19200", &param, &choices), Ok(10));
     assert_eq!(parse("1", &param, &choices), Ok(1));
     assert_eq!(parse("3", &param, &choices), Ok(3), "a gap in a table is the range's business");
+    // P.570: the sources name 11 to 15 only, and 1 is a word of the text of 13.
+    let times = [(11, ["Warning", "Warnung"]), (13, ["Fault after 1 min", "Störung nach 1 min"])];
+    assert_eq!(parse("1", &param, &times), Ok(1));
 }
 
 #[test]
@@ -191,4 +194,11 @@ proptest! {
 #[test]
 fn zero_has_no_sign() {
     assert_eq!([0, -1, 1].map(|raw| format_decimal(raw, 2)), ["0.00", "-0.01", "0.01"]);
+}
+
+#[test]
+fn mega_is_no_milli() {
+    let power = |typed| unit_power(typed, Some("kW"));
+    assert_eq!((power("kw"), power("KW"), power("W")), (Some(0), Some(0), unit_power("w", Some("kW"))));
+    assert_eq!((power("MW"), unit_power("MV", Some("mV")), unit_power("MIN", Some("min"))), (None, None, Some(0)));
 }

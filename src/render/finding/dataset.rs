@@ -1,6 +1,6 @@
 //! `dataset`: the data sets side by side.
 
-use super::page::{Page, is_unscaled, number, shown};
+use super::page::{Page, is_unscaled, number, set_name, shown};
 use super::{Finding, Row, list};
 use crate::outcome::Dataset;
 
@@ -32,7 +32,10 @@ impl Page {
         let sets = dataset.rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
         if sets > 0 {
             let first = dataset.rows.iter().find(|row| row.values.len() == sets);
-            let sets = first.iter().flat_map(|row| &row.values).map(|value| format!(">@{}", value.data_set));
+            let sets = first
+                .iter()
+                .flat_map(|row| &row.values)
+                .map(|value| format!(">@{}", set_name(value.data_set, value.store)));
             let sets: Vec<String> = sets.collect();
             let mut head = vec![">param", "name"];
             head.extend(sets.iter().map(String::as_str));

@@ -6,9 +6,11 @@ mod diag;
 mod identify;
 mod import;
 mod line;
+mod load;
 mod monitor;
 mod motion;
 mod page;
+mod paramfile;
 mod params;
 mod read;
 mod relocation;
@@ -51,6 +53,9 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Read(found) => found,
         Data::Write(found) => found,
         Data::Dataset(found) => found,
+        Data::Load(found) => found,
+        Data::Saves(found) => found,
+        Data::Comparisons(found) => found,
         Data::Diag(found) => found,
         Data::LineCheck(found) => found,
         Data::Statemachine(found) => found,

@@ -97,9 +97,13 @@ impl Page {
         let several = values.iter().any(|value| Some(value.address) != values.first().map(|first| first.address));
         let rows = values.iter().map(|value| {
             let mut row = if several { vec![value.address.to_string()] } else { Vec::new() };
+            // Beside its copy in the EEPROM.
+            let cell = |value: &Value| (value.address, value.param, value.data_set);
+            let is_copy = values.iter().any(|other| cell(other) == cell(value) && other.store != value.store);
+            let is_ram = is_copy && value.data_set == 0 && value.store == "ram";
             row.extend([
                 value.param.to_string(),
-                set_name(value.data_set, value.store),
+                if is_ram { "ram".to_owned() } else { set_name(value.data_set, value.store) },
                 self.say(&value.name),
                 number(value),
                 unit(value).to_owned(),

@@ -55,5 +55,7 @@ fn result(result: WriteResult) -> &'static str {
         WriteResult::Differs => "differs",
         WriteResult::Broadcast => "broadcast",
         WriteResult::Skipped => "skipped",
+        WriteResult::Restored => "restored",
+        WriteResult::Unrestored => "unrestored",
     }
 }

@@ -177,6 +177,13 @@ impl<'a> Stream<'a> {
             Event::Record(record) => {
                 self.form.record(&record).inspect(|()| self.console.observe(Event::Record(record)))
             }
+            Event::Sought(news) if self.view == View::Ndjson => {
+                let written = match news.is_told() {
+                    true => self.form.record(&Record::Search((*news).clone())),
+                    false => Ok(()),
+                };
+                written.inspect(|()| self.console.observe(Event::Sought(news)))
+            }
             event => self.tell(event),
         };
         self.broken = written.err();
@@ -187,7 +194,7 @@ impl<'a> Stream<'a> {
         let text = match &event {
             Event::Note(text) => text.get(self.manner.lang).to_owned(),
             Event::Telegram { direction, meaning, .. } => format!("{direction} {}", meaning.get(self.manner.lang)),
-            Event::Found(_) | Event::Progress { .. } | Event::Search { .. } | Event::Record(_) => String::new(),
+            _ => String::new(),
         };
         if !self.form.note(&text)? {
             self.console.observe(event);

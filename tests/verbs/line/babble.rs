@@ -73,7 +73,6 @@ fn every_verb_ends_within_its_upper_time_whatever_the_line_is_like() {
             for (verb, count, sooner) in TYPED {
                 let upper = VERBS.iter().find(|row| verb.split(' ').any(|word| word == row.name)).unwrap().upper;
                 let most = sooner.map_or(upper.span(price, count), Span::from_secs);
-                witness::call();
                 let run = antrieb(&format!("--protocol {protocol} {verb}")).on(&bench).run();
                 let took = witness::left().map_or(Span::ZERO, |(_, now)| now.since(Tick::ZERO));
                 println!("{protocol} {name}: {verb}: exit {}, {took} of {most}", run.exit);

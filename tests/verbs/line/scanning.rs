@@ -2,23 +2,25 @@
 
 use crate::run::antrieb;
 use antrieb::drive::{First, Interrupt, Manner, Opening, ScanPlan, ScanResult, Session, Unknown, scan};
-use antrieb::outcome::{Event, FoundDrive};
+use antrieb::outcome::{Event, FoundDrive, SearchNews};
 use antrieb::profile::{Lang, Registry};
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::Port;
 use serde_json::{Value, json};
 
 /// What came of a scan of a bench.
-struct Played {
-    result: ScanResult,
-    took: Span,
+pub(super) struct Played {
+    pub(super) result: ScanResult,
+    pub(super) took: Span,
     /// Each find with its time.
-    found: Vec<(Span, FoundDrive)>,
+    pub(super) found: Vec<(Span, FoundDrive)>,
+    /// What was told on the way.
+    pub(super) news: Vec<SearchNews>,
     remarks: Vec<String>,
 }
 
 impl Played {
-    fn addresses(&self) -> Vec<u8> {
+    pub(super) fn addresses(&self) -> Vec<u8> {
         self.result.drives.iter().map(|drive| drive.address).collect()
     }
 
@@ -28,19 +30,20 @@ impl Played {
 }
 
 /// Scans a bench from 19200 8E1 on.
-fn play(bench: &str, plan: &ScanPlan) -> Played {
+pub(super) fn play(bench: &str, plan: &ScanPlan) -> Played {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("bench.toml");
     std::fs::write(&path, bench).unwrap();
     let registry = Registry::open(&[]).unwrap();
     let port = Port::Sim(Some(path));
     let opening = Opening { verbose: true, ..Opening::at(&port) };
-    let mut found = Vec::new();
+    let (mut found, mut news) = (Vec::new(), Vec::new());
     // Time by the telegrams, which are told before what they bring.
     let mut now = 0;
     let mut observe = |event| match event {
         Event::Telegram { at_us, .. } => now = at_us,
         Event::Found(drive) => found.push((Span::from_micros(now), *drive)),
+        Event::Sought(told) => news.push(*told),
         _ => {}
     };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
@@ -50,10 +53,10 @@ fn play(bench: &str, plan: &ScanPlan) -> Played {
         let took = session.now().since(Tick::ZERO);
         (result, took, session.bench().unwrap().remarks().iter().map(ToString::to_string).collect())
     });
-    Played { result, took, found, remarks }
+    Played { result, took, found, news, remarks }
 }
 
-fn drives(rows: &[(u8, &str)]) -> String {
+pub(super) fn drives(rows: &[(u8, &str)]) -> String {
     let row = |(address, more): &(u8, &str)| format!("[[drive]]\nmodel = \"act\"\naddress = {address}\n{more}\n");
     rows.iter().map(row).collect()
 }

@@ -1,6 +1,6 @@
 //! What was asked for is what is given: the stop, its proof, and what goes back.
 
-use super::stopping::{READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
+use super::rig::{READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice};
 use antrieb::tick::Span;
@@ -102,7 +102,6 @@ fn everything_that_a_run_writes_is_given_back_and_told() {
         ("3000usr --set RAMPacc=2000", &["PPp_targetusr", "RAMPacc"]),
     ] {
         let bench = servo(set, "servo = { limn = -8192, guide = 16384 }");
-        witness::call();
         let line = format!("-a 1 --drive lxm05 --yes sollwert {words} --enable --hold --duration 300ms");
         let run = antrieb(&line).on(&bench).json().exits(0);
         let (after, _) = witness::left().unwrap();

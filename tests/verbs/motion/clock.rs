@@ -11,7 +11,6 @@ const INVERTER: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\"
 
 /// Runs on a bench; what came of it, how long it took, and how many shafts turn.
 fn ended(line: &str, bench: &str) -> (Output, Span, u64) {
-    witness::call();
     let run = antrieb(line).on(bench).run();
     let (bench, at) = witness::left().unwrap();
     (run, at.since(Tick::ZERO), bench.totals().turning)
@@ -170,7 +169,6 @@ fn an_older_answer_proves_no_stop() {
         let drive = drive.replacen("[[drive]]", &format!("[[drive]]\nprotocol = \"{protocol}\""), 1);
         for disturb in doubled.iter().chain(&late) {
             for (duration, choice) in [(10, "quick-stop"), (120, "coast"), (330, "ramp"), (600, "quick-stop")] {
-                witness::call();
                 let line = format!("--protocol {protocol} {line} --duration {duration}ms --on-exit {choice}");
                 let run = antrieb(&line).on(&format!("{drive}[[disturb]]\n{disturb}\n")).run();
                 let (bench, _) = witness::left().unwrap();

@@ -1,7 +1,7 @@
 //! What goes out goes out as often as it is needed and no more, and to whom it is meant.
 
+use super::rig::{DISABLE, READY, RUNNING, drive, held, run_at_20_hz, servo};
 use super::runs::with_motor;
-use super::stopping::{DISABLE, READY, RUNNING, drive, held, run_at_20_hz, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Meant, StopChoice, look, role_raw, shout_zero};
 use antrieb::profile::{Family, Mode, Registry};

@@ -1,6 +1,6 @@
 //! Who presses Ctrl-C while a stop is being said gets it all the same, sooner and not less.
 
-use super::stopping::{RUNNING, drive};
+use super::rig::{RUNNING, drive};
 use antrieb::drive::motion::{Meant, Motor, StopChoice, shout};
 use antrieb::drive::{Interrupt, Opening, Session, Target};
 use antrieb::gate::Relief;

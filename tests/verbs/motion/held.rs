@@ -1,6 +1,6 @@
 //! How a run ends: its cause, what it keeps, what it gives back, and what is said of it.
 
-use super::stopping::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
+use super::rig::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice};
 use antrieb::failure::Failure;

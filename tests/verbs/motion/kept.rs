@@ -1,6 +1,6 @@
 //! What a run remembers, and what it must not: proofs from before, an enable that it walked to, what it changed.
 
-use super::stopping::{READY, drive, held, servo};
+use super::rig::{READY, drive, held, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice};
 use antrieb::profile::Registry;
@@ -44,7 +44,6 @@ fn a_standstill_from_before_proves_nothing_of_a_stop() {
 #[test]
 fn what_was_set_to_0_before_the_enable_is_no_change_to_give_back() {
     let bench = servo("PVn_target = 900, RAMPacc = 3000, RAMPdecel = 3000", "");
-    witness::call();
     let run = antrieb("-a 1 --drive lxm05 --yes statemachine enable --hold --duration 50ms --on-exit coast");
     let run = run.on(&bench).json().exits(0);
     let (bench, _) = witness::left().unwrap();

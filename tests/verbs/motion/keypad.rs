@@ -78,7 +78,7 @@ fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMu
         Event::Note(note) => notes.push(note.en.into_owned()),
         _ => {}
     };
-    witness::call();
+    witness::call(true);
     let mut ask = Agreeable;
     let mut context =
         Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };

@@ -62,7 +62,6 @@ fn a_setpoint_that_stands_in_a_servo_does_not_start_it() {
 #[test]
 fn a_gear_run_leaves_no_reference_behind() {
     let bench = servo("references_after_run = \"kept\", references_after_mode = \"kept\"");
-    witness::call();
     antrieb("-a 1 --yes sollwert 2/3 --enable --hold --duration 50ms").on(&bench).json().exits(0);
     let (bench, _) = witness::left().unwrap();
     assert_eq!(bench.drive(1).unwrap().ram(6_948, 0), Some(0));

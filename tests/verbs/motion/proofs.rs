@@ -1,7 +1,7 @@
 //! What proves something and what does not, look by look: control, power, standstill, and who is there.
 
+use super::rig::{READY, drive, held, run_at_20_hz};
 use super::runs::with_motor;
-use super::stopping::{READY, drive, held, run_at_20_hz};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
 use antrieb::profile::Registry;

@@ -1,6 +1,6 @@
 //! A drive that refuses its control word, and nothing else, while its shaft turns.
 
-use super::stopping::{READY, RUNNING, drive};
+use super::rig::{READY, RUNNING, drive};
 use crate::run::antrieb;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
@@ -22,7 +22,6 @@ fn a_drive_that_refuses_its_control_word_gets_its_setpoint_0() {
         (servo, "--drive lxm05", "300rpm"),
     ] {
         for way in ["ramp", "quick-stop", "coast"] {
-            witness::call();
             let line = format!("{who} -a 1 --yes sollwert {value} --enable --hold --duration 2s --on-exit {way}");
             let run = antrieb(&line).on(bench).json();
             let (bench, at) = witness::left().unwrap();
@@ -47,7 +46,6 @@ fn a_drive_that_refuses_its_control_word_gets_its_setpoint_0() {
 #[test]
 fn a_drive_that_was_only_enabled_keeps_the_setpoint_of_others() {
     let bench = drive(RUNNING, "[[drive.event]]\nat = \"1500ms\"\nrefuses = 410");
-    witness::call();
     let run = antrieb("-v -b 115200 -a 1 --yes statemachine enable --hold --duration 2s").on(&bench).run();
     let (mut bench, at) = witness::left().unwrap();
     bench.advance(at + Span::from_secs(5));

@@ -45,7 +45,6 @@ fn first(err: &str, stops: &[&str]) -> Option<f64> {
 /// Runs a verb on a bench that is asked afterwards; when the first stop went out, its exit code, what it said, and how many
 /// shafts turn.
 fn stopped(line: &str, bench: &str, stops: &[&str]) -> (Option<f64>, u8, String, u64) {
-    witness::call();
     let run = antrieb(line).on(bench).run();
     let (mut bench, at) = witness::left().unwrap();
     bench.advance(at + Span::from_secs(60));
@@ -261,7 +260,6 @@ fn a_zero_goes_out_at_once_on_every_line() {
                 };
                 let bench =
                     format!("[[drive]]\nmodel = \"{model}\"\nprotocol = \"{protocol}\"\nset = {{ {set} }}\n{how}\n");
-                witness::call();
                 let run = antrieb(&format!("-v --protocol {protocol} -a 1 {drive} sollwert 0")).on(&bench).run();
                 let sent = run.err.lines().find_map(|line| {
                     let (at, told) = line.split_once(" ms > ")?;

@@ -1,30 +1,13 @@
 //! What takes motion away: it asks nobody, it goes out whatever happens, and what is said of it is so.
 
-use crate::run::{Document, antrieb};
-use antrieb::drive::motion::{Ended, Motor, StopChoice, look};
-use antrieb::drive::{Interrupt, Opening, Session, Target};
-use antrieb::failure::Failure;
-use antrieb::gate::Relief;
-use antrieb::outcome::Event;
+use super::rig::{
+    COAST, DISABLE, QUICK_STOP, READY, REFRESH, RUNNING, alone, drive, held, held_of, run_at_20_hz, servo, servo_at,
+};
+use crate::run::antrieb;
+use antrieb::drive::motion::{Motor, StopChoice};
 use antrieb::profile::Registry;
-use antrieb::protocol::line::{LineSetting, Parity};
-use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
-use antrieb::transport::{Port, witness};
 use serde_json::json;
-use std::cell::{Cell, RefCell};
-
-/// A drive that runs from the first moment on, and obeys the control word.
-pub(super) const RUNNING: &str = "\"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
-
-pub(super) fn drive(set: &str, rest: &str) -> String {
-    format!("[[drive]]\nmodel = \"acu\"\nbaud = 115200\nreply_delay = \"1ms\"\nset = {{ {set} }}\n{rest}\n")
-}
-
-/// Without a terminal and without `--yes`.
-fn alone(verb: &str, bench: &str) -> Document {
-    antrieb(&format!("-v -b 115200 -a 1 {verb}")).on(bench).json()
-}
 
 #[test]
 fn what_can_only_take_motion_away_asks_nobody() {
@@ -47,7 +30,9 @@ fn a_zero_that_does_more_than_stop_asks() {
     let with = drive("\"410\" = 15, \"412\" = 1, \"434\" = 3, \"484\" = 10, \"228\" = 0, \"418\" = 0", "");
     alone("sollwert 0Hz", &against).exits(8);
     alone("sollwert 0Hz", &with).exits(0);
-    for more in ["--enable", "--hold --duration 1s", "--take-control", "--watchdog 2s", "--source line"] {
+    // What is waited for anyway is no reason to ask.
+    alone("sollwert 0Hz --until reached", &with).exits(0);
+    for more in ["--enable", "--hold --duration 1s", "--watchdog 2s", "--source line"] {
         alone(&format!("sollwert 0Hz {more}"), &drive(RUNNING, "")).exits(8);
     }
     alone("sollwert 0%", &drive(RUNNING, "")).exits(8);
@@ -124,123 +109,6 @@ fn the_watchdog_that_is_reported_is_the_one_in_force() {
     let held = antrieb("-b 115200 -a 1 --yes sollwert 5Hz --watchdog 2s --hold --duration 10ms --on-exit coast");
     assert_eq!(held.on(&bench).json().exits(0).data("/watchdog_s"), &json!(7));
 }
-
-/// What came of a run of a motor, on a bench of its own in virtual time.
-pub(super) struct Came {
-    pub(super) ended: Ended<()>,
-    pub(super) notes: Vec<String>,
-    /// When the run had ended.
-    pub(super) took: Tick,
-    pub(super) turning: u64,
-    pub(super) energised: u64,
-    /// Telegrams that went out, in hex, and when.
-    pub(super) sent: Vec<String>,
-    pub(super) at: Vec<Tick>,
-    /// When the last one came in.
-    pub(super) heard: Tick,
-}
-
-impl Came {
-    pub(super) fn stop(&self) -> &antrieb::outcome::Stop {
-        self.ended.stop.as_ref().unwrap()
-    }
-}
-
-/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out (`+7`: seven turns of the loop after the one before),
-/// and then lets `rest` pass.
-pub(super) fn held(
-    bench: &str,
-    presses: &[&str],
-    choice: StopChoice,
-    rest: Span,
-    work: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
-) -> Came {
-    held_of("acu", bench, presses, choice, rest, work)
-}
-
-pub(super) fn held_of(
-    model: &str,
-    bench: &str,
-    presses: &[&str],
-    choice: StopChoice,
-    rest: Span,
-    work: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
-) -> Came {
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("bench.toml");
-    std::fs::write(&file, bench).unwrap();
-    let registry = Registry::open(&[]).unwrap();
-    let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
-    let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
-    let (at, heard) = (RefCell::new(Vec::new()), Cell::new(Tick::ZERO));
-    let mut left: Vec<&str> = presses.to_vec();
-    let yields = |next: &&str| next.strip_prefix('+').and_then(|count| count.parse::<usize>().ok());
-    let mut observe = |event: Event| {
-        if let Event::Telegram { at_us, direction: '<', .. } = event {
-            heard.set(Tick::ZERO + Span::from_micros(at_us));
-        }
-        if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
-            at.borrow_mut().push(Tick::ZERO + Span::from_micros(at_us));
-            if left.first().is_some_and(|next| hex.starts_with(next)) {
-                left.remove(0);
-                signals.press();
-                // Once more, so many turns of the loop later, whatever is under way then.
-                if let Some(turns) = left.first().and_then(yields) {
-                    left.remove(0);
-                    let signals = signals.clone();
-                    tokio::spawn(async move {
-                        for _ in 0..turns {
-                            tokio::task::yield_now().await;
-                        }
-                        signals.press();
-                    });
-                }
-            }
-            sent.borrow_mut().push(hex);
-        }
-    };
-    let opening = Opening {
-        line: LineSetting::rtu(if model == "lxm05" { 19_200 } else { 115_200 }, Parity::Even),
-        verbose: true,
-        ..Opening::at(&port)
-    };
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-    let mut session = runtime.block_on(Session::open(opening, &registry, interrupt, &mut observe)).unwrap();
-    let mut target = Target::new(1, registry.family(model).unwrap());
-    // Any permit will do; what a motor does with it is the work's business.
-    let permit = Relief::QuickStop.permit();
-    let (ended, notes, took) = runtime.block_on(async {
-        let before = look(&mut session, &mut target).await.unwrap();
-        let mut motor = Motor::new(&mut session, &mut target, &permit, None);
-        motor.controls(&before);
-        let ended = motor.run(true, choice, work).await;
-        let notes = motor.notes.iter().map(|note| note.en.to_string()).collect();
-        let took = session.now();
-        session.rest(rest).await.unwrap();
-        (ended, notes, took)
-    });
-    let totals = session.bench().map(|bench: &mut Bench| bench.totals()).unwrap();
-    drop(session);
-    let (sent, at, heard) = (sent.into_inner(), at.into_inner(), heard.get());
-    Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent, at, heard }
-}
-
-pub(super) const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
-
-/// Enables, runs at 20 Hz, holds.
-pub(super) async fn run_at_20_hz(motor: &mut Motor<'_, '_>, duration: Option<Span>) -> Result<(), Failure> {
-    let setpoint = Registry::open(&[]).unwrap().family("acu").unwrap().role("setpoint-frequency").unwrap().clone();
-    motor.walk("operation-enabled").await?;
-    motor.give(&setpoint, 2_000, "Hz").await?;
-    motor.until_reached().await?;
-    motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&setpoint, 2_000).await).await
-}
-
-pub(super) const DISABLE: &str = "01 06 01 9A 00 07";
-pub(super) const QUICK_STOP: &str = "01 06 01 9A 00 02";
-const COAST: &str = "01 06 01 9A 00 00";
-const ENCODER: &str = "01 64 00 D9";
-const REFRESH: &str = "01 65 01 E4";
 
 #[test]
 fn whoever_interrupts_again_gets_a_stronger_stop() {
@@ -340,24 +208,6 @@ fn a_shaft_that_may_still_turn_is_the_first_thing_that_is_said() {
     assert!(!kept.err.contains("NICHT bestätigt") && kept.err.contains("keep"), "{}", kept.err);
     assert!(kept.out.contains("keep (Fehler), kein Halt") && !kept.out.contains("bestätigt"), "{}", kept.out);
     assert_ne!((run.exit, kept.exit), (0, 0));
-}
-
-/// Enables a servo, and runs it at a speed.
-async fn servo_at(motor: &mut Motor<'_, '_>, rpm: i64, duration: Option<Span>) -> Result<(), Failure> {
-    let registry = Registry::open(&[]).unwrap();
-    let family = registry.family("lxm05").unwrap();
-    let mode = family.mode("velocity").unwrap().clone();
-    let param = family.param_or_unknown(mode.setpoint);
-    motor.prepare(&mode);
-    motor.give(&param, 0, "rpm").await?;
-    motor.walk("operation-enabled").await?;
-    motor.enter().await?;
-    motor.give(&param, rpm, "rpm").await?;
-    motor.hold(duration, async |motor: &mut Motor<'_, '_>, _| motor.refresh(&param, rpm).await).await
-}
-
-pub(super) fn servo(set: &str, rest: &str) -> String {
-    format!("[[drive]]\nmodel = \"lxm05\"\nset = {{ {set} }}\n{rest}\n")
 }
 
 #[test]
@@ -540,163 +390,4 @@ fn a_stop_of_a_drive_that_is_not_enabled_sends_nothing_that_leads_up() {
     let run = antrieb("-a 1 --drive lxm05 --yes -v sollwert 300rpm --hold --duration 50ms").on(&servo("", "")).json();
     assert!(!run.err.contains("> 01 10 1B 02 00 02 04 00 00 00 07"), "{}", run.err);
     assert_eq!(run.data("/to/slug"), "switch-on-disabled", "{:#}", run.value);
-}
-
-/// A drive without an encoder that is brought to 20 Hz and stopped there.
-fn blind(set: &str, rest: &str) -> String {
-    quick(&format!("{READY}, \"217\" = 0, \"218\" = 0, {set}"), rest)
-}
-
-/// With steep ramps: a run that is held takes its time.
-fn quick(set: &str, rest: &str) -> String {
-    let ramps = "ramps = { up_right = 50, down_right = 20, up_left = 50, down_left = 20 }";
-    drive(&format!("{set}, \"424\" = 20"), &format!("{ramps}\n{rest}"))
-}
-
-const TO_20_HZ: &str = "-b 115200 -a 1 --yes sollwert 20Hz --enable --hold --duration 50ms --until reached";
-
-#[test]
-fn a_ramp_that_ends_under_power_proves_the_standstill() {
-    for (protocol, slow) in [("rtu", ""), ("ascii", ""), ("vabus", ""), ("rtu", "slow = \"400ms\"")] {
-        for way in ["ramp", "quick-stop"] {
-            let bench = blind("\"392\" = 2", &format!("protocol = \"{protocol}\"\n{slow}"));
-            let run = antrieb(&format!("--protocol {protocol} {TO_20_HZ} --on-exit {way}")).on(&bench).json();
-            let told = format!("{protocol} {slow} {way}: {:#}", run.value);
-            assert_eq!(
-                (run.exit, run.data("/standing"), run.data("/stop/standing")),
-                (0, &json!(true), &json!(true)),
-                "{told}"
-            );
-            assert_eq!((run.data("/running"), run.data("/stop/acknowledged")), (&json!(false), &json!(true)), "{told}");
-        }
-    }
-}
-
-#[test]
-fn a_ramp_that_lets_the_shaft_coast_is_no_success_and_says_why() {
-    for (set, why) in [
-        ("\"392\" = 0", "P.392 = 0"),
-        ("\"392\" = 1, \"632\" = \"0.2\"", "P.392 = 1"),
-        ("\"637\" = 40, \"638\" = 0", "P.637"),
-    ] {
-        let run = antrieb(TO_20_HZ).on(&blind(set, "")).json().exits(8);
-        assert_eq!(run.error()["code"], "forbidden.standstill_unproven", "{set}");
-        assert!(run.error()["hint"].as_str().unwrap().contains(why), "{}", run.error());
-        assert_eq!((run.data("/running"), run.data("/standing")), (&json!(false), &json!(null)), "{set}");
-        assert_eq!(
-            (run.data("/stop/acknowledged"), run.data("/stop/escalated")),
-            (&json!(false), &json!(null)),
-            "{set}"
-        );
-        let table = antrieb(&format!("--lang de {TO_20_HZ}")).on(&blind(set, "")).run();
-        assert!(table.out.contains("nein; ob die Welle steht, zeigt nichts"), "{}", table.out);
-        assert!(table.err.contains("DIE WELLE KANN NOCH DREHEN"), "{}", table.err);
-    }
-}
-
-#[test]
-fn a_coast_is_given_as_asked_for_and_nobody_calls_it_a_standstill() {
-    let run = antrieb(&format!("{TO_20_HZ} --on-exit coast")).on(&blind("\"392\" = 2", "")).json().exits(0);
-    assert_eq!((run.data("/stop/acknowledged"), run.data("/stop/standing")), (&json!(true), &json!(null)));
-    assert_eq!((run.data("/running"), run.data("/standing")), (&json!(false), &json!(null)));
-    assert!(run.data("/stop/note").as_str().unwrap().contains("nothing tells when it stands"));
-    let table = antrieb(&format!("{TO_20_HZ} --on-exit coast")).on(&blind("\"392\" = 2", "")).run();
-    assert!(table.out.contains("no; whether the shaft stands is not told"), "{}", table.out);
-}
-
-#[test]
-fn what_shows_a_coasting_shaft_is_waited_for() {
-    let encoder = |set: &str| quick(&format!("{READY}, \"637\" = 40, \"638\" = 0, {set}"), "");
-    let shown = blind("\"637\" = 40, \"638\" = 0", "readings = { coast_shows = \"shaft\" }");
-    for bench in [encoder("\"392\" = 2"), encoder("\"392\" = 0"), shown] {
-        for way in ["ramp", "coast"] {
-            witness::call();
-            let run = antrieb(&format!("{TO_20_HZ} --on-exit {way}")).on(&bench).json().exits(0);
-            assert_eq!((run.data("/stop/standing"), run.data("/standing")), (&json!(true), &json!(true)), "{way}");
-            assert_eq!(witness::left().unwrap().0.totals().turning, 0, "{way}");
-        }
-    }
-}
-
-#[test]
-fn a_coast_that_lasts_is_watched_for_a_while_and_no_longer_than_somebody_wants() {
-    // 400 Hz; this bench loses 10 Hz a second, and an encoder shows it.
-    let ramps = "ramps = { up_right = 999, down_right = 999, up_left = 999, down_left = 999 }";
-    let bench = drive(&format!("{READY}, \"419\" = 400, \"549\" = 5, \"30\" = 210"), ramps);
-    for (presses, most) in [(&[][..], 45), (&[REFRESH, ENCODER], 10)] {
-        let work = async |motor: &mut Motor<'_, '_>| {
-            let family = Registry::open(&[]).unwrap().family("acu").unwrap();
-            let setpoint = family.role("setpoint-frequency").unwrap();
-            motor.walk("operation-enabled").await?;
-            motor.give(setpoint, 40_000, "Hz").await?;
-            motor.until_reached().await?;
-            let last = if presses.is_empty() { Some(Span::from_millis(100)) } else { None };
-            motor.hold(last, async |motor: &mut Motor<'_, '_>, _| motor.refresh(setpoint, 40_000).await).await
-        };
-        let came = held(&bench, presses, StopChoice::Coast, Span::ZERO, work);
-        let told = format!("{:?} {:?}", came.took, came.ended);
-        assert_eq!((came.stop().acknowledged, came.stop().standing), (true, Some(false)), "{told}");
-        assert!(came.took < Tick::ZERO + Span::from_secs(most) && came.turning == 1, "{told}");
-    }
-}
-
-#[test]
-fn the_end_of_a_run_that_lost_its_power_says_that_the_shaft_may_coast() {
-    for (rest, code) in [
-        ("enable = false", "forbidden.left_run"),
-        ("start_right = false", "forbidden.left_run"),
-        ("fault = \"F0500\"", "forbidden.fault"),
-        ("mains = false", "forbidden.fault"),
-    ] {
-        let event = format!("[[drive.event]]\nwhen = \"above 19Hz\"\n{rest}");
-        let run = antrieb(&TO_20_HZ.replace("50ms", "5s")).on(&blind("\"392\" = 2", &event)).json().exits(8);
-        assert_eq!(run.error()["code"], code, "{rest}");
-        let message = run.error()["message"].as_str().unwrap();
-        assert!(message.starts_with("THE SHAFT MAY STILL TURN"), "{rest}: {message}");
-        assert!(message.contains("whether the shaft stands is not told"), "{rest}: {message}");
-        assert_eq!((run.data("/running"), run.data("/standing")), (&json!(false), &json!(null)), "{rest}");
-    }
-}
-
-#[test]
-fn a_drive_that_left_the_run_is_stopped_before_it_is_asked_why() {
-    let event = "[[drive.event]]\nwhen = \"above 19Hz\"\nenable = false";
-    let line = format!("-v {}", TO_20_HZ.replace("50ms", "5s"));
-    let run = antrieb(&line).on(&blind("\"392\" = 2", event)).json().exits(8);
-    let sent: Vec<_> = run.err.lines().filter_map(|line| line.split_once("> ")?.1.get(..17)).collect();
-    let last = |hex: &str| sent.iter().rposition(|line| line.starts_with(hex)).unwrap();
-    let stopped = sent.iter().position(|line| line.starts_with(DISABLE)).unwrap();
-    let looked = sent.iter().take(stopped).rposition(|line| line.starts_with("01 03 01 9B")).unwrap();
-    assert_eq!(looked + 1, stopped, "the stop follows the look that showed it: {}", run.err);
-    assert!(last("01 03 00 FA") > stopped && run.error()["hint"].as_str().unwrap().contains("STOA"), "{}", run.err);
-}
-
-#[test]
-fn a_verb_that_stops_says_what_is_known_of_the_shaft() {
-    let running = |set: &str| quick(&format!("{RUNNING}, \"217\" = 0, \"218\" = 0, {set}"), "");
-    for (verb, set, exit, standing) in [
-        ("quick-stop", "\"392\" = 2", 0, json!(true)),
-        ("disable", "\"392\" = 2", 0, json!(true)),
-        ("disable-voltage", "\"392\" = 2", 0, json!(null)),
-        ("disable", "\"392\" = 0", 0, json!(null)),
-    ] {
-        let run = alone(&format!("statemachine {verb}"), &running(set)).exits(exit);
-        assert_eq!((run.data("/running"), run.data("/standing")), (&json!(false), &standing), "{verb} {set}");
-        let notes = run.data("/notes").to_string();
-        assert_eq!(notes.contains("nothing tells when it stands"), standing.is_null(), "{verb} {set}: {notes}");
-    }
-    // Nobody gave it power.
-    let idle = antrieb("-b 115200 -a 1 --yes sollwert 5Hz").on(&blind("\"392\" = 2", "")).run();
-    assert!(idle.out.lines().any(|line| line.trim_end().ends_with(" no")), "{}", idle.out);
-}
-
-#[test]
-fn a_servo_without_power_that_turns_is_never_under_a_plain_no() {
-    let turning = servo("RAMPacc = 6000, RAMPn_max = 3000", "");
-    let at_speed = "-a 1 --drive lxm05 --yes sollwert 900rpm --enable --hold --duration 1s";
-    let run = antrieb(&format!("{at_speed} --on-exit coast")).on(&turning).json().exits(0);
-    // It was watched until it stood.
-    assert_eq!((run.data("/stop/standing"), run.data("/standing")), (&json!(true), &json!(true)));
-    let changed = antrieb(&format!("{at_speed} --on-exit coast --set RAMPdecel=500")).on(&turning).json().exits(0);
-    assert_eq!((changed.data("/changed/0/restored"), changed.data("/stop/standing")), (&json!(true), &json!(true)));
 }

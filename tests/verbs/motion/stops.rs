@@ -217,7 +217,7 @@ impl Case {
                 }
             }
         };
-        witness::call();
+        witness::call(true);
         witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
         let mut ask = Agreeable;
         let mut context = Context { settings: &settings, registry, ask: &mut ask, observe: &mut observe, interrupt };

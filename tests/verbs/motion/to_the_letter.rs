@@ -1,7 +1,7 @@
 //! What a run does to the letter: how long it bears what, which word goes where, and what its notes say and do not say.
 
+use super::rig::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
 use super::runs::with_motor;
-use super::stopping::{Came, DISABLE, QUICK_STOP, READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Meant, Motor, StopChoice, look, may_change_mode, shout_zero};
 use antrieb::gate::Relief;

@@ -1,7 +1,7 @@
 //! A shaft that nobody measured may coast: exit 0 only where what was promised was seen.
 
+use super::rig::{READY, drive};
 use super::runs::with_motor;
-use super::stopping::{READY, drive};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
 use serde_json::json;

@@ -33,7 +33,7 @@ const HEARD: &str = "# antrieb trace 1, 19200 8E1, rtu
 
 /// What is typed, verb by verb; the port is that of the plant.
 const TYPED: &[(&str, &[&str])] = &[
-    ("scan", &["scan -a 1-9"]),
+    ("scan", &["scan -a 1-9", "scan -a 1-3 --baud auto"]),
     ("identify", &["identify -a 2", "identify -a 3"]),
     ("read", &["read -a 2 @actual", "read -a 1 372@all 480-482"]),
     ("write", &["write -a 2 480=12,5Hz --yes", "write -a 2 480=12,5Hz --dry-run"]),

@@ -314,3 +314,18 @@ fn what_cannot_go_to_everybody_names_the_way_that_can() {
         }
     }
 }
+
+#[test]
+fn a_value_that_is_another_one_in_ram_is_no_value_that_stands() {
+    for reads in ["eeprom", "in-force"] {
+        let bench = format!(
+            "[[drive]]\nmodel = \"acu\"\nset = {{ \"480@2\" = 10, \"480@2ram\" = \"12.5\" }}\nreadings = {{ ram_reads = \"{reads}\" }}"
+        );
+        // What is in force is 12.50 Hz, so 10 Hz is to be written under both readings.
+        let back = antrieb("-a 1 --yes write 480@2=10Hz").on(&bench).json().exits(0);
+        assert_eq!(back.data("/values/0/result"), "verified", "{reads}");
+        let same = antrieb("-a 1 --yes write 480@2=12.5Hz").on(&bench).json().exits(0);
+        let told = same.data("/values/0/note").to_string();
+        assert_eq!(same.data("/values/0/result") == "unchanged", told.contains("--force stores it"), "{reads}: {told}");
+    }
+}

@@ -85,7 +85,7 @@ impl Screen {
                 }
                 self.run = Some(news.clone());
             }
-            Record::Telegram(_) | Record::End(_) => {}
+            Record::Telegram(_) | Record::Search(_) | Record::End(_) => {}
         }
     }
 

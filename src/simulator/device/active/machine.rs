@@ -15,7 +15,8 @@
 //! - the rules of transition 5 and quick stop hold in positioning configurations too, for which 10.2 leaves them open;
 //! - under contacts a missing start contact stops by the ramp, a missing enable lets the shaft coast; start contacts for
 //!   both directions mean clockwise; a fault can be acknowledged only under the state machine;
-//! - with P.412 above 2 the keypad starts the drive, and nobody presses its keys here: "switched on" it remains;
+//! - with P.412 above 2 the keypad starts the drive, and nobody presses its keys here: "switched on" it remains; or, as
+//!   another reading has it, the contacts do;
 //! - a fault switches the output stage off at once, so the shaft coasts. If it worked, "fault reaction active" is shown
 //!   for 0.1 s, in which the drive already tells the fault; else there is nothing to react with, and no time passes. A
 //!   further fault does not take the place of the first;

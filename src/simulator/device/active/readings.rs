@@ -13,6 +13,7 @@ pub(crate) enum Reading {
     LineReplyNew,
     ResetNeedsRemote,
     CoastShowsShaft,
+    OtherModesAreContacts,
     SilentAfterNak,
     SilentOnWrongCheck,
 }
@@ -39,6 +40,8 @@ impl readings::Reading for Reading {
         row("reset", &[("free", None), ("needs-remote", Some(R::ResetNeedsRemote))]),
         // CM-485 manual 9.2.1: what the frequency of the stator (P.210) is while the shaft coasts
         row("coast_shows", &[("nothing", None), ("shaft", Some(R::CoastShowsShaft))]),
+        // CM-485 manual 9: "keypad and digital signals"
+        row("other_modes", &[("keypad", None), ("contacts", Some(R::OtherModesAreContacts))]),
         row("after_nak", &[("nak", None), ("silence", Some(R::SilentAfterNak))]),
         row("wrong_bcc", &[("nak", None), ("silence", Some(R::SilentOnWrongCheck))]),
     ];

@@ -82,6 +82,7 @@ impl Active {
         let control = match self.value(412) {
             0 | 2 => Control::Contacts,
             1 => Control::StateMachine,
+            _ if self.has(Reading::OtherModesAreContacts) => Control::Contacts,
             _ => Control::Keypad,
         };
         // Remote contacts take the place of the terminals; the enable needs both (CM-485 manual 9.1.3, 10.1).

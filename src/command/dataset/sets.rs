@@ -1,30 +1,22 @@
-//! `dataset`: the four data sets of a drive.
+//! The four data sets of a drive: show, select, copy, compare.
 
-use super::read::select_failure;
-use super::verb::{Verb, Working};
-use super::write::permit;
-use super::{
-    Context, Reader, addresses_to_read, addresses_to_write, connect, offline_family, plan, read_question,
+use super::only_one;
+use crate::command::read::select_failure;
+use crate::command::write::permit;
+use crate::command::{
+    Context, Reader, addresses_to_read, addresses_to_write, check_sets, connect, offline_family, plan, read_question,
     role_questions, summary, target, terms,
 };
-use crate::args::Takes;
 use crate::drive::job::{self, Job, Step};
-use crate::drive::{Session, Target, Terms, Upper};
+use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Dataset, DatasetRow, Document, OrWrite, Outcome, Value, Warning, WriteResult};
+use crate::outcome::{Data, Dataset, DatasetRow, Outcome, Value, Warning, WriteResult};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use crate::text::both;
-use clap::{Args as ClapArgs, Subcommand};
-
-/// Shows, selects, copies and compares a drive's four data sets.
-#[derive(Clone, Debug, ClapArgs)]
-pub struct Args {
-    #[command(subcommand)]
-    action: Action,
-}
+use clap::Subcommand;
 
 #[derive(Clone, Debug, Subcommand)]
-enum Action {
+pub(super) enum Action {
     /// Show parameters in all four data sets side by side
     Show {
         /// Parameters, ranges, groups [default: all switchable]
@@ -57,49 +49,25 @@ enum Action {
         #[arg(long)]
         ram: bool,
     },
-    /// Compare two data sets; exits with 1 if they differ
-    Diff {
-        /// 1-4
-        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
-        a: u8,
-        /// 1-4
-        #[arg(value_parser = clap::value_parser!(u8).range(1..=4))]
-        b: u8,
-        /// Parameters, ranges, groups [default: all switchable]
-        #[arg(value_name = "PARAMETER")]
-        params: Vec<String>,
-    },
+    /// Two data sets beside each other, where they differ.
+    #[command(skip)]
+    Diff { pair: [(u8, Store); 2], params: Vec<String> },
 }
 
-impl Verb for Args {
-    const NAME: &'static str = "dataset";
-    const TAKES: Takes = Takes::WRITES;
-    const EXAMPLES: &'static [&'static str] = &[
-        "antrieb --port sim -a 1 dataset show 372",
-        "antrieb --port sim -a 1 dataset active",
-        "antrieb --port sim -a 1 dataset select 2 --ram --yes",
-        "antrieb --port sim -a 1 dataset copy 1 2 480-483 --yes",
-        "antrieb --port sim -a 1 dataset diff 1 2 372",
-    ];
-    const UPPER: Upper = Upper::drive(30).each(16, "parameter");
-    type Prints = Document<OrWrite<Dataset>>;
-
-    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
-        Box::pin(run(self, context))
-    }
-}
+/// All four, as they are stored.
+const ALL: [(u8, Store); 4] = [(1, Store::Eeprom), (2, Store::Eeprom), (3, Store::Eeprom), (4, Store::Eeprom)];
 
 /// Works on the data sets of one drive.
-pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let writes = matches!(args.action, Action::Select { .. } | Action::Copy { .. });
+pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let writes = matches!(action, Action::Select { .. } | Action::Copy { .. });
     let Context { settings, registry, interrupt, observe, ask } = context;
     let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
     let address = only_one(&addresses)?;
-    different_sets(&args.action)?;
+    different_sets(action)?;
     if settings.dry_run {
-        return dry_run(&args.action, context, address);
+        return dry_run(action, context, address);
     }
-    if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = &args.action {
+    if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = action {
         // Names are checked before the port is opened.
         Work { target: Target::new(address, offline_family(settings, registry)?), terms: terms(settings, registry)? }
             .params(params)?;
@@ -109,10 +77,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         target: target(&mut session, settings, registry, address, false).await?,
         terms: terms(settings, registry)?,
     };
-    super::check_sets(&work.target.family, DataSets::All(Store::Eeprom))?;
+    check_sets(&work.target.family, DataSets::All(Store::Eeprom))?;
     let session = &mut session;
-    match &args.action {
-        Action::Show { params } => work.show(session, params, &[1, 2, 3, 4]).await,
+    match action {
+        Action::Show { params } => work.show(session, params, &ALL).await,
         Action::Active => work.active(session).await,
         Action::Select { set, ram } => {
             let step = work.selection(*set, *ram)?;
@@ -122,29 +90,15 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             let store = if *ram { Store::Ram } else { Store::Eeprom };
             work.copy(session, *from, *to, store, params, *ask).await
         }
-        Action::Diff { a, b, params } => work.diff(session, *a, *b, params).await,
+        Action::Diff { pair, params } => work.diff(session, *pair, params).await,
     }
-}
-
-/// Data sets are those of one drive.
-fn only_one(addresses: &[u8]) -> Result<u8, Failure> {
-    let message = match addresses {
-        [0] => both!(
-            "expected the address of one drive, got 0 (everybody)",
-            "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
-        ),
-        &[address] => return Ok(address),
-        _ => both!(
-            "expected the address of one drive, got several",
-            "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
-        ),
-    };
-    Err(Failure::new(Class::Usage, "usage.address", message))
 }
 
 fn different_sets(action: &Action) -> Result<(), Failure> {
     match action {
-        Action::Copy { from, to, .. } | Action::Diff { a: from, b: to, .. } if from == to => Err(Failure::new(
+        Action::Copy { from, to, .. } if from != to => Ok(()),
+        Action::Diff { pair: [a, b], .. } if a != b => Ok(()),
+        Action::Copy { .. } | Action::Diff { .. } => Err(Failure::new(
             Class::Usage,
             "usage.data_set",
             both!("expected two different data sets", "erwartet: zwei verschiedene Datensätze"),
@@ -158,16 +112,16 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
     let settings = context.settings;
     let target = Target::new(address, offline_family(settings, context.registry)?);
     let work = Work { target, terms: terms(settings, context.registry)? };
-    let (params, sets): (_, &[u8]) = match action {
-        Action::Show { params } => (params, &[1, 2, 3, 4]),
-        Action::Diff { a, b, params } => (params, &[*a, *b]),
+    let (params, sets): (_, &[(u8, Store)]) = match action {
+        Action::Show { params } => (params, &ALL),
+        Action::Diff { pair, params } => (params, pair),
         Action::Active => {
             let family = &work.target.family;
             return plan(context, family, &role_questions(family, &["active-set", "set-selection"]));
         }
         Action::Select { set, ram } => {
             let step = work.selection(*set, *ram)?;
-            return super::write::plan_only(&work.terms, &[address], &work.target.family, &[step]);
+            return crate::command::write::plan_only(&work.terms, &[address], &work.target.family, &[step]);
         }
         Action::Copy { .. } => {
             let message = both!(
@@ -180,8 +134,10 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
             )));
         }
     };
+    let wire: Vec<u8> = sets.iter().flat_map(|&(set, store)| DataSets::One(set, store).wire()).collect();
+    let params = work.params(params)?;
     let questions: Vec<_> =
-        work.params(params)?.iter().flat_map(|param| sets.iter().map(move |&set| read_question(param, set))).collect();
+        params.iter().flat_map(|param| wire.iter().map(move |&set| read_question(param, set))).collect();
     plan(context, &work.target.family, &questions)
 }
 
@@ -239,7 +195,7 @@ impl Work<'_> {
             return Err(Failure::new(Class::No, "no.switchable", message)
                 .hint(both!("`read` shows what exists once", "`read` zeigt, was es einmal gibt")));
         }
-        params.iter().try_for_each(|param| super::check_number(family, param))?;
+        params.iter().try_for_each(|param| crate::command::check_number(family, param))?;
         Ok(params)
     }
 
@@ -248,7 +204,7 @@ impl Work<'_> {
         &mut self,
         session: &mut Session<'_>,
         texts: &[String],
-        sets: &[u8],
+        sets: &[(u8, Store)],
     ) -> Result<(Vec<DatasetRow>, Vec<Failure>, Vec<Warning>), Failure> {
         let mut rows = Vec::new();
         let named = !texts.is_empty();
@@ -257,8 +213,8 @@ impl Work<'_> {
         let mut reader = Reader::new(session, &mut self.target);
         for param in params {
             let mut values = Vec::new();
-            for &set in sets {
-                values.extend(reader.rows(&param, DataSets::One(set, Store::Eeprom)).await?);
+            for &(set, store) in sets {
+                values.extend(reader.rows(&param, DataSets::One(set, store)).await?);
             }
             if !named
                 && values.iter().all(|value| value.error.as_ref().is_some_and(|error| error.class == Class::Refused))
@@ -320,15 +276,26 @@ impl Work<'_> {
         Ok(Outcome::of(Data::Dataset(self.report(session, Vec::new()).await?)))
     }
 
-    async fn show(&mut self, session: &mut Session<'_>, texts: &[String], sets: &[u8]) -> Result<Outcome, Failure> {
+    async fn show(
+        &mut self,
+        session: &mut Session<'_>,
+        texts: &[String],
+        sets: &[(u8, Store)],
+    ) -> Result<Outcome, Failure> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
         let report = self.report(session, rows).await?;
         Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good) })
     }
 
-    async fn diff(&mut self, session: &mut Session<'_>, a: u8, b: u8, texts: &[String]) -> Result<Outcome, Failure> {
-        let mut outcome = self.show(session, texts, &[a, b]).await?;
+    async fn diff(
+        &mut self,
+        session: &mut Session<'_>,
+        pair: [(u8, Store); 2],
+        texts: &[String],
+    ) -> Result<Outcome, Failure> {
+        let [a, b] = pair.map(|(set, store)| DataSets::One(set, store));
+        let mut outcome = self.show(session, texts, &pair).await?;
         if let Some(Data::Dataset(report)) = &mut outcome.data {
             report.rows.retain(|row| !row.equal);
             if outcome.failure.is_none() && !report.rows.is_empty() {
@@ -357,7 +324,7 @@ impl Work<'_> {
         texts: &[String],
         ask: &mut dyn crate::gate::Ask,
     ) -> Result<Outcome, Failure> {
-        let (rows, failures, warnings) = self.rows(session, texts, &[from]).await?;
+        let (rows, failures, warnings) = self.rows(session, texts, &[(from, Store::Eeprom)]).await?;
         if let Some(failure) = failures.into_iter().next() {
             return Err(failure);
         }

@@ -1,0 +1,284 @@
+//! `dataset load`, `dataset undo`: parameter files into a drive, and back.
+
+use super::loaded::{applied_outcome, blank, dry_run, forbidden, not_all_back, outcome};
+use super::only_one;
+use super::opened::Opened;
+use crate::args::Settings;
+use crate::command::{Context, addresses_to_write, asking, connect, terms};
+use crate::drive::transaction::{self, Choice, Plan, UndoFile};
+use crate::drive::{Recognised, Session, Terms, job};
+use crate::failure::{Class, Failure};
+use crate::gate::{Ask, Permit, Question, Writing};
+use crate::outcome::{LoadEnd, Outcome, WriteResult};
+use crate::profile::paramfile::{Head, ParamFile, Provenance, SavedDrive, Settings as Values};
+use crate::profile::{Family, Registry, Store};
+use crate::text::both;
+use clap::Args as ClapArgs;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+/// Writes parameter files into a drive: all of it, or nothing.
+///
+/// Everything is checked and read first: family, ranges, types, and that the drive does not run. What the drive has already is
+/// not written. Old and new values are shown, and you are asked once. An undo file is left before the first byte. Each value is
+/// proven; if anything goes wrong, also by Ctrl-C, what was written goes back, and what could not is named (exit 9).
+#[derive(Clone, Debug, ClapArgs)]
+pub(super) struct LoadArgs {
+    /// Parameter files; later ones lie over earlier ones
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// Only these groups and parameters: motor,ramps,480-483
+    ///
+    /// `params` lists parameters; groups are those of `read @GROUP`. Settings of a bus are written only if they are named here, such as
+    /// by `bus`.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    only: Vec<String>,
+    /// Without these groups and parameters
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    except: Vec<String>,
+    /// Only these data sets, 0 for what exists once: 1,3
+    #[arg(long, value_name = "SETS", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(0..=4))]
+    sets: Vec<u8>,
+    /// Write to RAM only, until power-off
+    #[arg(long)]
+    ram: bool,
+    /// Where the undo file goes [default: beside FILE]
+    #[arg(long, value_name = "FILE")]
+    undo_file: Option<PathBuf>,
+}
+
+/// Takes a `dataset load` back.
+///
+/// Brings back the values that the undo file states, proven, wherever the load has ended. What is neither as before nor as written
+/// was changed since by somebody else, and stays (--force takes it back too).
+#[derive(Clone, Debug, ClapArgs)]
+pub(super) struct UndoArgs {
+    /// The undo file that `dataset load` has left
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+}
+
+/// Loads files.
+pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let address = only_one(&addresses_to_write(context.settings)?)?;
+    let (family, values) = read_all(&args.files, context.settings, context.registry)?;
+    let store = if args.ram { Store::Ram } else { Store::Eeprom };
+    let choice = Choice { only: args.only.clone(), except: args.except.clone(), sets: args.sets.clone(), store };
+    let (steps, left_out) = choice.steps(&values, &family)?;
+    let files = args.files.iter().map(|file| file.display().to_string()).collect();
+    let mut report = blank(address, &family, files, left_out);
+    if context.settings.dry_run {
+        return dry_run(context, report, &family, &steps);
+    }
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let terms = terms(settings, registry)?;
+    let drive = same_family(&mut session, &terms, address, &family).await?;
+    let head = head(&session, &drive);
+    let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
+    (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
+    report.node = session.node();
+    if let Some(failure) = forbidden(&mut plan) {
+        return Ok(outcome(report, plan, Vec::new(), Some(failure)));
+    }
+    let Some(permit) = permit(&mut session, *ask, &plan, Act::Load(&args.files)).await? else {
+        report.ended = Some(LoadEnd::Done);
+        return Ok(outcome(report, plan, Vec::new(), None));
+    };
+    let left = match (&args.undo_file, args.files.first()) {
+        (Some(path), _) => UndoFile::leave(path, &head, &plan)?,
+        (None, file) => UndoFile::leave_beside(file.map_or(Path::new("load"), PathBuf::as_path), &head, &plan)?,
+    };
+    let applied = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
+    report.undo_file = Some(left.path().display().to_string());
+    Ok(applied_outcome(report, plan, applied, left.path()))
+}
+
+/// Takes a load back.
+pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let address = only_one(&addresses_to_write(context.settings)?)?;
+    let opened = Opened::read(&args.file, context.registry, context.settings.drive.as_deref())?;
+    let Opened { file, family, .. } = opened;
+    same_address(&file, (address, context.settings.node), context.settings.force)?;
+    let mut report = blank(address, &family, vec![args.file.display().to_string()], Vec::new());
+    let (steps, from) = transaction::steps_back(&file, &family)?;
+    if context.settings.dry_run {
+        return dry_run(context, report, &family, &steps);
+    }
+    let from = if context.settings.force { BTreeMap::new() } else { from };
+    let Context { settings, registry, interrupt, observe, ask } = context;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let terms = terms(settings, registry)?;
+    let drive = same_family(&mut session, &terms, address, &family).await?;
+    same_product(&file, &drive, settings.force)?;
+    let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
+    (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
+    let (theirs, forbidding): (Vec<Failure>, _) =
+        std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == "forbidden.changed_since");
+    plan.failures = forbidding;
+    if let Some(failure) = forbidden(&mut plan) {
+        return Ok(outcome(report, plan, Vec::new(), Some(failure)));
+    }
+    let mut failures = theirs;
+    if let Some(permit) = permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
+        failures.extend(transaction::undo(&mut session, &mut plan, &permit).await.failures);
+    }
+    report.ended = Some(if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Torn });
+    let failure = not_all_back(failures);
+    Ok(outcome(report, plan, Vec::new(), failure))
+}
+
+/// What is asked about.
+#[derive(Clone, Copy)]
+enum Act<'a> {
+    Load(&'a [PathBuf]),
+    Undo(&'a Path),
+}
+
+/// Asks for permission; `None` if there is nothing to do.
+async fn permit(
+    session: &mut Session<'_>,
+    ask: &mut dyn Ask,
+    plan: &Plan,
+    act: Act<'_>,
+) -> Result<Option<Permit<Writing>>, Failure> {
+    let Some(Question { hazards, title, mut details }) = job::question(std::slice::from_ref(&plan.job)) else {
+        return Ok(None);
+    };
+    let title = match act {
+        Act::Load(files) => {
+            let files = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>().join(", ");
+            both!("{files}: {title}, all or nothing", "{files}: {title}, alle oder keinen", title)
+        }
+        Act::Undo(file) => {
+            both!("take back {file}: {title}", "{file} zurücknehmen: {title}", file = file.display(), title)
+        }
+    };
+    let unchanged = plan.job.rows.iter().filter(|row| row.result == WriteResult::Unchanged).count();
+    details.extend(plan.notes.iter().cloned());
+    if unchanged > 0 {
+        details.push(both!(
+            "equal already, and not written: {unchanged}",
+            "schon gleich und nicht geschrieben: {unchanged}"
+        ));
+    }
+    if plan.eeprom_writes > 0 {
+        let (there, back) = (plan.eeprom_writes, plan.eeprom_writes_back);
+        details.push(match act {
+            Act::Load(_) => both!(
+                "writes to the EEPROM: at most {there}; if all of it has to go back, at most {back} more",
+                "Schreibvorgänge im EEPROM: höchstens {there}; muss alles zurück, höchstens {back} weitere"
+            ),
+            Act::Undo(_) => {
+                both!("writes to the EEPROM: at most {there}", "Schreibvorgänge im EEPROM: höchstens {there}")
+            }
+        });
+    }
+    asking::on_line(session, ask, &Question { hazards, title, details }).await.map(Some)
+}
+
+/// The files, later ones over earlier ones, and the family that all of them are for.
+fn read_all(paths: &[PathBuf], settings: &Settings, registry: &Registry) -> Result<(Rc<Family>, Values), Failure> {
+    let mut laid: Option<(Rc<Family>, Values)> = None;
+    for path in paths {
+        let opened = Opened::read(path, registry, settings.drive.as_deref())?;
+        if !opened.file.head.saved.complete {
+            let message = both!(
+                "{path}: this file is not complete: the save was interrupted",
+                "{path}: diese Datei ist nicht vollständig: das Sichern wurde unterbrochen",
+                path = opened.file.path
+            );
+            return Err(Failure::new(Class::Data, "data.file_incomplete", message).hint(both!(
+                "`antrieb dataset save --resume` completes it; a file without `complete = false` is taken as it is",
+                "`antrieb dataset save --resume` vervollständigt sie; ohne `complete = false` wird sie genommen, wie sie ist"
+            )));
+        }
+        match &mut laid {
+            None => laid = Some((opened.family, opened.settings)),
+            Some((first, below)) => {
+                opened.fits(&first.drive)?;
+                below.lay_over(opened.settings);
+            }
+        }
+    }
+    laid.ok_or_else(|| Failure::new(Class::Usage, "usage.file", both!("expected a file", "erwartet: eine Datei")))
+}
+
+/// The drive, if it is of the family that the file is for.
+async fn same_family(
+    session: &mut Session<'_>,
+    terms: &Terms<'_>,
+    address: u8,
+    family: &Family,
+) -> Result<Recognised, Failure> {
+    let drive = terms.recognised(session, address, false).await?;
+    let found = &drive.target.family.drive;
+    if *found == family.drive {
+        return Ok(drive);
+    }
+    let message = both!(
+        "drive {address} is of the family '{found}', the file is for '{of}'; nothing was changed",
+        "Antrieb {address} ist von der Familie '{found}', die Datei ist für '{of}'; geändert wurde nichts",
+        of = family.drive
+    );
+    Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
+        "what two families have in common has the same numbers, not the same meaning",
+        "gleiche Nummern zweier Familien bedeuten nicht dasselbe"
+    )))
+}
+
+/// An undo file belongs to one drive.
+fn same_address(file: &ParamFile, at: (u8, u8), force: bool) -> Result<(), Failure> {
+    let SavedDrive { address, node, .. } = &file.head.drive;
+    let Some(of) = address.map(|of| (of, node.unwrap_or(0))).filter(|of| *of != at && !force) else { return Ok(()) };
+    let shown = |(address, node)| if node == 0 { format!("{address}") } else { format!("{address}.{node}") };
+    let message = both!(
+        "{path}: this undo file is of the drive with address {of}, not {at}",
+        "{path}: diese Datei nimmt am Antrieb mit Adresse {of} etwas zurück, nicht an {at}",
+        path = file.path,
+        of = shown(of),
+        at = shown(at)
+    );
+    Err(Failure::new(Class::Data, "data.other_drive", message).hint(both!(
+        "if the drive has another address now: --force; the values are compared all the same",
+        "wenn der Antrieb jetzt eine andere Adresse hat: --force; die Werte werden trotzdem verglichen"
+    )))
+}
+
+/// The same address may be another drive by now: what it calls itself must be the same too.
+fn same_product(file: &ParamFile, drive: &Recognised, force: bool) -> Result<(), Failure> {
+    let (of, found) = (&file.head.drive.product, &drive.product);
+    let (Some(of), Some(found)) = (of, found) else { return Ok(()) };
+    if of == found || force {
+        return Ok(());
+    }
+    let message = both!(
+        "{path}: this undo file is of '{of}', the drive calls itself '{found}'",
+        "{path}: diese Datei nimmt an '{of}' etwas zurück, der Antrieb nennt sich '{found}'",
+        path = file.path
+    );
+    Err(Failure::new(Class::Data, "data.other_drive", message)
+        .hint(both!("if it is the same drive all the same: --force", "wenn es trotzdem derselbe Antrieb ist: --force")))
+}
+
+/// What stands above the values of an undo file.
+fn head(session: &Session<'_>, drive: &Recognised) -> Head {
+    let saved = Provenance {
+        time: session.utc(),
+        tool: Some(format!("antrieb {}", env!("CARGO_PKG_VERSION"))),
+        port: Some(session.port().to_owned()),
+        line: Some(session.line().to_string()),
+        protocol: Some(session.protocol().to_string()),
+        complete: true,
+        ..Provenance::default()
+    };
+    let drive = SavedDrive {
+        family: drive.target.family.drive.clone(),
+        address: Some(drive.target.address),
+        node: Some(session.node()).filter(|node| *node != 0),
+        product: drive.product.clone(),
+        evidence: Vec::new(),
+    };
+    Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new() }
+}

@@ -1,0 +1,108 @@
+//! `dataset`: the four data sets of a drive, and its settings as a file.
+
+mod check;
+mod diff;
+mod load;
+mod loaded;
+mod opened;
+mod save;
+mod sets;
+mod weighing;
+mod which;
+
+use super::Context;
+use super::verb::{Verb, Working};
+use crate::args::Takes;
+use crate::drive::Upper;
+use crate::failure::{Class, Failure};
+use crate::outcome::{Dataset, Document, OrFile, OrLoad, Outcome};
+use crate::text::both;
+use clap::{Args as ClapArgs, Subcommand};
+
+/// Shows, selects, copies a drive's data sets; saves and compares its settings.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Action {
+    #[command(flatten)]
+    Sets(sets::Action),
+    /// Compare data sets, files, drives, factory settings; 1 if they differ
+    ///
+    /// A side is a data set (1-4, 1ram-4ram), a file of `dataset save`, `factory`, `drive` (the one at -a) or `drive:3`.
+    /// Two data sets are compared whole. Otherwise what a file holds is compared, or what has a known factory setting.
+    Diff(diff::Options),
+    /// Save a drive's settings into a file
+    ///
+    /// Every parameter that is a setting is read, in all four data sets, as it is stored in the EEPROM. The file is text (TOML): a
+    /// line for each value, and in its head what it does not hold and why. It is written whole or not at all; what an interrupted
+    /// save has read is kept in FILE.part, and --resume goes on with it.
+    Save(save::Options),
+    /// Check a drive against a file; exits with 1 if they differ
+    ///
+    /// Asked is what the file holds, and nothing else.
+    Check(check::Options),
+    /// Write parameter files into a drive: all of it, or nothing
+    Load(load::LoadArgs),
+    /// Take a `dataset load` back, by the undo file that it left
+    Undo(load::UndoArgs),
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "dataset";
+    const TAKES: Takes = Takes::WRITES;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim -a 1 dataset show 372",
+        "antrieb --port sim -a 1 dataset active",
+        "antrieb --port sim -a 1 dataset select 2 --ram --yes",
+        "antrieb --port sim -a 1 dataset copy 1 2 480-483 --yes",
+        "antrieb --port sim -a 1 dataset diff 1 2 372",
+        "antrieb --port sim -a 1 dataset diff factory drive",
+        "antrieb --port sim -a 1 dataset save pump.toml",
+        "antrieb --port sim -a 1,2 dataset save --changed 'drive-{address}.toml'",
+        "antrieb --port sim -a 1 dataset check pump.toml",
+        "antrieb --port sim -a 1 dataset load base.toml extra.toml --yes",
+        "antrieb --port sim -a 1 dataset load base.toml --only motor,ramps --dry-run",
+        "antrieb --port sim -a 1 dataset undo base.undo.toml --yes",
+    ];
+    const UPPER: Upper = Upper::drive(30).each(48, "parameter");
+    type Prints = Document<OrFile<OrLoad<Dataset>>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
+}
+
+/// Works on the data sets of one drive, or on files.
+pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    match &args.action {
+        Action::Save(options) => save::run(options, context).await,
+        Action::Check(options) => check::run(options, context).await,
+        Action::Diff(options) => match options.sets() {
+            Some(pair) => sets::run(&sets::Action::Diff { pair, params: options.params.clone() }, context).await,
+            None => diff::run(options, context).await,
+        },
+        Action::Load(options) => load::load(options, context).await,
+        Action::Undo(options) => load::undo(options, context).await,
+        Action::Sets(action) => sets::run(action, context).await,
+    }
+}
+
+/// Data sets are those of one drive.
+fn only_one(addresses: &[u8]) -> Result<u8, Failure> {
+    let message = match addresses {
+        [0] => both!(
+            "expected the address of one drive, got 0 (everybody)",
+            "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
+        ),
+        &[address] => return Ok(address),
+        _ => both!(
+            "expected the address of one drive, got several",
+            "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
+        ),
+    };
+    Err(Failure::new(Class::Usage, "usage.address", message))
+}

@@ -1,0 +1,78 @@
+//! A parameter file that the user named: read, and taken by the catalogue of its family.
+
+use crate::failure::{Class, Failure};
+use crate::files;
+use crate::profile::paramfile::{ParamFile, Settings};
+use crate::profile::{Family, Registry};
+use crate::text::{Text, both};
+use std::path::Path;
+use std::rc::Rc;
+
+/// A parameter file.
+#[derive(Debug)]
+pub(super) struct Opened {
+    pub(super) file: ParamFile,
+    pub(super) family: Rc<Family>,
+    pub(super) settings: Settings,
+}
+
+impl Opened {
+    /// Reads a file; of another family than `named`, if one was, it is refused.
+    pub(super) fn read(path: &Path, registry: &Registry, named: Option<&str>) -> Result<Self, Failure> {
+        let shown = path.display().to_string();
+        let bad = |code: &str, why: Text| Failure::new(Class::Data, code, why);
+        let text = files::read(path, files::TEXT).map_err(|error| {
+            bad("data.parameter_file", both!("{shown}: {why}", "{shown}: {why}", why = error.text()))
+        })?;
+        let broken = |fault: crate::profile::paramfile::FileFault| match fault.newer {
+            true => bad("data.newer_format", fault.text())
+                .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
+            false => bad("data.parameter_file", fault.text()).hint(both!(
+                "docs/parameter-files.md tells the format",
+                "docs/parameter-files.md beschreibt das Format"
+            )),
+        };
+        let file = ParamFile::parse(&shown, &text).map_err(broken)?;
+        let word = &file.head.drive.family;
+        let family = registry.family(word).ok_or_else(|| {
+            let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
+            let why = both!(
+                "{shown}: no catalogue knows the family '{word}' (expected: {known})",
+                "{shown}: kein Katalog kennt die Familie '{word}' (erwartet: {known})",
+                known = known.join(", ")
+            );
+            bad("data.unknown_family", why).hint(both!(
+                "--catalogue FILE brings a family of your own",
+                "--catalogue DATEI bringt eine eigene Familie mit"
+            ))
+        })?;
+        let settings = file.settings(&family).map_err(broken)?;
+        let opened = Opened { file, family, settings };
+        named.map_or(Ok(()), |named| opened.fits(named))?;
+        Ok(opened)
+    }
+
+    /// Refuses a drive of another family.
+    pub(super) fn fits(&self, drive: &str) -> Result<(), Failure> {
+        let own = &self.file.head.drive.family;
+        // As the registry knows them.
+        if own.eq_ignore_ascii_case(drive) {
+            return Ok(());
+        }
+        let message = both!(
+            "{path} is for drives of the family {own}, the drive is a {drive}",
+            "{path} ist für Antriebe der Familie {own}, der Antrieb ist ein {drive}",
+            path = self.file.path
+        );
+        Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
+            "take a file that was saved from such a drive",
+            "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde"
+        )))
+    }
+
+    /// Whether it was changed since it was saved; `None` if it carries no signature.
+    pub(super) fn is_edited(&self) -> Option<bool> {
+        let saved = self.file.head.saved.signature.as_ref()?;
+        Some(*saved != self.settings.signature(&self.family.drive).to_string())
+    }
+}

@@ -1,0 +1,316 @@
+//! `dataset save`: a drive's settings into a file.
+
+use super::opened::Opened;
+use crate::command::verb::Verb;
+use crate::command::{Context, addresses_to_read, connect, offline_family, plan, read_question, terms};
+use crate::drive::paramfile::{Draft, Harvest, Wanted, factory, harvest, left_out, rows};
+use crate::drive::{Recognised, Session, is_over, summary};
+use crate::failure::{Class, Failure};
+use crate::files::{self, FileError};
+use crate::outcome::{Data, ErrorDoc, Outcome, SavedFile, Saves};
+use crate::profile::Family;
+use crate::profile::paramfile::{NotHeld, Scope, numbers};
+use crate::text::both;
+use clap::Args as ClapArgs;
+use std::path::{Path, PathBuf};
+
+/// What stands for the address in the name of a file.
+pub(super) const ADDRESS: &str = "{address}";
+
+#[derive(Clone, Debug, ClapArgs)]
+pub(super) struct Options {
+    /// The file; with {address} in its name, or a directory: one a drive
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Only what differs from the factory settings that are known
+    #[arg(long, conflicts_with = "discover")]
+    changed: bool,
+    /// All numbers 0-1599, also those that no catalogue knows
+    #[arg(long)]
+    discover: bool,
+    /// Go on with a save that was interrupted
+    #[arg(long)]
+    resume: bool,
+}
+
+/// Where the settings of a drive go.
+#[derive(Debug)]
+struct Goal {
+    address: u8,
+    file: PathBuf,
+    /// What an interrupted save leaves.
+    part: PathBuf,
+    before: Option<Opened>,
+}
+
+pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if context.settings.dry_run {
+        return options.dry_run(context);
+    }
+    let addresses = addresses_to_read(context.settings, context.observe)?;
+    let goal = |&address: &u8| options.goal(address, addresses.len() > 1, context);
+    let goals = addresses.iter().map(goal).collect::<Result<Vec<_>, _>>()?;
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let terms = terms(settings, registry)?;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let (mut saved, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
+    for goal in &goals {
+        session.allow(session.now(), <super::Args as Verb>::UPPER.drive);
+        let one = match terms.recognised(&mut session, goal.address, false).await {
+            Ok(drive) => save(options, &mut session, drive, goal, settings.force).await,
+            Err(failure) => Err(failure),
+        };
+        let (row, failure) = match one {
+            Ok((row, failure)) => (row, failure),
+            Err(failure) => (options.nothing(goal, &failure), Some(failure)),
+        };
+        succeeded += usize::from(!row.values.is_empty());
+        saved.push(row);
+        let over = failure.as_ref().is_some_and(is_over);
+        failures.extend(failure);
+        if over {
+            break;
+        }
+    }
+    if let Some(why) = failures.last().filter(|_| saved.len() < goals.len()).cloned() {
+        let left = goals.iter().skip(saved.len()).map(|goal| options.nothing(goal, &why)).collect::<Vec<_>>();
+        saved.extend(left);
+    }
+    let failure = match failures.as_slice() {
+        // One drive's own failure says what is missing.
+        [only] if goals.len() == 1 => Some(only.clone()),
+        _ => summary(failures, succeeded),
+    };
+    Ok(Outcome { data: Some(Data::Saves(Saves { saved })), warnings: Vec::new(), failure })
+}
+
+/// Reads a drive and writes its file, or what there is of it beside.
+async fn save(
+    options: &Options,
+    session: &mut Session<'_>,
+    mut drive: Recognised,
+    goal: &Goal,
+    force: bool,
+) -> Result<(SavedFile, Option<Failure>), Failure> {
+    let family = drive.target.family.clone();
+    let scope = options.scope(goal);
+    let mut before = Harvest::default();
+    if let Some(opened) = &goal.before {
+        opened.fits(&family.drive)?;
+        same_drive(opened, (goal.address, session.node()), drive.product.as_deref())?;
+        before = resumed(opened);
+    }
+    let wanted = Wanted::of(scope, &family)?;
+    wanted.left.iter().for_each(|&(number, reason)| before.leave(number, reason));
+    session.allow(session.now(), <super::Args as Verb>::UPPER.questions(wanted.asked.len() as u64));
+    let draft = Draft::of(session, &drive, scope);
+    // Where it cannot be written, that is told before the drive is asked for all of it.
+    let mut first = before.clone();
+    let open: Vec<u32> = wanted.asked.iter().map(|one| one.param.id).filter(|id| first.is_open(*id)).collect();
+    open.into_iter().for_each(|id| first.leave(id, NotHeld::NotAsked));
+    write(&goal.part, &draft.text(&first), true)?;
+    // What is kept on the way is a kindness: where that fails, the end says so.
+    let mut keep = |so_far: &Harvest| drop(write(&goal.part, &draft.text(so_far), true));
+    let mut done = harvest(session, &mut drive.target, &wanted.asked, before, &mut keep).await;
+    if scope == Scope::Changed && done.is_complete() {
+        leave_factory(&mut done, &family);
+    }
+    let failure = done.failure().map(|failure| unfinished(failure, goal));
+    let file = store(goal, &draft.text(&done), &done, force)?;
+    let signature = done.settings.signature(&family.drive);
+    let row = SavedFile {
+        address: goal.address,
+        drive: family.drive.clone(),
+        file: file.map(|file| file.display().to_string()),
+        scope: scope.name(),
+        complete: done.is_complete(),
+        signature: Some(signature.to_string()),
+        values: rows(session, &drive.target, &done.settings),
+        not_held: left_out(&done),
+        error: failure.as_ref().map(ErrorDoc::from),
+    };
+    Ok((row, failure))
+}
+
+/// Writes the whole file; what is not whole goes beside it.
+fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<Option<&'g Path>, Failure> {
+    if done.is_complete() {
+        write(&goal.file, text, force)?;
+        // It stands in the file now.
+        let _gone = files::remove(&goal.part);
+        return Ok(Some(&goal.file));
+    }
+    if done.settings.is_empty() {
+        let _gone = files::remove(&goal.part);
+        return Ok(None);
+    }
+    write(&goal.part, text, true)?;
+    Ok(Some(&goal.part))
+}
+
+fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
+    files::write_whole(path, text, force).map_err(|error| unwritten(path, &error))
+}
+
+fn unwritten(path: &Path, error: &FileError) -> Failure {
+    let message = both!("{path}: {why}", "{path}: {why}", path = path.display().to_string(), why = error.text());
+    let failure = Failure::new(Class::Data, "data.output", message);
+    match error {
+        FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
+        _ => failure,
+    }
+}
+
+/// What was begun with one drive is not gone on with by another: its values would stand among those of the first.
+fn same_drive(opened: &Opened, at: (u8, u8), product: Option<&str>) -> Result<(), Failure> {
+    let of = &opened.file.head.drive;
+    let is_place = of.address.is_none_or(|address| (address, of.node.unwrap_or(0)) == at);
+    let is_product = of.product.as_deref().zip(product).is_none_or(|(of, found)| of == found);
+    if is_place && is_product {
+        return Ok(());
+    }
+    let message = both!(
+        "{path} was begun with another drive (address {address})",
+        "{path} wurde mit einem anderen Antrieb begonnen (Adresse {address})",
+        path = opened.file.path,
+        address = of.address.unwrap_or(0)
+    );
+    Err(Failure::new(Class::Data, "data.other_drive", message)
+        .hint(both!("without --resume it is saved anew", "ohne --resume wird neu gesichert")))
+}
+
+/// What an interrupted save had read.
+fn resumed(opened: &Opened) -> Harvest {
+    let head = &opened.file.head;
+    let numbers = head.not_held.iter().map(|(&reason, list)| (reason, numbers(list).unwrap_or_default()));
+    Harvest {
+        settings: opened.settings.clone(),
+        not_held: numbers.collect(),
+        types: head.types.clone(),
+        ..Harvest::default()
+    }
+}
+
+/// Leaves out what has its factory setting.
+fn leave_factory(done: &mut Harvest, family: &Family) {
+    let factory = factory(family);
+    let params: Vec<u32> = done.settings.params().map(|param| param.id).collect();
+    let is_factory = |number, raw| factory.get(number, 0).is_some_and(|one| one.raw == raw);
+    done.settings.retain(|one| !is_factory(one.param.id, one.raw));
+    for number in params {
+        if !done.settings.params().any(|param| param.id == number) {
+            done.leave(number, NotHeld::FactorySetting);
+        }
+    }
+}
+
+/// Says where what was read is kept, and how it goes on.
+fn unfinished(failure: Failure, goal: &Goal) -> Failure {
+    let (file, part) = (goal.file.display().to_string(), goal.part.display().to_string());
+    let Failure { message, .. } = &failure;
+    let message =
+        both!("{message}; what was read stands in {part}", "{message}; was gelesen wurde, steht in {part}", message);
+    let hint = both!("`dataset save {file} --resume` goes on", "`dataset save {file} --resume` setzt fort");
+    Failure { message, ..failure }.hint(hint)
+}
+
+impl Options {
+    /// Where the settings of the drive at an address go, and what there is of them.
+    fn goal(&self, address: u8, several: bool, context: &Context<'_>) -> Result<Goal, Failure> {
+        let file = self.path(address, several)?;
+        let mut name = file.file_name().unwrap_or_default().to_owned();
+        name.push(".part");
+        let part = file.with_file_name(name);
+        let settings = context.settings;
+        let exists = |path: &Path| files::found(path).is_some();
+        let directory = file.parent().filter(|directory| !directory.as_os_str().is_empty());
+        if let Some(directory) = directory.filter(|directory| files::found(directory) != Some(true)) {
+            let shown = directory.display().to_string();
+            let message = both!("{shown} is no directory", "{shown} ist kein Verzeichnis");
+            return Err(Failure::new(Class::Data, "data.output", message));
+        }
+        if exists(&file) && !settings.force {
+            return Err(unwritten(&file, &FileError::Exists));
+        }
+        if self.resume && exists(&part) {
+            let before = Opened::read(&part, context.registry, settings.drive.as_deref())?;
+            return Ok(Goal { address, file, part, before: Some(before) });
+        }
+        let shown = part.display().to_string();
+        if self.resume {
+            let message = both!(
+                "there is nothing to go on with: {shown} is not there",
+                "es gibt nichts fortzusetzen: {shown} gibt es nicht"
+            );
+            return Err(Failure::new(Class::Data, "data.resume", message)
+                .hint(both!("without --resume it begins anew", "ohne --resume beginnt es von vorn")));
+        }
+        if exists(&part) && !settings.force {
+            let message = both!(
+                "an earlier save was interrupted: {shown} is there",
+                "ein früheres Sichern wurde unterbrochen: {shown} ist da"
+            );
+            return Err(Failure::new(Class::Data, "data.resume", message).hint(both!(
+                "--resume goes on with it, --force begins anew",
+                "--resume setzt es fort, --force beginnt von vorn"
+            )));
+        }
+        Ok(Goal { address, file, part, before: None })
+    }
+
+    /// The file of the drive at an address.
+    fn path(&self, address: u8, several: bool) -> Result<PathBuf, Failure> {
+        let name = self.file.to_string_lossy();
+        if name.contains(ADDRESS) {
+            return Ok(PathBuf::from(name.replace(ADDRESS, &address.to_string())));
+        }
+        if files::found(&self.file) == Some(true) {
+            return Ok(self.file.join(format!("drive-{address}.toml")));
+        }
+        if several {
+            let message = both!(
+                "one file holds one drive, and several addresses were given",
+                "eine Datei fasst einen Antrieb, und es sind mehrere Adressen angegeben"
+            );
+            return Err(Failure::new(Class::Usage, "usage.file", message).hint(both!(
+                "put {{address}} into its name, or name a directory",
+                "{{address}} in ihren Namen setzen oder ein Verzeichnis angeben"
+            )));
+        }
+        Ok(self.file.clone())
+    }
+
+    /// What the file is to hold; one that is gone on with says it itself.
+    fn scope(&self, goal: &Goal) -> Scope {
+        let begun = goal.before.as_ref().and_then(|before| before.file.head.saved.scope);
+        begun.unwrap_or(match (self.changed, self.discover) {
+            (true, _) => Scope::Changed,
+            (_, true) => Scope::Discovered,
+            _ => Scope::Settings,
+        })
+    }
+
+    /// The row of a drive of which nothing was read.
+    fn nothing(&self, goal: &Goal, failure: &Failure) -> SavedFile {
+        SavedFile {
+            address: goal.address,
+            drive: "unknown".to_owned(),
+            file: None,
+            scope: self.scope(goal).name(),
+            complete: false,
+            signature: None,
+            values: Vec::new(),
+            not_held: Vec::new(),
+            error: Some(ErrorDoc::from(failure)),
+        }
+    }
+
+    /// The questions, as if the four data sets of everything were equal.
+    fn dry_run(&self, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+        let family = offline_family(context.settings, context.registry)?;
+        let scope = self.scope(&Goal { address: 0, file: PathBuf::new(), part: PathBuf::new(), before: None });
+        let wanted = Wanted::of(scope, &family)?;
+        let questions: Vec<_> = wanted.asked.iter().map(|one| read_question(&one.param, 0)).collect();
+        plan(context, &family, &questions)
+    }
+}

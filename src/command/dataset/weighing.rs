@@ -1,0 +1,255 @@
+//! Two sides of a comparison, and what comes of it.
+
+use super::opened::Opened;
+use super::which::Which;
+use crate::command::verb::Verb;
+use crate::drive::paramfile::{Asking, Harvest, compare, factory, harvest, held, of_file, of_set, unified};
+use crate::drive::{Session, Target, Terms, summary};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Comparison, Comparisons, Data, ErrorDoc, Outcome, Side, Warning};
+use crate::profile::paramfile::Settings;
+use crate::profile::{Family, Store};
+use crate::text::{Text, both};
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// A side on its way to being compared.
+#[derive(Debug)]
+pub(super) struct Weight {
+    pub(super) family: Rc<Family>,
+    pub(super) settings: Settings,
+    /// The drive that is asked for it.
+    pub(super) live: Option<Live>,
+    side: Side,
+    /// A file that an interrupted save has left.
+    is_part: bool,
+    harvest: Option<Harvest>,
+}
+
+/// A drive, and the data set that is meant if it is not all of it.
+#[derive(Debug)]
+pub(super) struct Live {
+    target: Target,
+    set: Option<(u8, Store)>,
+}
+
+impl Weight {
+    pub(super) fn of(
+        which: &Which,
+        file: Option<&Opened>,
+        target: Option<Target>,
+        family: &Rc<Family>,
+    ) -> Result<Self, Failure> {
+        let side = |kind, name| Side {
+            kind,
+            name,
+            drive: family.drive.clone(),
+            address: target.as_ref().map(|target| target.address),
+            signature: None,
+            edited: file.and_then(Opened::is_edited),
+        };
+        let of_drive = || {
+            let address = target.as_ref().map_or(0, |target| target.address);
+            both!("drive {address}", "Antrieb {address}")
+        };
+        let (side, settings, set) = match which {
+            Which::Factory => (side("factory", both!("factory settings", "Werkseinstellungen")), factory(family), None),
+            Which::File(path) => {
+                let settings = file.map(|file| file.settings.clone()).unwrap_or_default();
+                (side("file", Text::name(path.display())), settings, None)
+            }
+            Which::Drive(_) => (side("drive", of_drive()), Settings::default(), None),
+            &Which::Set(set, store) => {
+                crate::command::check_sets(family, crate::profile::DataSets::One(set, store))?;
+                let ram = if store == Store::Ram { "ram" } else { "" };
+                let name = both!("{drive}, data set {set}{ram}", "{drive}, Datensatz {set}{ram}", drive = of_drive());
+                (side("set", name), Settings::default(), Some((set, store)))
+            }
+        };
+        let live = target.map(|target| Live { target, set });
+        let is_part = file.is_some_and(|file| !file.file.head.saved.complete);
+        Ok(Weight { family: family.clone(), settings, live, side, is_part, harvest: None })
+    }
+
+    /// The data set that is meant, if it is not all of the drive.
+    pub(super) fn set(&self) -> Option<(u8, Store)> {
+        self.live.as_ref()?.set
+    }
+
+    /// Asks the drive.
+    pub(super) async fn ask(&mut self, session: &mut Session<'_>, asked: &[Asking]) {
+        let Some(live) = &mut self.live else { return };
+        session.allow(session.now(), <super::Args as Verb>::UPPER.questions(asked.len() as u64));
+        let done = harvest(session, &mut live.target, asked, Harvest::default(), &mut |_| {}).await;
+        self.settings = done.settings.clone();
+        self.harvest = Some(done);
+    }
+
+    /// Asks the drive for what the other side names, and keeps of that what both can have.
+    pub(super) async fn fill(&mut self, session: &mut Session<'_>, other: &mut Weight) {
+        if self.live.is_none() || self.harvest.is_some() {
+            return;
+        }
+        let asked = match self.set() {
+            Some((set, store)) => of_set(&other.settings, set, store),
+            None => of_file(&other.settings, &self.family),
+        };
+        if let Some((set, _)) = self.set() {
+            other.settings = held(&other.settings, set);
+            other.settings.retain(|one| asked.iter().any(|asking| asking.param.id == one.param.id));
+        }
+        self.ask(session, &asked).await;
+    }
+
+    /// What is odd about a file.
+    fn warnings(&self) -> impl Iterator<Item = Warning> {
+        let name = &self.side.name;
+        let edited = (self.side.edited == Some(true)).then(|| Warning {
+            code: "file.edited".to_owned(),
+            message: both!(
+                "{name} was changed since it was saved: its signature is another one",
+                "{name} wurde seit dem Sichern geändert: die Signatur ist eine andere",
+                name
+            ),
+        });
+        let part = self.is_part.then(|| Warning {
+            code: "file.part".to_owned(),
+            message: both!(
+                "{name} is what an interrupted save has left: not all of the drive is in it",
+                "{name} stammt von einem unterbrochenen Sichern: nicht alles vom Antrieb steht darin",
+                name
+            ),
+        });
+        edited.into_iter().chain(part)
+    }
+
+    /// Why the drive did not tell all.
+    fn failure(&self) -> Option<Failure> {
+        self.harvest.as_ref().and_then(Harvest::failure)
+    }
+}
+
+/// What came of a comparison.
+#[derive(Debug)]
+pub(super) struct Weighed {
+    comparison: Comparison,
+    pub(super) failure: Option<Failure>,
+    warnings: Vec<Warning>,
+}
+
+impl Weighed {
+    /// Holds two sides against each other; what only one of them has counts for both if `all`.
+    pub(super) fn of(mut a: Weight, mut b: Weight, all: bool, is_unified: bool) -> Self {
+        let family = a.family.clone();
+        if [&a, &b].iter().any(|one| one.side.kind == "factory") {
+            // The catalogue knows what this drive need not have, and of much it knows no factory setting.
+            let both = |number, one: &Weight| one.settings.params().any(|param| param.id == number);
+            let common: BTreeSet<u32> = a.settings.params().map(|param| param.id).filter(|id| both(*id, &b)).collect();
+            [&mut a, &mut b].into_iter().for_each(|one| one.settings.retain(|row| common.contains(&row.param.id)));
+        }
+        let open: BTreeSet<u32> =
+            [&a, &b].iter().filter_map(|one| one.harvest.as_ref()).flat_map(Harvest::open).collect();
+        [&mut a, &mut b].into_iter().for_each(|one| one.settings.retain(|row| !open.contains(&row.param.id)));
+        let mut failures = BTreeMap::new();
+        for one in [&a, &b] {
+            failures.extend(one.harvest.iter().flat_map(|harvest| harvest.failures.clone()));
+        }
+        let compared = compare(&a.settings, &b.settings, all, &failures, &family);
+        let names = [&a.side.name, &b.side.name];
+        let unified = is_unified.then(|| unified(names, &compared.differences, &family));
+        let missing = a.failure().or_else(|| b.failure());
+        let count = compared.differences.len();
+        let differ = (count > 0).then(|| differing(count));
+        let none = (compared.count == 0).then(nothing_to_compare);
+        for one in [&mut a, &mut b] {
+            one.side.signature = Some(one.settings.signature(&family.drive).to_string());
+        }
+        let warnings = [&a, &b].into_iter().flat_map(Weight::warnings).collect();
+        let equal = if missing.is_some() || compared.count == 0 { None } else { Some(count == 0) };
+        let comparison = Comparison {
+            a: a.side,
+            b: b.side,
+            equal: if count > 0 { Some(false) } else { equal },
+            compared: compared.count,
+            differences: compared.differences,
+            error: missing.as_ref().map(ErrorDoc::from),
+            unified,
+        };
+        Weighed { comparison, failure: missing.or(differ).or(none), warnings }
+    }
+
+    /// A file whose drive could not be asked at all.
+    pub(super) fn failed(file: &Opened, address: u8, failure: Failure) -> Self {
+        let side = |kind, name, drive: &str| Side {
+            kind,
+            name,
+            drive: drive.to_owned(),
+            address: None,
+            signature: None,
+            edited: None,
+        };
+        let comparison = Comparison {
+            a: side("file", Text::name(&file.file.path), &file.family.drive),
+            b: Side {
+                address: Some(address),
+                ..side("drive", both!("drive {address}", "Antrieb {address}"), "unknown")
+            },
+            equal: None,
+            compared: 0,
+            differences: Vec::new(),
+            error: Some(ErrorDoc::from(&failure)),
+            unified: None,
+        };
+        Weighed { comparison, failure: Some(failure), warnings: Vec::new() }
+    }
+}
+
+/// Holds the drive at an address against a file.
+pub(super) async fn against_drive(
+    session: &mut Session<'_>,
+    terms: &Terms<'_>,
+    address: u8,
+    file: &Opened,
+    is_unified: bool,
+) -> Result<Weighed, Failure> {
+    let target = terms.target(session, address, false).await?;
+    file.fits(&target.family.drive)?;
+    let which = Which::File(file.file.path.as_ref().into());
+    let mut a = Weight::of(&which, Some(file), None, &file.family)?;
+    let mut b = Weight::of(&Which::Drive(None), None, Some(target), &file.family)?;
+    b.fill(session, &mut a).await;
+    Ok(Weighed::of(a, b, false, is_unified))
+}
+
+fn differing(count: usize) -> Failure {
+    let message = match count {
+        1 => both!("1 value differs", "1 Wert ist verschieden"),
+        count => both!("{count} values differ", "{count} Werte sind verschieden"),
+    };
+    Failure::new(Class::No, "no.differences", message)
+}
+
+fn nothing_to_compare() -> Failure {
+    let message = both!("there is nothing to compare", "es gibt nichts zu vergleichen");
+    Failure::new(Class::No, "no.common", message).hint(both!(
+        "the sides have no parameter in common of which both are known",
+        "die Seiten haben keinen Parameter gemeinsam, von dem beide bekannt sind"
+    ))
+}
+
+/// The outcome of comparisons, one a drive.
+pub(super) fn told(weighed: Vec<Weighed>) -> Outcome {
+    let (mut comparisons, mut failures, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    for Weighed { comparison, failure, warnings: more } in weighed {
+        comparisons.push(comparison);
+        failures.extend(failure);
+        warnings.extend(more);
+    }
+    let broken: Vec<_> = failures.iter().filter(|failure| failure.class != Class::No).cloned().collect();
+    let failure = match broken.as_slice() {
+        [] => failures.into_iter().next(),
+        [only] if comparisons.len() == 1 => Some(only.clone()),
+        _ => summary(broken.clone(), comparisons.len() - broken.len()),
+    };
+    Outcome { data: Some(Data::Comparisons(Comparisons { comparisons })), warnings, failure }
+}

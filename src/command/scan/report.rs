@@ -1,0 +1,244 @@
+//! What came of the search: one result of all ports, and why it is not all that was asked for.
+
+use super::Args;
+use crate::args::Settings;
+use crate::drive::{Port, ScanResult, Searched, ranges};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, FoundDrive, Outcome, Scan, Search, Warning};
+use crate::text::{Text, both};
+use crate::tick::Span;
+
+/// One result of all that the ports brought.
+pub(super) fn report(
+    args: &Args,
+    settings: &Settings,
+    ports: &[Port],
+    lines: Vec<Result<ScanResult, Failure>>,
+    before: Option<Scan>,
+) -> Outcome {
+    let (mut drives, mut searches) = before.map_or_else(Default::default, |scan| (scan.drives, scan.searches));
+    let (mut sum, mut is_over_time) = (Sum { complete: true, ..Sum::default() }, false);
+    let (mut warnings, mut failures): (Vec<Warning>, Vec<Failure>) = (Vec::new(), Vec::new());
+    for (port, line) in ports.iter().zip(lines) {
+        let result = match line {
+            Ok(result) => result,
+            Err(failure) => {
+                sum.complete = false;
+                failures.push(failure);
+                continue;
+            }
+        };
+        let left_out = result.left_out();
+        // What was meant to end early leaves nothing out.
+        let is_cut = result.cut.is_some() || result.is_over_time || left_out.is_some();
+        is_over_time |= result.is_over_time;
+        drives.extend(result.drives);
+        warnings.extend(result.warnings);
+        warnings.extend(coverage(port, ports.len(), &result.searched).filter(|_| is_cut));
+        failures.extend(result.yielded.then(other_master).or(left_out));
+        failures.extend(result.cut.map(|error| {
+            let mut failure = error.failure(0, None);
+            failure.context.clear();
+            failure
+        }));
+        sum.left = sum.left.longer(result.left);
+        for searched in &result.searched {
+            sum.add(searched);
+            let search = search(port, searched);
+            searches.retain(|old: &Search| {
+                (&old.port, &old.line, &old.protocol) != (&search.port, &search.line, &search.protocol)
+            });
+            searches.push(search);
+        }
+    }
+    let is_over_time = args.within.filter(|_| is_over_time);
+    let failure = verdict(settings, failures, ports.len(), drives.is_empty(), &sum);
+    let failure = failure.map(|failure| match is_over_time {
+        Some(within) if failure.code == NOBODY => over_time(within, &sum),
+        _ => failure,
+    });
+    let data = sum.scan(settings, ports, drives, searches);
+    Outcome { data: Some(Data::Scan(data)), warnings, failure }
+}
+
+/// How much was to be asked on all ports, and how much was.
+#[derive(Debug, Default)]
+struct Sum {
+    addresses: usize,
+    asked: usize,
+    settings: usize,
+    done: usize,
+    complete: bool,
+    left: Span,
+}
+
+impl Sum {
+    /// What was searched, and what it brought.
+    fn scan(&self, settings: &Settings, ports: &[Port], mut drives: Vec<FoundDrive>, searches: Vec<Search>) -> Scan {
+        let names: Vec<String> = ports.iter().map(ToString::to_string).collect();
+        // In the order of the addresses, not of the finds, so that two scans of one line give the same document.
+        drives.sort_by_key(|drive| (names.iter().position(|name| *name == drive.port), drive.address));
+        let unknown = settings.unknown;
+        let auto = |is_unknown: bool, known: String| if is_unknown { "auto".to_owned() } else { known };
+        Scan {
+            port: names.join(", "),
+            line: auto(unknown.baud || unknown.parity, settings.line.to_string()),
+            protocol: auto(unknown.protocol, settings.protocol.name().to_owned()),
+            addresses: self.addresses,
+            asked: self.asked,
+            complete: self.complete,
+            settings: self.settings,
+            settings_done: self.done,
+            left_s: if self.complete { 0 } else { self.left.as_millis().div_ceil(1_000) },
+            drives,
+            searches,
+        }
+    }
+
+    fn add(&mut self, searched: &Searched) {
+        self.addresses += searched.wanted.len();
+        self.asked += searched.asked.len();
+        self.settings += 1;
+        self.done += usize::from(searched.is_complete());
+        self.complete &= searched.is_complete();
+    }
+}
+
+/// What a search that ended early has covered, and what it has not; settings with the same addresses in one.
+fn coverage(port: &Port, ports: usize, searched: &[Searched]) -> Option<Warning> {
+    if searched.len() == 1 || searched.iter().all(Searched::is_complete) {
+        return None;
+    }
+    let port = if ports > 1 { format!("{port}: ") } else { String::new() };
+    let (asked, open) = (grouped(searched, |row| ranges(&row.asked)), grouped(searched, |row| ranges(&row.open())));
+    let message =
+        both!("{port}asked: {asked}; left open: {open}", "{port}gefragt: {asked}; offen: {open}", asked, open);
+    Some(Warning { code: "scan.open".to_owned(), message })
+}
+
+/// `1-247 at 19200 8E1 rtu, 1-32 at 48 settings`.
+fn grouped(searched: &[Searched], addresses: impl Fn(&Searched) -> String) -> Text {
+    let mut groups: Vec<(String, Vec<String>)> = Vec::new();
+    for row in searched {
+        let (of, setting) = (few(addresses(row)), row.tuning.to_string());
+        match groups.iter_mut().find(|group| group.0 == of) {
+            Some((_, settings)) => settings.push(setting),
+            None => groups.push((of, vec![setting])),
+        }
+    }
+    let groups: Vec<_> = groups.into_iter().filter(|(of, _)| !of.is_empty()).collect();
+    let told = groups.iter().take(MOST_GROUPS).map(|(of, settings)| match settings.as_slice() {
+        [one] => both!("{of} at {one}", "{of} mit {one}"),
+        [one, other] => both!("{of} at {one} and {other}", "{of} mit {one} und {other}"),
+        many => both!("{of} at {count} settings", "{of} mit {count} Einstellungen", count = many.len()),
+    });
+    let rest = groups.iter().skip(MOST_GROUPS).map(|(_, settings)| settings.len()).sum::<usize>();
+    let rest = (rest > 0).then(|| both!("some at {rest} other settings", "einige mit {rest} weiteren Einstellungen"));
+    let told: Vec<Text> = told.chain(rest).collect();
+    if told.is_empty() { Text::new("nobody", "niemand") } else { Text::join(&told, ", ") }
+}
+
+/// A list with many gaps tells nobody anything.
+fn few(ranges: String) -> String {
+    let parts = ranges.split(',').count();
+    let last = ranges.rsplit(['-', ',']).next().unwrap_or_default();
+    let first = ranges.split(['-', ',']).next().unwrap_or_default();
+    if parts > MOST_GROUPS { format!("{first}…{last}") } else { ranges }
+}
+
+/// What is told of in words; the document has all of it.
+const MOST_GROUPS: usize = 3;
+
+/// What was asked at one setting.
+fn search(port: &Port, searched: &Searched) -> Search {
+    Search {
+        port: port.to_string(),
+        line: searched.tuning.line.to_string(),
+        protocol: searched.tuning.protocol.name().to_owned(),
+        asked: ranges(&searched.asked),
+        open: ranges(&searched.open()),
+        complete: searched.is_complete(),
+        garbled: searched.garbled.iter().copied().collect(),
+    }
+}
+
+/// Why it is not all that was asked for: interrupted, a port that failed, or nobody there.
+fn verdict(settings: &Settings, failures: Vec<Failure>, ports: usize, found_none: bool, sum: &Sum) -> Option<Failure> {
+    let Sum { asked, addresses, .. } = *sum;
+    let count = failures.len();
+    let interrupted = failures.iter().position(|failure| failure.class == Class::Interrupted);
+    let Some(first) = failures.into_iter().nth(interrupted.unwrap_or(0)) else {
+        return found_none.then(|| nobody(settings));
+    };
+    let why = if interrupted.is_some() { Text::new("interrupted", "unterbrochen") } else { first.message.clone() };
+    let so_far = both!(
+        "{why}; {asked} of {addresses} addresses were asked",
+        "{why}; {asked} von {addresses} Adressen wurden gefragt",
+        why
+    );
+    if interrupted.is_some() {
+        let left = sum.left.as_millis().div_ceil(1_000);
+        let message =
+            both!("{so_far}, the others take about {left} s", "{so_far}, die anderen dauern etwa {left} s", so_far);
+        let message = if sum.settings > 1 { message } else { so_far };
+        return Some(Failure { message, ..first }.hint(go_on()));
+    }
+    if ports == 1 || count == ports {
+        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
+    }
+    let message = both!(
+        "{count} of {ports} ports failed; the first: {why}",
+        "{count} von {ports} Anschlüssen gescheitert; zuerst: {why}",
+        why = first.message
+    );
+    Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
+}
+
+fn other_master() -> Failure {
+    let message = both!(
+        "another master asks on this line, so nothing more was sent",
+        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet"
+    );
+    let hint = both!(
+        "disconnect the other master; `antrieb sniff` shows what it asks; --force goes on beside it and may disturb it",
+        "den anderen Master abklemmen; `antrieb sniff` zeigt, was er fragt; --force macht neben ihm weiter und kann ihn \
+         stören"
+    );
+    Failure::new(Class::Forbidden, "forbidden.other_master", message).hint(hint)
+}
+
+/// The time that the user gave it was not enough to find anybody.
+fn over_time(within: Span, sum: &Sum) -> Failure {
+    let Sum { asked, addresses, .. } = sum;
+    let message = both!(
+        "no drive answered within {within}; {asked} of {addresses} addresses were asked",
+        "kein Antrieb hat innerhalb von {within} geantwortet; {asked} von {addresses} Adressen wurden gefragt"
+    );
+    Failure::new(Class::No, NOBODY, message).hint(go_on())
+}
+
+fn go_on() -> Text {
+    both!(
+        "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
+        "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json"
+    )
+}
+
+const NOBODY: &str = "no.drive_found";
+
+fn nobody(settings: &Settings) -> Failure {
+    let hint = if settings.unknown == crate::args::Unknown::default() {
+        both!(
+            "if the setting of the line is not known: --baud auto --parity auto --protocol auto (a drive leaves the \
+             factory speaking VABus, P.395 = 0); else check whether A and B are swapped, and termination",
+            "falls die Einstellung der Leitung unbekannt ist: --baud auto --parity auto --protocol auto (ein Antrieb \
+             spricht ab Werk VABus, P.395 = 0); sonst prüfen, ob A und B vertauscht sind, und den Abschluss"
+        )
+    } else {
+        both!(
+            "no setting brought an answer: check supply, whether A and B are swapped, termination, and the adapter",
+            "keine Einstellung brachte eine Antwort: Versorgung, Vertauschung von A und B, Abschluss und Adapter prüfen"
+        )
+    };
+    Failure::new(Class::No, NOBODY, both!("no drive answered", "kein Antrieb hat geantwortet")).hint(hint)
+}

@@ -1,0 +1,370 @@
+//! The search of one line: round after round through its settings.
+
+mod told;
+
+use super::look::{self, Sight};
+use super::pace::{self, Pace, Visited, Work};
+use super::plan::{Manner, ScanPlan};
+use super::stages::{Stage, stages};
+use super::{ScanResult, Searched, Tuning, order};
+use crate::drive::access::AccessError;
+use crate::drive::probe::probe;
+use crate::drive::session::Session;
+use crate::exchange::survey::{Attendance, Patience, Sign, Survey};
+use crate::exchange::{News, Question};
+use crate::outcome::{Event, FoundDrive, Warning};
+use crate::profile::Registry;
+use crate::protocol::modbus::Framing;
+use crate::tick::{Span, Tick};
+use std::collections::BTreeSet;
+
+/// The first addresses are where drives are: at the right setting they are asked twice if they are silent.
+const TWICE: usize = 20;
+/// Another master polls with gaps of 12 and 25 ms (docs/measured.md): two of them, and a question of 8 characters with a reply as
+/// long. So many polls are listened for whose setting nobody knows, before the first byte goes out; and at every setting if
+/// somebody speaks. Three of his questions tell that he is there.
+const POLLS: u64 = 4;
+const POLL: u64 = 16;
+const GAPS: Span = Span::from_millis(50);
+/// Garbage at more of the settings than one in so many is the line's own, and tells nothing about any of them.
+const FEW: usize = 4;
+
+pub(super) struct Search<'p, 's, 'o> {
+    session: &'s mut Session<'o>,
+    plan: &'p ScanPlan,
+    registry: &'p Registry,
+    searched: Vec<Searched>,
+    stages: Vec<Stage>,
+    drives: Vec<FoundDrive>,
+    warnings: Vec<Warning>,
+    pace: Pace,
+    /// When it ends, whatever is left.
+    ends_at: Option<Tick>,
+    /// It ended then.
+    is_over_time: bool,
+    /// The line was left to another master.
+    yielded: bool,
+    /// When it was last told how far it is.
+    told: Tick,
+    /// It was told that a setting with drives is done.
+    told_whole: bool,
+}
+
+/// What is done at a setting.
+struct Visit {
+    index: usize,
+    stage: Stage,
+    patience: Patience,
+    questions: Vec<(u8, Question)>,
+    stations: usize,
+    expected: Work,
+    /// What is left besides.
+    beyond: Work,
+    began: Tick,
+    /// Drives that were looked at, and how long that took.
+    found: BTreeSet<u8>,
+    looked: Span,
+}
+
+fn work(stage: Stage, span: Span) -> Work {
+    if stage.quick { Work { quick: span, ..Work::default() } } else { Work { whole: span, ..Work::default() } }
+}
+
+impl<'p, 's, 'o> Search<'p, 's, 'o> {
+    pub(super) fn new(session: &'s mut Session<'o>, plan: &'p ScanPlan, registry: &'p Registry) -> Self {
+        let known = Tuning { protocol: session.protocol(), line: session.line() };
+        let unknown = match session.can_set_line() {
+            true => plan.unknown,
+            false => order::Unknown { baud: false, parity: false, ..plan.unknown },
+        };
+        let mut warnings = Vec::new();
+        if unknown != plan.unknown {
+            warnings.push(look::fixed_line(session.port(), known));
+        }
+        let searched: Vec<_> = order::tunings(known, unknown).into_iter().map(|at| unsearched(plan, at)).collect();
+        let stages = stages(plan.manner, searched.len(), plan.addresses.len());
+        let (ends_at, told) = (plan.within.map(|within| session.now() + within), session.now());
+        Search {
+            session,
+            plan,
+            registry,
+            searched,
+            stages,
+            drives: Vec::new(),
+            warnings,
+            pace: Pace::default(),
+            ends_at,
+            is_over_time: false,
+            yielded: false,
+            told,
+            told_whole: false,
+        }
+    }
+
+    /// What came of it.
+    pub(super) fn ended(mut self, cut: Option<AccessError>) -> ScanResult {
+        let left = self.left(self.expected());
+        self.is_over_time &= self.searched.iter().any(|searched| !searched.is_complete());
+        if self.plan.within.is_none() && std::mem::take(&mut self.is_over_time) {
+            // The time that it gave itself would have been enough on any line that is not disturbed all the time.
+            self.searched.iter_mut().for_each(|searched| searched.disturbed |= !searched.is_complete());
+        }
+        // The garbage of a line that is never silent is nobody's.
+        for searched in self.searched.iter().filter(|searched| !searched.occupied) {
+            let garbled = searched.garbled.iter();
+            self.warnings.extend(garbled.map(|&address| look::garbled(address, searched.found)));
+        }
+        let Search { drives, searched, warnings, yielded, is_over_time, .. } = self;
+        ScanResult { drives, searched, warnings, yielded, is_over_time, left, cut }
+    }
+
+    pub(super) async fn run(&mut self) -> Result<(), AccessError> {
+        self.overhear().await?;
+        self.announce();
+        let last = self.stages.len().saturating_sub(1);
+        let found_before: Vec<usize> = (0..self.searched.len()).filter(|&index| self.is_found(index)).collect();
+        for index in found_before {
+            self.survey(index, last).await?;
+        }
+        for round in 0..self.stages.len() {
+            for index in self.where_heard() {
+                self.survey(index, last).await?;
+            }
+            for index in 0..self.searched.len() {
+                self.survey(index, round).await?;
+                // Who shares a line shares its setting (CM-485 manual 5.3.1, LXM05 manual 4.1): where one is, others are.
+                if self.is_found(index) {
+                    self.survey(index, last).await?;
+                    self.tell_whole(index);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Listens before anything is asked, and where somebody speaks at every setting: the bus of another master is not searched.
+    async fn overhear(&mut self) -> Result<(), AccessError> {
+        for index in 0..self.searched.len() {
+            let Some(Tuning { protocol, line }) = self.searched.get(index).map(|searched| searched.tuning) else {
+                break;
+            };
+            if self.searched.len() == 1 || self.yielded {
+                break;
+            }
+            self.retune(Tuning { protocol, line }).await?;
+            let listen = (line.chars(POLL) + GAPS).times(POLLS);
+            let (began, window) = (self.session.now(), Span::ZERO);
+            let patience = Patience::by_the_book(self.session.limits().reply_timeout);
+            let patience = Patience { listen, window, yields: !self.plan.force, ..patience };
+            let mut survey = Survey::new(protocol, line, [], patience, began);
+            while self.session.survey(&mut survey).await? != News::Over {}
+            self.yielded |= survey.is_shared() && !self.plan.force;
+            self.pace.overhears(self.session.now().since(began), survey.garbage());
+            if let Some(searched) = self.searched.get_mut(index) {
+                searched.occupied |= survey.is_occupied();
+            }
+            if index == 0 && !survey.is_spoken_on() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    async fn retune(&mut self, to: Tuning) -> Result<(), AccessError> {
+        match (self.session.protocol(), self.session.line()) == (to.protocol, to.line) {
+            true => Ok(()),
+            false => self.session.retune(to.protocol, to.line).await,
+        }
+    }
+
+    /// Settings at which somebody was heard whom nobody understood: they are asked to the end before anything else, unless it
+    /// is the line itself that makes the garbage. Two new drives with one address are heard so.
+    fn where_heard(&self) -> Vec<usize> {
+        let is_heard = |searched: &Searched| searched.hint && !searched.found && !searched.occupied;
+        let heard = self.searched.iter().enumerate().filter(|(_, searched)| is_heard(searched));
+        let heard: Vec<usize> = heard.map(|(index, _)| index).collect();
+        if heard.len() * FEW <= self.searched.len() { heard } else { Vec::new() }
+    }
+
+    fn is_found(&self, index: usize) -> bool {
+        self.searched.get(index).is_some_and(|searched| searched.found)
+    }
+
+    /// Whether what was found is enough, or the time is over.
+    fn is_over(&mut self) -> bool {
+        let whole = |searched: &Searched| searched.found && searched.is_complete();
+        let enough = self.yielded
+            || self.is_first_found()
+            || self.plan.manner == Manner::Fast && self.searched.iter().any(whole);
+        self.is_over_time |= !enough && self.ends_at.is_some_and(|at| self.session.now() >= at);
+        enough || self.is_over_time
+    }
+
+    /// Whether the one drive is found that was wanted.
+    fn is_first_found(&self) -> bool {
+        self.plan.until_first.as_ref().is_some_and(super::First::is_found)
+    }
+
+    /// Asks at one setting who has not been asked there yet, as far as a round goes.
+    async fn survey(&mut self, index: usize, round: usize) -> Result<(), AccessError> {
+        if self.is_over() {
+            return Ok(());
+        }
+        let Some(mut visit) = self.visit(index, round) else { return Ok(()) };
+        let Some(tuning) = self.searched.get(index).map(|searched| searched.tuning) else { return Ok(()) };
+        self.retune(tuning).await?;
+        let questions = std::mem::take(&mut visit.questions);
+        let now = self.session.now();
+        let mut survey = Survey::new(tuning.protocol, tuning.line, questions, visit.patience, now);
+        let end = self.listen(&mut survey, &mut visit).await;
+        self.conclude(&survey, &visit);
+        if end.is_ok() {
+            let took = visit.gone(self.session.now());
+            let questions = survey.attendance().values().map(|known| known.asked as usize).sum();
+            let expected = std::mem::take(&mut visit.expected);
+            self.pace.note(Visited { expected, took, questions, garbage: survey.garbage() });
+            visit.beyond = self.expected();
+            self.tell(&survey, &visit, true);
+        }
+        end
+    }
+
+    /// What there is to do at a setting; `None` if nothing is.
+    fn visit(&mut self, index: usize, round: usize) -> Option<Visit> {
+        let stage = *self.stages.get(round)?;
+        let before = self.searched.get(index).filter(|searched| !searched.occupied && searched.rounds <= round)?;
+        let (tuning, is_sure) = (before.tuning, before.found || self.searched.len() == 1);
+        let skipped = if stage.quick { before.looked } else { 0 };
+        let addresses = before.wanted.iter().take(stage.first).skip(skipped);
+        let open = addresses.filter(|address| !before.asked.contains(address));
+        let questions: Vec<_> = open.filter_map(|&address| Some((address, probe(tuning.protocol, address)?))).collect();
+        let searched = self.searched.get_mut(index)?;
+        searched.rounds = round + 1;
+        searched.looked = stage.first;
+        let (_, question) = questions.first()?;
+        let patience = self.patience(tuning, stage, question, is_sure);
+        let expected = patience.lasts(tuning.protocol, tuning.line, question, questions.len());
+        let (began, beyond) = (self.session.now(), self.expected());
+        let own = (self.searched.len() > 1).then(|| pace::limit(expected, is_sure));
+        let expected = work(stage, expected);
+        let whole = self.ends_at.map(|at| at.since(began));
+        let limit = own.into_iter().chain(whole).min();
+        let (found, looked) = (BTreeSet::new(), Span::ZERO);
+        let patience = Patience { limit, ..patience };
+        let stations = questions.len();
+        Some(Visit { index, stage, patience, stations, questions, expected, beyond, began, found, looked })
+    }
+
+    fn patience(&self, tuning: Tuning, stage: Stage, question: &Question, is_sure: bool) -> Patience {
+        let (Tuning { protocol, line }, full) = (tuning, self.session.limits().reply_timeout);
+        let brief = Patience::brief(protocol, line, question, full);
+        let patience = match self.plan.manner {
+            // A gateway waits for its drives itself.
+            _ if protocol == Framing::Tcp.into() => Patience::by_the_book(full),
+            _ if stage.quick => Patience::quick(protocol, line, question, full),
+            Manner::Fast => brief.once(),
+            Manner::Usual if is_sure => Patience { twice: TWICE, ..brief },
+            Manner::Usual => brief,
+            Manner::Thorough => Patience::by_the_book(full),
+        };
+        Patience { yields: !self.plan.force, ..patience }
+    }
+
+    /// Carries a survey through and looks at everybody who is heard.
+    async fn listen(&mut self, survey: &mut Survey, visit: &mut Visit) -> Result<(), AccessError> {
+        loop {
+            match self.session.survey(survey).await? {
+                News::Over => return Ok(()),
+                News::Asked(address) => self.tell_progress(visit, survey, address),
+                News::Heard(sign) => {
+                    self.session.overheard();
+                    let began = self.session.now();
+                    let sight = self.look(survey, &sign, visit.patience.window).await;
+                    for record in self.session.overheard() {
+                        survey.overhear(&record);
+                    }
+                    let now = self.session.now();
+                    survey.resume(now);
+                    visit.looked = visit.looked + now.since(began);
+                    if self.plan.within.is_none() {
+                        self.ends_at = self.ends_at.map(|at| at + now.since(began));
+                    }
+                    self.take(visit, &sign, sight?);
+                }
+            }
+            if self.is_first_found() {
+                return Ok(());
+            }
+        }
+    }
+
+    async fn look(&mut self, survey: &Survey, sign: &Sign, window: Span) -> Result<Sight, AccessError> {
+        let Some(question) = probe(self.session.protocol(), sign.station) else { return Ok(Sight::Nobody) };
+        if survey.attendance().get(&sign.station).is_some_and(Attendance::owes) {
+            self.session.expect(sign.station, question);
+        }
+        let is_late = sign.after > window + self.session.line().chars(look::REPLY);
+        look::look(self.session, self.registry, sign, is_late).await
+    }
+
+    fn take(&mut self, visit: &mut Visit, sign: &Sign, sight: Sight) {
+        let Some(searched) = self.searched.get_mut(visit.index) else { return };
+        searched.hint = true;
+        match sight {
+            Sight::Drive(drive, remark) => {
+                searched.found = true;
+                visit.found.insert(drive.address);
+                if let Some(first) = &self.plan.until_first {
+                    first.found();
+                }
+                self.warnings.extend(remark);
+                self.session.tell(Event::Found(drive.clone()));
+                self.drives.push(*drive);
+            }
+            Sight::Garbled => _ = searched.garbled.insert(sign.station),
+            Sight::Nobody => self.warnings.push(look::gone(sign.station)),
+        }
+    }
+
+    /// Notes what a survey leaves, also when it was cut short.
+    fn conclude(&mut self, survey: &Survey, visit: &Visit) {
+        let now = self.session.now();
+        let Some(searched) = self.searched.get_mut(visit.index) else { return };
+        searched.hint |= survey.garbage() > 0 || !survey.strangers().is_empty();
+        searched.occupied |= survey.is_occupied();
+        let is_over = self.ends_at.is_some_and(|at| now >= at);
+        self.is_over_time |= survey.is_cut() && is_over;
+        searched.disturbed |= survey.is_cut() && !is_over;
+        self.yielded |= survey.is_shared() && !self.plan.force;
+        match self.plan.manner {
+            Manner::Fast if !visit.stage.quick => searched.asked.extend(survey.attendance().keys()),
+            _ => searched.asked.extend(survey.settled(now)),
+        }
+        if !visit.stage.quick {
+            searched.garbled.retain(|address| !survey.attendance().contains_key(address));
+            self.warnings.extend(look::remarks(survey, searched.tuning));
+        }
+        searched.garbled.extend(survey.garbled());
+    }
+}
+
+/// A setting at which nothing was asked yet, but for what earlier searches did.
+fn unsearched(plan: &ScanPlan, tuning: Tuning) -> Searched {
+    let before = || plan.before.iter().filter(|row| row.is_at(tuning));
+    let wanted: Vec<u8> =
+        plan.addresses.iter().filter(|&&address| probe(tuning.protocol, address).is_some()).copied().collect();
+    let asked = before().flat_map(|row| &row.addresses).copied().filter(|address| wanted.contains(address)).collect();
+    let found = before().any(|row| row.found);
+    Searched {
+        tuning,
+        wanted,
+        asked,
+        garbled: BTreeSet::new(),
+        rounds: 0,
+        looked: 0,
+        hint: false,
+        found,
+        occupied: false,
+        disturbed: false,
+    }
+}

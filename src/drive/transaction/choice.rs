@@ -1,0 +1,128 @@
+//! Which settings of a file go into a drive: by groups, numbers, data sets; the bus only if somebody asks for it.
+
+use crate::drive::describe;
+use crate::drive::job::Step;
+use crate::failure::{Class, Failure};
+use crate::outcome::{NotLoaded, NotLoadedWhy};
+use crate::profile::paramfile::{Setting, Settings};
+use crate::profile::{DataSets, Family, Goes, Param, Selector, Sets, Store};
+use crate::text::both;
+use std::collections::BTreeSet;
+
+/// What somebody wants of a file.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Groups and parameters; empty for everything but the bus.
+    pub only: Vec<String>,
+    /// Groups and parameters that are left out.
+    pub except: Vec<String>,
+    /// Data sets, 0 for what exists once; empty for all.
+    pub sets: Vec<u8>,
+    /// Where the values go.
+    pub store: Store,
+}
+
+/// Everything readable: naming it asks for nothing in particular.
+const EVERYTHING: &str = "all";
+
+impl Choice {
+    /// Everything that a file may bring.
+    pub fn everything() -> Self {
+        Choice { only: Vec::new(), except: Vec::new(), sets: Vec::new(), store: Store::Eeprom }
+    }
+
+    /// The values to write, in the order in which they depend on each other, and what is left out by itself.
+    ///
+    /// # Errors
+    /// A word names neither a group nor a parameter of the family, or the family has no such memory.
+    pub fn steps(&self, settings: &Settings, family: &Family) -> Result<(Vec<Step>, Vec<NotLoaded>), Failure> {
+        if self.store == Store::Ram && !family.link.route.has_data_sets() {
+            let text = both!(
+                "no source tells how values go into the RAM of a {drive} only",
+                "keine Quelle sagt, wie Werte nur in das RAM eines {drive} gelangen",
+                drive = family.drive
+            );
+            return Err(
+                Failure::new(Class::Data, "data.no_ram", text).hint(both!("leave --ram out", "--ram weglassen"))
+            );
+        }
+        let (only, except) = (named(&self.only, family)?, named(&self.except, family)?);
+        let particular: Vec<String> = self.only.iter().filter(|word| bare(word) != EVERYTHING).cloned().collect();
+        let asked = named(&particular, family)?;
+        let (mut steps, mut left_out) = (Vec::new(), Vec::new());
+        for setting in settings.iter() {
+            let id = setting.param.id;
+            if (!self.only.is_empty() && !only.contains(&id)) || except.contains(&id) {
+                continue;
+            }
+            match family.files.goes(&setting.param) {
+                Goes::Always => steps.extend(self.places(setting, settings)),
+                Goes::IfAsked if asked.contains(&id) => steps.extend(self.places(setting, settings)),
+                goes => left_out.extend(why(goes).map(|why| describe::left_out(&setting.param, setting.set, why))),
+            }
+        }
+        steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
+        Ok((steps, left_out))
+    }
+
+    /// The places of a setting: of one for all four data sets each that has no value of its own.
+    fn places(&self, setting: &Setting, settings: &Settings) -> Vec<Step> {
+        let Setting { param, set, raw, kind, .. } = setting;
+        let own = |set: u8| settings.exactly(param.id, set).is_some();
+        let sets: Vec<u8> = match *set {
+            0 if in_sets(param) || (1..=4).any(own) => (1..=4).filter(|set| !own(*set)).collect(),
+            set => vec![set],
+        };
+        let wanted = sets.into_iter().filter(|set| self.sets.is_empty() || self.sets.contains(set));
+        let wire = |set| DataSets::One(set, self.store).wire().first().copied().unwrap_or(set);
+        wanted.map(|set| Step { param: param.clone(), set: wire(set), raw: *raw, kind: *kind }).collect()
+    }
+}
+
+/// Whether it exists in four data sets, as far as a source tells it.
+pub(super) fn in_sets(param: &Param) -> bool {
+    param.sets == Some(Sets::Four)
+}
+
+/// The numbers that words name: groups with or without `@`, parameters, ranges.
+fn named(words: &[String], family: &Family) -> Result<BTreeSet<u32>, Failure> {
+    let mut numbers = BTreeSet::new();
+    for word in words {
+        if let Some(group) = family.group(bare(word)) {
+            numbers.extend(group);
+            continue;
+        }
+        let selector: Result<Selector, _> = word.parse();
+        let found = selector.ok().filter(|selector| !selector.names_sets()).and_then(|it| it.resolve(family).ok());
+        numbers.extend(found.ok_or_else(|| unknown(word, family))?.into_iter().map(|one| one.param.id));
+    }
+    Ok(numbers)
+}
+
+fn bare(word: &str) -> &str {
+    word.strip_prefix('@').unwrap_or(word)
+}
+
+fn unknown(word: &str, family: &Family) -> Failure {
+    let known = family.group_names().collect::<Vec<_>>().join(", ");
+    let message = both!(
+        "'{word}' names no group and no parameter of a {drive}",
+        "'{word}' nennt keine Gruppe und keinen Parameter eines {drive}",
+        drive = family.drive
+    );
+    Failure::new(Class::Usage, "usage.scope", message).hint(both!(
+        "groups: {known}; or parameters without a data set, such as 372 or 480-483",
+        "Gruppen: {known}; oder Parameter ohne Datensatz, etwa 372 oder 480-483"
+    ))
+}
+
+fn why(goes: Goes) -> Option<NotLoadedWhy> {
+    Some(match goes {
+        Goes::Always => return None,
+        Goes::IfAsked => NotLoadedWhy::NotAskedFor,
+        Goes::Told => NotLoadedWhy::ReadOnly,
+        Goes::Commands => NotLoadedWhy::Command,
+        Goes::Restarts => NotLoadedWhy::Restarts,
+        Goes::Text => NotLoadedWhy::Text,
+    })
+}

@@ -1,0 +1,21 @@
+//! Parameter files into drives, as a transaction: what a file wants is picked ([`Choice`]), everything is read and checked
+//! ([`plan`]), an undo file is left ([`UndoFile`]), then each value is written and proven ([`apply`]), and whatever ends that
+//! early, what was written goes back. What could not go back is named, and [`undo`] does it later.
+//!
+//! ```text
+//! settings -> Choice::steps -> plan -> (question, permit) -> UndoFile::leave -> apply -> done, or put back
+//! undo file -> plan_back -> (question, permit) -> undo
+//! ```
+
+mod apply;
+mod back;
+mod choice;
+mod plan;
+mod reading;
+mod undo_file;
+
+pub use apply::{Applied, Ended, apply};
+pub use back::{Restored, undo};
+pub use choice::Choice;
+pub use plan::{Plan, plan};
+pub use undo_file::{Coming, UndoFile, broken, plan_back, steps_back};

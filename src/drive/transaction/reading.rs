@@ -1,0 +1,57 @@
+//! What stands in a drive at the places that a transaction is about: in as few telegrams as possible.
+
+use crate::drive::{AccessError, Session, Target, describe};
+use crate::failure::Failure;
+use crate::profile::{DataSets, Param};
+
+/// What stands in the data sets of one parameter: by data set as on the wire.
+pub(super) type Stands = Vec<(u8, Result<i64, Failure>)>;
+
+/// Reads these data sets of a parameter, given as on the wire. All four are asked for at once; where data set 0 turns out to
+/// be four that differ, there are four.
+///
+/// # Errors
+/// The drive does not answer, or the session is over.
+pub(super) async fn stands(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    sets: &[u8],
+) -> Result<Stands, Failure> {
+    let ram = sets.iter().all(|set| *set >= DataSets::RAM_OFFSET);
+    let first = if ram { DataSets::RAM_OFFSET } else { 0 };
+    let four: Vec<u8> = (first + 1..=first + 4).collect();
+    let asked = if sets == four { vec![first] } else { sets.to_vec() };
+    let mut found = Stands::new();
+    for set in asked {
+        let rows = target.read(session, param, describe::sets(set)).await;
+        for (at, result) in rows {
+            let result = result.map(|reading| reading.raw);
+            let result = match result {
+                // A value may be refused; a drive that does not answer can be told nothing.
+                Err(error) if !error.is_refused() => return Err(failure(&error, target, param)),
+                result => result.map_err(|error| failure(&error, target, param)),
+            };
+            match at == first && sets == four {
+                true => found.extend(four.iter().map(|set| (*set, result.clone()))),
+                false => found.push((at, result)),
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The raw value of one place.
+pub(super) async fn stands_at(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    set: u8,
+) -> Result<i64, Failure> {
+    let read = target.read_set(session, param, set).await;
+    read.map(|reading| reading.raw).map_err(|error| failure(&error, target, param))
+}
+
+fn failure(error: &AccessError, target: &Target, param: &Param) -> Failure {
+    error.failure(target.address, Some(&target.family)).with("param", param.id)
+}

@@ -1,0 +1,150 @@
+//! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
+//! the drive, and what was to come.
+
+use super::plan::{Plan, Purpose, prepare};
+use crate::drive::job::Step;
+use crate::drive::{Session, Target, Terms};
+use crate::failure::{Class, Failure};
+use crate::files::{self, FileError};
+use crate::outcome::WriteResult;
+use crate::profile::paramfile::{At, FileFault, Head, ParamFile, Setting, Settings, print_undo};
+use crate::profile::{DataSets, Family, Store};
+use crate::text::both;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A file that says how to take a transaction back; it has been written, and is on the disk.
+#[derive(Debug)]
+pub struct UndoFile {
+    path: PathBuf,
+}
+
+/// So many names are tried where no name was given.
+const MOST_NAMES: u32 = 999;
+
+impl UndoFile {
+    /// Where it stands.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes it under this name, which must be free.
+    ///
+    /// # Errors
+    /// The name is taken, or the disk does not take it: then nothing may be written to the drive.
+    pub fn leave(path: &Path, head: &Head, plan: &Plan) -> Result<Self, Failure> {
+        let text = text(head, plan);
+        match files::write_whole(path, &text, false) {
+            Ok(()) => Ok(UndoFile { path: path.to_owned() }),
+            Err(error) => Err(unwritten(path, &error)),
+        }
+    }
+
+    /// Writes it beside the parameter file, under the first name that is free: `base.undo.toml`, `base.undo-2.toml`.
+    ///
+    /// # Errors
+    /// As [`UndoFile::leave`].
+    pub fn leave_beside(file: &Path, head: &Head, plan: &Plan) -> Result<Self, Failure> {
+        let text = text(head, plan);
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let mut path = file.with_file_name(format!("{stem}.undo.toml"));
+        for count in 2..=MOST_NAMES {
+            match files::write_whole(&path, &text, false) {
+                Ok(()) => return Ok(UndoFile { path }),
+                Err(FileError::Exists) => path = file.with_file_name(format!("{stem}.undo-{count}.toml")),
+                Err(error) => return Err(unwritten(&path, &error)),
+            }
+        }
+        Err(unwritten(&path, &FileError::Exists))
+    }
+}
+
+fn unwritten(path: &Path, error: &FileError) -> Failure {
+    let message = both!(
+        "{path}: the undo file cannot be written: {why}; nothing was sent",
+        "{path}: die Datei zum Zurücknehmen lässt sich nicht schreiben: {why}; es wurde nichts gesendet",
+        path = path.display(),
+        why = error.text()
+    );
+    Failure::new(Class::Data, "data.undo_file", message)
+        .hint(both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"))
+}
+
+/// What stands in it: the old values as those of a parameter file, and what was to come.
+fn text(head: &Head, plan: &Plan) -> String {
+    let (mut old, mut new) = (Settings::default(), Settings::default());
+    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| row.result == WriteResult::Planned);
+    let mut ram = false;
+    for (step, row) in rows {
+        ram |= step.set >= DataSets::RAM_OFFSET;
+        let kind = step.kind.or(plan.job.target.known_width(step.param.id));
+        let of = |raw: i64| Setting { param: step.param.clone(), set: step.set % 5, raw, kind, at: nowhere() };
+        if let Some(before) = row.old_raw {
+            old.insert(of(before));
+            new.insert(of(step.raw));
+        }
+    }
+    for kept in &plan.watched {
+        let (param, set, raw) = (kept.param.clone(), kept.set % 5, kept.raw);
+        if old.exactly(param.id, set).is_none() {
+            old.insert(Setting { param, set, raw, kind: None, at: nowhere() });
+        }
+    }
+    let store = if ram { Store::Ram } else { Store::Eeprom };
+    print_undo(head, &old, (&new, store), &plan.job.target.family)
+}
+
+fn nowhere() -> At {
+    At { path: "".into(), line: 0, column: 1 }
+}
+
+/// Reads what stands in the drive and says what there is to take back: `steps` lead to the old values, `from` says from which.
+///
+/// # Errors
+/// The drive does not answer.
+pub async fn plan_back(
+    session: &mut Session<'_>,
+    target: Target,
+    terms: &Terms<'_>,
+    steps: Vec<Step>,
+    from: Coming,
+) -> Result<Plan, Failure> {
+    prepare(session, target, terms, steps, &Purpose::Back(from)).await
+}
+
+/// What was to come, by number and data set as on the wire.
+pub type Coming = BTreeMap<(u32, u8), i64>;
+
+/// The old values as steps, and the new ones from which they lead back.
+///
+/// # Errors
+/// The file is none that takes something back, or does not fit the family.
+pub fn steps_back(file: &ParamFile, family: &Family) -> Result<(Vec<Step>, Coming), Failure> {
+    let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
+    let old = file.settings(family).map_err(|fault| broken(&fault))?;
+    let coming = coming.map_err(|fault| broken(&fault))?;
+    let wire = |set: u8| DataSets::One(set, undo.store).wire().first().copied().unwrap_or(set);
+    let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind };
+    let mut steps: Vec<Step> = old.iter().map(step).collect();
+    steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
+    let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();
+    Ok((steps, from))
+}
+
+fn no_undo_file(file: &ParamFile) -> Failure {
+    let message = both!(
+        "{path}: this file takes nothing back: it has no table [undo]",
+        "{path}: diese Datei nimmt nichts zurück: sie hat keine Tabelle [undo]",
+        path = file.path
+    );
+    Failure::new(Class::Data, "data.no_undo_file", message).hint(both!(
+        "`antrieb dataset load` leaves one before it writes; `dataset load` writes a parameter file",
+        "`antrieb dataset load` legt eine an, bevor es schreibt; `dataset load` schreibt eine Parameterdatei"
+    ))
+}
+
+/// The failure of a file that is broken.
+pub fn broken(fault: &FileFault) -> Failure {
+    let code = if fault.newer { "data.newer_format" } else { "data.parameter_file" };
+    Failure::new(Class::Data, code, fault.text())
+}

@@ -1,0 +1,112 @@
+//! What the lines of a file mean for a drive of its family.
+
+use super::file::{Line, ParamFile};
+use super::parse::FileFault;
+use super::settings::{Setting, Settings};
+use crate::profile::family::Family;
+use crate::profile::param::{Param, Type};
+use crate::profile::select::{DataSets, Selector, Store};
+use crate::profile::value::{self, ValueError};
+use crate::text::{Text, both};
+
+impl ParamFile {
+    /// The lines by number and data set, with raw values. Ranges are not looked at: what a drive told may lie outside of
+    /// them, and only what is written is held against them.
+    ///
+    /// # Errors
+    /// A line that names no parameter of the family, a value that is none of it, or two lines for one place.
+    pub fn settings(&self, family: &Family) -> Result<Settings, FileFault> {
+        self.resolved(&self.lines, family)
+    }
+
+    /// What a transaction was about to write; `None` if the file is none that takes one back.
+    ///
+    /// # Errors
+    /// As [`ParamFile::settings`].
+    pub fn coming(&self, family: &Family) -> Option<Result<Settings, FileFault>> {
+        self.undo.as_ref().map(|undo| self.resolved(&undo.lines, family))
+    }
+
+    fn resolved(&self, lines: &[Line], family: &Family) -> Result<Settings, FileFault> {
+        let mut settings = Settings::default();
+        for line in lines {
+            let (param, set) = self.place(line, family)?;
+            let kind = param.kind.or(self.head.types.get(&param.id).copied());
+            let raw = raw(line, family, &param, kind)?;
+            if let Some(before) = settings.exactly(param.id, set) {
+                let why = both!(
+                    "P.{param} in this data set has its value in line {line} already",
+                    "P.{param} hat in diesem Datensatz schon in Zeile {line} seinen Wert",
+                    param = param.id,
+                    line = before.at.line
+                );
+                return Err(FileFault::new(line.at.clone(), why));
+            }
+            settings.insert(Setting { param, set, raw, kind, at: line.at.clone() });
+        }
+        Ok(settings)
+    }
+
+    /// The parameter and data set that a line is about.
+    fn place(&self, line: &Line, family: &Family) -> Result<(Param, u8), FileFault> {
+        let fault = |why: Text| FileFault::new(line.at.clone(), why);
+        let selector: Selector = line.key.parse().map_err(|error: crate::profile::SelectError| fault(error.text()))?;
+        let set = match selector.sets() {
+            DataSets::Unnamed | DataSets::All(Store::Eeprom) => 0,
+            DataSets::One(set, Store::Eeprom) => set,
+            DataSets::One(_, Store::Ram) | DataSets::All(Store::Ram) => {
+                return Err(fault(both!(
+                    "'{key}': a parameter file names what is stored, data sets 0 to 4",
+                    "'{key}': eine Parameterdatei nennt, was gespeichert ist, Datensatz 0 bis 4",
+                    key = line.key
+                )));
+            }
+        };
+        let found = selector.resolve(family).map_err(|error| fault(error.text()))?;
+        let param = match <[_; 1]>::try_from(found) {
+            Ok([one]) if !one.of_group => one.param,
+            _ => {
+                return Err(fault(both!(
+                    "'{key}': a line names one parameter, such as 372@2",
+                    "'{key}': eine Zeile nennt einen Parameter, etwa 372@2",
+                    key = line.key
+                )));
+            }
+        };
+        if !family.link.carries(param.id) {
+            let why = both!(
+                "there is no parameter {number}: {numbers}",
+                "einen Parameter {number} gibt es nicht: {numbers}",
+                number = param.id,
+                numbers = family.link.numbers
+            );
+            return Err(fault(why));
+        }
+        if set != 0 && !family.link.route.has_data_sets() {
+            return Err(fault(both!("this family has no data sets", "diese Familie hat keine Datensätze")));
+        }
+        Ok((param, set))
+    }
+}
+
+/// The raw value of a line.
+fn raw(line: &Line, family: &Family, param: &Param, kind: Option<Type>) -> Result<i64, FileFault> {
+    let fault = |error: ValueError| FileFault::new(line.value_at.clone(), error.text());
+    let raw = match line.value.strip_prefix("raw ") {
+        Some(raw) => value::parse_decimal(raw.trim(), 0).map_err(fault)?,
+        None => value::parse(&line.value, param, &family.choices(param)).map_err(|error| {
+            let FileFault { at, why, newer } = fault(error.clone());
+            match error {
+                ValueError::NoScale { .. } => {
+                    let why = both!("{why}; `raw 1234` is the integer", "{why}; `raw 1234` ist die Ganzzahl", why);
+                    FileFault { at, why, newer }
+                }
+                _ => FileFault { at, why, newer },
+            }
+        })?,
+    };
+    if let Some(kind) = kind {
+        value::check_width(raw, kind, param.decimals_or_zero()).map_err(fault)?;
+    }
+    Ok(raw)
+}

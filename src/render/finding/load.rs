@@ -1,0 +1,59 @@
+//! `dataset load`, `dataset undo`: what became of each value.
+
+use super::page::Page;
+use super::{Finding, Row, list};
+use crate::outcome::{Load, LoadEnd, NotLoadedWhy, WriteResult, Written};
+
+impl Finding for Load {
+    fn table(&self, page: Page) -> String {
+        page.load(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("written", &self.values)
+    }
+}
+
+impl Page {
+    fn load(self, load: &Load) -> String {
+        let is_shown =
+            |row: &&Written| self.full || row.result != WriteResult::Unchanged || row.old_raw != Some(row.raw);
+        let shown: Vec<Written> = load.values.iter().filter(is_shown).cloned().collect();
+        let unchanged = load.values.len() - load.values.iter().filter(|row| is_shown(row)).count();
+        let mut pairs = vec![("files", load.files.join(", "))];
+        pairs.extend(load.ended.map(|ended| ("result", self.word(self::ended(ended)).to_owned())));
+        pairs.extend((unchanged > 0).then(|| ("unchanged", unchanged.to_string())));
+        for (why, word) in LEFT_OUT {
+            let left: Vec<String> = load.left_out.iter().filter(|row| row.why == *why).map(place).collect();
+            pairs.extend((!left.is_empty()).then(|| (*word, left.join(", "))));
+        }
+        pairs.extend(load.undo_file.iter().map(|file| ("undo file", file.clone())));
+        let mut text = self.heading(load.address, &load.drive) + &self.pairs(pairs);
+        if !shown.is_empty() {
+            text += "\n";
+            text += &self.written(&shown);
+        }
+        text
+    }
+}
+
+fn place(left: &crate::outcome::NotLoaded) -> String {
+    if left.data_set == 0 { left.param.to_string() } else { format!("{}@{}", left.param, left.data_set) }
+}
+
+fn ended(ended: LoadEnd) -> &'static str {
+    match ended {
+        LoadEnd::Done => "done, every value proven",
+        LoadEnd::Untouched => "nothing was changed",
+        LoadEnd::Back => "as before, proven",
+        LoadEnd::Torn => "NOT as before",
+    }
+}
+
+const LEFT_OUT: &[(NotLoadedWhy, &str)] = &[
+    (NotLoadedWhy::NotAskedFor, "left out, of the bus"),
+    (NotLoadedWhy::ReadOnly, "left out, only told"),
+    (NotLoadedWhy::Command, "left out, commands"),
+    (NotLoadedWhy::Restarts, "left out, restarts"),
+    (NotLoadedWhy::Text, "left out, texts"),
+];

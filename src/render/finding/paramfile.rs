@@ -1,0 +1,119 @@
+//! `dataset save`, `check` and `diff`: what a file holds, and where sides differ.
+
+use super::page::{Page, shown};
+use super::{Finding, Row, list};
+use crate::outcome::{Comparison, Comparisons, Decimal, Difference, SavedFile, Saves, Side};
+use crate::render::clean;
+use crate::text::Text;
+
+impl Finding for Saves {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.saved, Page::saved)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let values: Vec<_> = self.saved.iter().flat_map(|saved| &saved.values).collect();
+        let failed: Vec<_> = self.saved.iter().filter(|saved| saved.values.is_empty()).collect();
+        let mut rows = list("value", &values);
+        rows.extend(list("saved", &failed).into_iter().map(without_lists));
+        rows
+    }
+}
+
+impl Finding for Comparisons {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.comparisons, Page::comparison)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let differences: Vec<_> = self.comparisons.iter().flat_map(|one| &one.differences).collect();
+        list("difference", &differences)
+    }
+}
+
+/// A row has no lists in it.
+fn without_lists(mut row: Row) -> Row {
+    row.fields.retain(|_, value| !value.is_array());
+    row
+}
+
+impl Page {
+    fn saved(self, saved: &SavedFile) -> String {
+        let mut text = self.heading(saved.address, &saved.drive);
+        let none = || self.word("none").to_owned();
+        let mut rows = vec![
+            ("file", saved.file.clone().unwrap_or_else(none)),
+            ("complete", self.word(if saved.complete { "yes" } else { "no" }).to_owned()),
+            ("values", saved.values.len().to_string()),
+        ];
+        rows.extend(saved.signature.clone().map(|signature| ("signature", signature)));
+        rows.extend(saved.error.as_ref().map(|error| ("error", self.say(&error.message))));
+        text += &self.pairs(rows);
+        if !saved.not_held.is_empty() {
+            text += &format!("\n{}\n", self.word("not in the file"));
+            let rows =
+                saved.not_held.iter().map(|row| vec![row.count.to_string(), self.say(&row.text), row.params.clone()]);
+            text += &self.table(&[">", "", ""], rows.collect());
+        }
+        text
+    }
+
+    fn comparison(self, comparison: &Comparison) -> String {
+        if let Some(unified) = &comparison.unified {
+            return self.say(unified).lines().map(|line| format!("{}\n", clean(line))).collect();
+        }
+        let Comparison { a, b, compared, differences, error, .. } = comparison;
+        let mut rows = vec![vec!["a".to_owned(), self.side(a)], vec!["b".to_owned(), self.side(b)]];
+        rows.push(vec![self.word("compared").to_owned(), compared.to_string()]);
+        rows.push(vec![self.word("different").to_owned(), differences.len().to_string()]);
+        if let Some(error) = error {
+            rows.push(vec![self.word("error").to_owned(), self.say(&error.message)]);
+        }
+        let mut text = self.table(&["", ""], rows);
+        let mut last = None;
+        let rows = differences.iter().map(|row| {
+            let group = row.group.as_ref().filter(|_| last.replace(&row.group) != Some(&row.group));
+            vec![
+                group.map_or_else(String::new, |group| format!("@{group}")),
+                row.param.to_string(),
+                if row.data_set == 0 { String::new() } else { row.data_set.to_string() },
+                self.say(&row.name),
+                self.held(row.a_raw, row.a_value, row.a_text.as_ref()),
+                self.held(row.b_raw, row.b_value, row.b_text.as_ref()),
+                self.unit_or_why(row),
+            ]
+        });
+        let rows: Vec<_> = rows.collect();
+        if !rows.is_empty() {
+            text += "\n";
+            text += &self.table(&["group", ">param", "set", "name", ">a", ">b", "unit"], rows);
+        }
+        text
+    }
+
+    fn unit_or_why(self, row: &Difference) -> String {
+        match &row.error {
+            Some(error) => self.say(&error.message),
+            None if row.a_value.is_none() && row.b_value.is_none() => self.word("raw").to_owned(),
+            None => row.unit.clone().unwrap_or_default(),
+        }
+    }
+
+    fn side(self, side: &Side) -> String {
+        let mut parts = vec![self.family(&side.drive).to_owned()];
+        parts.extend(side.signature.as_ref().map(|signature| format!("{} {signature}", self.word("signature"))));
+        if side.edited == Some(true) {
+            parts.push(self.word("changed since it was saved").to_owned());
+        }
+        format!("{} ({})", self.say(&side.name), parts.join(", "))
+    }
+
+    fn held(self, raw: Option<i64>, value: Option<Decimal>, text: Option<&Text>) -> String {
+        let number = match (value, raw) {
+            (Some(value), _) => shown(value, false),
+            (None, Some(raw)) => raw.to_string(),
+            (None, None) => "-".to_owned(),
+        };
+        text.map_or(number.clone(), |text| format!("{number} {}", self.say(text)))
+    }
+}

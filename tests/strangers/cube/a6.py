@@ -1,0 +1,17 @@
+from a5 import *
+H=['sollwert','10Hz','--enable','--hold']
+y=(1.5,b'y\r')
+view('hold ctrlz',H,[y,(4,b'\x1a'),(7,S(18)),(9,b'\x03')],limit=25)
+view('hold ctrlz nocont',H,[y,(4,b'\x1a')],limit=12)
+view('view ctrlz',H+['--view'],[y,(4,b'\x1a'),(9,b'q')],limit=25)
+view('hold ctrl-backslash',H,[y,(4,b'\x1c')],limit=25)
+view('hold SIGTSTP',H,[y,(4,S(20))],limit=12)
+view('hold SIGTTOU',H,[y,(4,S(22))],limit=12)
+view('hold USR1',H,[y,(4,S(10))],limit=12)
+view('hold ALRM',H,[y,(4,S(14))],limit=12)
+view('hold PIPE',H,[y,(4,S(13)),(6,b'\x03')],limit=15)
+view('hold hangup',H,[y,(4,lambda s:s.hangup())],limit=25)
+view('hold hangup ndjson',H+['--format','ndjson'],[y,(4,lambda s:s.hangup())],limit=25)
+view('hold ctrlS',H,[y,(4,b'\x13'),(6,b'\x03')],limit=25)
+view('view ctrlS',H+['--view'],[y,(4,b'\x13'),(6,b'q')],limit=25)
+view('view not read',H+['--view','--duration','4s'],[y],limit=25)

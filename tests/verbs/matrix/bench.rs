@@ -1,0 +1,61 @@
+//! What the matrix plays on: a bench, files beside it, a recording.
+
+/// An ACU with a fault and a warning, an ACT whose data sets differ, and a device that is no drive.
+pub(super) const BENCH: &str = "\
+[[drive]]
+model = \"act\"
+address = 1
+set = { \"372@2\" = 1450, \"480@3\" = -12.5 }
+[[drive]]
+model = \"acu\"
+address = 2
+modules = [\"EM-RES-03\"]
+set = { \"412\" = 1, \"210\" = 12.49, \"228\" = 12.5 }
+[[drive.event]]
+at = \"0s\"
+fault = \"F0500\"
+warning = 0x0020
+[[drive]]
+model = \"foreign\"
+address = 9
+registers = { \"0\" = 17 }
+";
+
+/// Parameter files, and what takes one back.
+pub(super) const FILES: &[(&str, &str)] = &[
+    (
+        "base.toml",
+        "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n30 = 210\n372 = 1440\n\"392@1\" = 2\n10 = 3\n210 = 5\n410 = 7\n",
+    ),
+    ("pump.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n\"480@1\" = \"20 Hz\"\n"),
+    ("same.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n"),
+    ("wild.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n418 = \"1200 Hz\"\n372 = 1440\n"),
+    ("refused.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n372 = 1440\n376 = 0\n"),
+    (
+        "undo.toml",
+        "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1400\n[undo]\nvalues = { \"372@2\" = 1450 }\n",
+    ),
+    (
+        "stale.toml",
+        "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1400\n480 = 7\n[undo]\nvalues = { \"372@2\" = 1460 }\n",
+    ),
+];
+/// What the first of them was to hold.
+pub(super) const HELD: &str = "\
+antrieb = 1
+drive.family = \"act\"
+[values]
+372 = \"1390 1/min\"
+395 = \"Modbus RTU\"
+400 = 4
+417 = \"raw 0\"
+480 = \"5 Hz\"
+";
+
+/// What was heard while somebody else asked.
+pub(super) const TAPE: &str = "# antrieb trace 1, 19200 8E1, rtu
+1000 < 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8
+30000 < 03 06 41 78 00 0F 5C 09
+36000 < 03 06 41 78 00 0F 5C 09
+60000 < 01 83 02 C0 F1
+";

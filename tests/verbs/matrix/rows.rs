@@ -1,0 +1,77 @@
+//! A document as rows, as NDJSON and CSV tell it, and shortened as people read it.
+
+use serde_json::{Map, Value};
+
+/// What a value is in CSV.
+pub(super) fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+/// The list that a document is in the main.
+pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
+    let data = &document["data"];
+    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+    let rows: Vec<Value> = match document["command"].as_str().unwrap() {
+        _ if data.is_null() => Vec::new(),
+        "scan" | "identify" | "diag" | "statemachine" => list(&data["drives"]),
+        "read" | "write" => list(&data["values"]),
+        "protocol" | "line" if data["values"].is_array() => list(&data["values"]),
+        "protocol" | "line" | "simulate" => vec![data.clone()],
+        "sniff" => list(&data["telegrams"]),
+        "params" => list(&data["params"]),
+        "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
+        "decode" => vec![data.clone()],
+        "dataset" if data["saved"].is_array() => {
+            let is_empty = |saved: &Value| list(&saved["values"]).is_empty();
+            let failed = list(&data["saved"]).into_iter().filter(is_empty).map(|mut saved| {
+                saved.as_object_mut().unwrap().retain(|_, value| !value.is_array());
+                saved
+            });
+            let values = list(&data["saved"]).into_iter().flat_map(|saved| list(&saved["values"]));
+            values.chain(failed).collect()
+        }
+        "dataset" if data["comparisons"].is_array() => {
+            list(&data["comparisons"]).into_iter().flat_map(|one| list(&one["differences"])).collect()
+        }
+        "dataset" if data["values"].is_array() => list(&data["values"]),
+        "dataset" if list(&data["rows"]).is_empty() && list(&data["written"]).is_empty() => vec![data.clone()],
+        "dataset" => {
+            let values = list(&data["rows"]).into_iter().flat_map(|row| list(&row["values"]));
+            values.chain(list(&data["written"])).collect()
+        }
+        "sollwert" => {
+            let of = |drive: Value| {
+                ["setpoints", "actual", "sources"]
+                    .into_iter()
+                    .flat_map(move |part| list(&drive[part]))
+                    .collect::<Vec<_>>()
+            };
+            let failed = list(&data["drives"]).into_iter().filter(|drive| !drive["error"].is_null());
+            list(&data["drives"]).into_iter().flat_map(of).chain(failed).collect()
+        }
+        other => panic!("{other}"),
+    };
+    rows.into_iter().map(|row| row.as_object().unwrap().clone()).collect()
+}
+
+/// A document without its long lists of bits and counters, for snapshots that people read.
+pub(super) fn shortened(mut value: Value) -> Value {
+    match &mut value {
+        Value::Object(fields) => {
+            for (key, field) in fields.iter_mut() {
+                match (key.as_str(), &field) {
+                    ("bits" | "counters", Value::Array(list)) => *field = format!("({} rows)", list.len()).into(),
+                    ("port" | "way_back", Value::String(_)) => *field = "(port)".into(),
+                    _ => *field = shortened(field.take()),
+                }
+            }
+        }
+        Value::Array(list) => list.iter_mut().for_each(|item| *item = shortened(item.take())),
+        _ => {}
+    }
+    value
+}

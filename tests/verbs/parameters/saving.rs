@@ -1,0 +1,248 @@
+//! `dataset save`: what a file holds, how many telegrams it takes, and what is left of a save that was interrupted.
+
+use crate::run::{Output, antrieb};
+use antrieb::profile::paramfile::{NotHeld, ParamFile};
+use antrieb::profile::{Registry, Sets};
+
+/// An ACU in which much was set, also by data sets.
+const CUBE: &str = "[[drive]]\nmodel = \"acu\"\naddress = 1\nmodules = [\"EM-RES-03\"]\n\
+                    set = { \"372@2\" = 1450, \"480\" = -12.5, \"480@3\" = 7.25, \"395\" = 2, \"700\" = 0 }\n";
+
+fn cube(set: &str) -> String {
+    format!("[[drive]]\nmodel = \"acu\"\naddress = 1\nmodules = [\"EM-RES-03\"]\nset = {{ {set} }}\n")
+}
+
+/// Lines of the values, without their remarks.
+fn values(text: &str) -> Vec<&str> {
+    let values = text.split("[values]\n").nth(1).unwrap().lines();
+    values.map(|line| line.split("  #").next().unwrap()).collect()
+}
+
+fn file(text: &str) -> ParamFile {
+    ParamFile::parse("x.toml", text).unwrap()
+}
+
+#[test]
+fn a_file_holds_every_setting_and_says_what_it_does_not_hold() {
+    let run = antrieb("-a 1 dataset save {dir}/pump.toml").on(&cube("\"372@2\" = 1450, \"480\" = -12.5")).exits(0);
+    let text = run.text_of("pump.toml");
+    let lines = values(&text);
+    for line in [
+        "\"30\" = \"110\"",
+        "\"372@1\" = \"1390 1/min\"",
+        "\"372@2\" = \"1450 1/min\"",
+        "\"372@4\" = \"1390 1/min\"",
+        "\"480\" = \"-12.50 Hz\"",
+        "\"417\" = \"raw 0\"",
+        "\"1376\" = \"1\"",
+    ] {
+        assert!(lines.contains(&line), "{line} in\n{text}");
+    }
+    let family = Registry::open(&[]).unwrap().family("acu").unwrap();
+    let file = file(&text);
+    let settings = file.settings(&family).unwrap();
+    let held: Vec<u32> = settings.params().map(|param| param.id).collect();
+    let left: Vec<u32> =
+        file.head.not_held.values().flat_map(|list| antrieb::profile::paramfile::numbers(list).unwrap()).collect();
+    for number in family.params.keys() {
+        assert!(held.contains(number) != left.contains(number), "{number} is held, or it is said why not");
+    }
+    assert_eq!(file.head.not_held[&NotHeld::RamOnly], "34, 410");
+    assert_eq!(file.head.saved.signature, Some(settings.signature("acu").to_string()));
+    assert!(file.head.saved.complete);
+    assert!(!run.directory().join("pump.toml.part").exists());
+}
+
+/// A drive takes one question for each parameter, five more for each that differs between data sets, and what recognising it
+/// takes. What a drive does not have would be refused, and its cause read.
+#[test]
+fn a_save_takes_at_most_n_and_6_d_and_10_telegrams() {
+    let family = Registry::open(&[]).unwrap().family("acu").unwrap();
+    let four: Vec<u32> =
+        family.params.values().filter(|param| param.sets == Some(Sets::Four)).map(|param| param.id).collect();
+    let settable =
+        |id: &&u32| family.param(**id).unwrap().max.is_none_or(|max| max >= 3) && ![412, 381, 434].contains(*id);
+    for protocol in ["rtu", "ascii", "vabus"] {
+        for d in [0, 1, 3, 12] {
+            let set: Vec<_> = four.iter().filter(settable).take(d).map(|id| format!("\"{id}@3\" = 3")).collect();
+            assert_eq!(set.len(), d);
+            let bench =
+                cube(&set.join(", ")).replace("address = 1", &format!("address = 1\nprotocol = \"{protocol}\""));
+            let run =
+                antrieb(&format!("--protocol {protocol} -v -a 1 dataset save {{dir}}/x.toml")).on(&bench).exits(0);
+            let text = run.text_of("x.toml");
+            let settings = file(&text).settings(&family).unwrap();
+            let n = settings.params().count();
+            let differing = settings.params().filter(|param| settings.exactly(param.id, 1).is_some()).count();
+            let sent = run.sent().len();
+            // The closing EOT of VABus is no question, and asks for nothing.
+            let asked = run.sent().iter().filter(|telegram| *telegram != "04").count();
+            assert!(n > 150 && differing == d, "{protocol} {d}: {n} {differing}");
+            assert!(asked <= n + 6 * d + 10, "{protocol}: {asked} of {sent} telegrams, n = {n}, d = {d}");
+        }
+    }
+}
+
+#[test]
+fn only_what_was_changed_is_saved_if_that_is_asked_for() {
+    let bench = cube("\"480@3\" = 7.25, \"419\" = 60, \"372@2\" = 1450, \"395\" = 2");
+    let run = antrieb("-a 1 -v dataset save --changed {dir}/pump.toml").on(&bench).exits(0);
+    let text = run.text_of("pump.toml");
+    assert_eq!(values(&text), ["\"395\" = \"2\"", "\"419\" = \"60.00 Hz\"", "\"480@3\" = \"7.25 Hz\""], "{text}");
+    let head = file(&text).head;
+    // No source tells the factory setting of the rated speed: it is not even asked.
+    let numbers = |reason| antrieb::profile::paramfile::numbers(&head.not_held[&reason]).unwrap();
+    assert!(numbers(NotHeld::NoKnownFactorySetting).contains(&372));
+    assert!(numbers(NotHeld::FactorySetting).contains(&413));
+    assert!(!run.sent().iter().any(|telegram| telegram.starts_with("01 03 01 74")), "P.372");
+}
+
+#[test]
+fn a_discovery_finds_what_no_catalogue_knows() {
+    // To a program that knows only the ACT, what the resolver module brings is unknown.
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 1\nmodules = [\"EM-RES-03\"]\nset = { \"382\" = -3.1 }\n";
+    let run = antrieb("-a 1 --drive act dataset save --discover {dir}/all.toml").on(bench).exits(0);
+    let text = run.text_of("all.toml");
+    let file = file(&text);
+    assert!(values(&text).contains(&"\"382\" = \"65505\""), "{text}");
+    assert!(text.contains("# parameter-382"), "{text}");
+    let refused = antrieb::profile::paramfile::numbers(&file.head.not_held[&NotHeld::Refused]).unwrap();
+    assert!(refused.contains(&0) && refused.contains(&1599) && refused.len() > 1300);
+    let refused = antrieb("-a 1 dataset save --discover {dir}/all.toml").on("[[drive]]\nmodel = \"lxm05\"\n").json();
+    assert_eq!(refused.exits(7).error()["code"], "data.no_numbers");
+}
+
+#[test]
+fn an_interrupted_save_says_what_is_missing_and_goes_on_from_there() {
+    let bench = CUBE.replace(", \"700\" = 0", "");
+    let whole = antrieb("-a 1 dataset save {dir}/pump.toml").on(&bench).exits(0).text_of("pump.toml");
+    let silent = format!("{bench}[[drive.event]]\nat = \"1s\"\nsilent = \"10h\"\n");
+    let cut = antrieb("-a 1 dataset save {dir}/pump.toml").on(&silent).exits(9);
+    assert!(cut.err.contains("parameters are missing") && cut.err.contains("--resume` goes on"), "{}", cut.err);
+    assert!(!cut.directory().join("pump.toml").exists(), "a file is never half a file");
+    let part = cut.text_of("pump.toml.part");
+    let head = file(&part).head;
+    assert!(!head.saved.complete && head.not_held.contains_key(&NotHeld::NotAsked), "{part}");
+
+    // Unasked it is neither gone on with nor thrown away.
+    let again = cut.then("-a 1 dataset save {dir}/pump.toml").on(&bench).exits(7);
+    assert!(again.err.contains("an earlier save was interrupted"), "{}", again.err);
+    let resumed = again.then("-v -a 1 dataset save {dir}/pump.toml --resume").on(&bench).exits(0);
+    let told = |text: &str| values(text).iter().map(|line| (*line).to_owned()).collect::<Vec<_>>();
+    assert_eq!(told(&resumed.text_of("pump.toml")), told(&whole));
+    assert!(!resumed.directory().join("pump.toml.part").exists());
+    let asked = resumed.sent().len();
+    assert!(asked < values(&whole).len(), "only what was missing is asked: {asked}");
+    let nothing = antrieb("-a 1 dataset save {dir}/pump.toml --resume").on(&bench).json().exits(7);
+    assert_eq!(nothing.error()["code"], "data.resume");
+}
+
+#[test]
+fn nothing_is_replaced_unasked() {
+    let bench = CUBE.replace(", \"700\" = 0", "");
+    let run = antrieb("-a 1 dataset save {dir}/pump.toml").on(&bench).file("pump.toml", "precious").exits(7);
+    assert!(run.err.contains("--force replaces it"), "{}", run.err);
+    assert_eq!(run.text_of("pump.toml"), "precious");
+    assert!(
+        run.then("-a 1 --force dataset save {dir}/pump.toml").on(&bench).exits(0).text_of("pump.toml").len() > 1000
+    );
+}
+
+#[test]
+fn what_cannot_be_written_is_told_before_the_drive_is_asked_for_it() {
+    let run = antrieb("-v -a 1 dataset save {dir}/none/pump.toml").on(&cube("")).exits(7);
+    assert!(run.err.contains("is no directory") && run.sent().is_empty(), "{}", run.err);
+    // A directory stands where the part is to be.
+    let run =
+        antrieb("-v -a 1 dataset save --force {dir}/pump.toml").on(&cube("")).file("pump.toml.part/x", "").exits(7);
+    assert!(run.err.contains("pump.toml.part") && run.sent().len() < 10, "{}", run.err);
+    // Nothing is left of a drive that says nothing.
+    let silent = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive.event]]\nat = \"22ms\"\nsilent = \"10h\"\n";
+    let run = antrieb("-a 1 --drive act dataset save {dir}/pump.toml").on(silent).exits(4);
+    assert_eq!(std::fs::read_dir(run.directory()).unwrap().count(), 1, "the bench alone");
+}
+
+#[test]
+fn several_drives_get_a_file_each() {
+    let line =
+        |rest: &str| -> Output { antrieb(&format!("-p sim -a 1,2 dataset save {rest}")).file("all/x", "").run() };
+    let named = line("{dir}/drive-{address}.toml");
+    assert_eq!(named.exit, 0, "{}", named.err);
+    assert!(named.text_of("drive-1.toml").contains("family = \"act\""));
+    assert!(named.text_of("drive-2.toml").contains("family = \"acu\""));
+    let directory = line("{dir}/all");
+    assert!(directory.text_of("all/drive-1.toml").contains("address = 1"));
+    assert!(directory.text_of("all/drive-2.toml").contains("address = 2"));
+    assert_eq!(line("{dir}/one.toml").exit, 2);
+    let partly = antrieb("-p sim -a 1,7 dataset save {dir}/{address}.toml").json().exits(9);
+    assert_eq!(partly.data("/saved/0/complete"), true);
+    assert_eq!(partly.data("/saved/1/error/class"), "silence");
+}
+
+/// What the manuals leave open changes nothing in a file, but that a drive that shows the value in force is saved so.
+#[test]
+fn a_file_is_the_same_whatever_the_manuals_leave_open() {
+    let act = |readings: &str, protocol: &str| {
+        format!(
+            "[[drive]]\nmodel = \"act\"\naddress = 1\nprotocol = \"{protocol}\"\nreadings = {{ {readings} }}\n\
+             set = {{ \"372@2\" = 1450, \"480\" = -12.5, \"480@3ram\" = 7 }}\n"
+        )
+    };
+    for protocol in ["rtu", "vabus"] {
+        let saved = |readings: &str| {
+            let line = format!("--protocol {protocol} -a 1 dataset save {{dir}}/x.toml");
+            let text = antrieb(&line).on(&act(readings, protocol)).exits(0).text_of("x.toml");
+            text[text.find("[not-held]").unwrap()..].to_owned()
+        };
+        let usual = saved("");
+        for readings in [
+            "unknown_parameter = \"2\"",
+            "set_character = \"as-asked\"",
+            "after_nak = \"silence\"",
+            "wrong_bcc = \"silence\"",
+            "line_reply = \"lost\"",
+        ] {
+            assert_eq!(saved(readings), usual, "{protocol} {readings}");
+        }
+        let in_force = saved("ram_reads = \"in-force\"");
+        assert!(in_force.contains("\"480@3\" = \"7.00 Hz\"") && !usual.contains("480@3"), "{in_force}");
+    }
+    let servo = |readings: &str| {
+        let bench = format!(
+            "[[drive]]\nmodel = \"lxm05\"\naddress = 1\nreadings = {{ {readings} }}\nset = {{ RAMPacc = 500 }}\n"
+        );
+        let text = antrieb("-a 1 dataset save {dir}/x.toml").on(&bench).exits(0).text_of("x.toml");
+        text[text.find("[not-held]").unwrap()..].to_owned()
+    };
+    let usual = servo("");
+    assert!(usual.contains("\"1556\" = \"500 1/min*s\""), "{usual}");
+    for readings in
+        ["exceptions = \"1\"", "exceptions = \"4\"", "flt_err_num = \"moves-on\"", "code_23 = \"reads-first\""]
+    {
+        assert_eq!(servo(readings), usual, "{readings}");
+    }
+}
+
+#[test]
+fn a_node_of_the_system_bus_is_saved_through_its_master() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nprotocol = \"vabus\"\naddress = 3\n\
+                 nodes = [{ id = 17, model = \"acu\", set = { \"372@2\" = 2800 } }]\n";
+    let line = "--protocol vabus -a 3.17 dataset";
+    let saved = antrieb(&format!("{line} save {{dir}}/node.toml")).on(bench).exits(0);
+    let text = saved.text_of("node.toml");
+    assert!(text.contains("node = 17") && text.contains("\"372@2\" = \"2800 1/min\""), "{text}");
+    saved.then(&format!("{line} check {{dir}}/node.toml")).on(bench).exits(0);
+}
+
+#[test]
+fn what_was_saved_is_told_as_json_and_csv_too() {
+    let on = cube("\"372@2\" = 1450");
+    let document = antrieb("-a 1 dataset save {dir}/x.toml").on(&on).json().exits(0);
+    let values = document.data("/saved/0/values").as_array().unwrap();
+    let value = values.iter().find(|value| value["param"] == 372 && value["data_set"] == 2).unwrap();
+    assert_eq!((&value["raw"], &value["unit"], &value["store"]), (&1450.into(), &"1/min".into(), &"eeprom".into()));
+    let csv = antrieb("-a 1 --format csv dataset save {dir}/x.toml").on(&on).exits(0).out;
+    assert_eq!(csv.lines().count(), values.len() + 1);
+    let planned = antrieb("-a 1 dataset save --dry-run {dir}/x.toml").on(&on).json().exits(0);
+    assert_eq!(planned.data("/telegrams").as_array().unwrap().len(), 166);
+}
