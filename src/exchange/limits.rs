@@ -53,6 +53,9 @@ pub const INSIST: Span = Span::from_millis(100);
 pub(super) const BUSY: Span = Span::from_secs(1);
 /// Later than this no reply comes: 6 s were seen behind gateways, and a second for whoever is slower.
 pub(super) const LATEST_OF_ALL: Span = Span::from_secs(7);
+/// A gateway that got no answer from a station that has answered before is asked so often again: one telegram was lost on the
+/// line behind it.
+pub(super) const UNREACHED_REPEATS: u8 = 1;
 /// How often a question is asked anew because its answer may be an older one.
 pub(super) const ROUNDS: u8 = 2;
 /// How often it is asked so that answers agree, where one that was overtaken may come.

@@ -14,7 +14,7 @@ use super::ear::{self, Ear, Piece};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
 use super::job::{Count, Doubted, Job, Orphan, Outcome, Parting, Phase, Waiting, keep};
-use super::limits::LATEST_OF_ALL;
+use super::limits::{LATEST_OF_ALL, UNREACHED_REPEATS};
 use super::twins::Twins;
 use super::{
     Answer, Conversation, ExchangeError, Limits, MOST_BYTES, MOST_RECORDS, Pauses, Record, Step, Tally, Verdict,
@@ -23,7 +23,7 @@ use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::{Span, Tick};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The master of one line.
 #[derive(Debug)]
@@ -42,6 +42,8 @@ pub struct Master {
     orphan: Option<Orphan>,
     /// The last harmless questions that a station answered without a refusal.
     known: BTreeMap<u8, Vec<Question>>,
+    /// Stations that have answered.
+    reached: BTreeSet<u8>,
     /// Counters (code 8) of stations whose family is known.
     counters: BTreeMap<u8, Vec<u16>>,
     /// What came lately, and how soon stations answer.
@@ -81,6 +83,7 @@ impl Master {
             job: None,
             orphan: None,
             known: BTreeMap::new(),
+            reached: BTreeSet::new(),
             counters: BTreeMap::new(),
             heard: Heard::default(),
             twins: Twins::default(),

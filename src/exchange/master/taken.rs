@@ -135,9 +135,11 @@ impl Master {
         let Some(job) = &mut self.job else { return };
         if said.is_unreached() {
             self.tally.silences += 1;
-            job.phase = Phase::Done(Err(ExchangeError::Unreached));
+            let again = self.reached.contains(&job.station) && !job.asks().is_write() && job.asked <= UNREACHED_REPEATS;
+            job.phase = if again { Phase::Gap(at) } else { Phase::Done(Err(ExchangeError::Unreached)) };
             return;
         }
+        self.reached.insert(job.station);
         if !said.is_refusal() && job.question.is_harmless() {
             let known = self.known.entry(job.station).or_default();
             known.retain(|known| *known != job.question);

@@ -157,6 +157,25 @@ fn numbered_transactions_need_no_fences() {
     assert_eq!((line.master.tally().fences, line.master.tally().strays), (0, 1));
 }
 
+/// One telegram lost on the line behind a gateway spoils no reading of a station that is there; a write is never repeated, and
+/// a station that was never reached is asked once.
+#[test]
+fn a_gateway_that_lost_a_reply_is_asked_once_more() {
+    let mut line = Line::new(Framing::Tcp);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    let reply = |number, value| [(10, mbap::encode(number, 1, &Reply::Registers(vec![value]).encode()))];
+    let unreached = |number, function| {
+        let said = Reply::Exception { function, code: Exception::GatewayTarget };
+        [(10, mbap::encode(number, 1, &said.encode()))]
+    };
+    assert_eq!(line.ask(1, READ, &[&unreached(1, 3), &reply(2, 1)]), Err(ExchangeError::Unreached));
+    assert!(line.ask(1, READ, &[&reply(2, 1390)]).is_ok());
+    assert_eq!(taken(line.ask(1, READ, &[&unreached(3, 3), &reply(4, 1391)])), Reply::Registers(vec![1391]));
+    assert_eq!(line.ask(1, READ, &[&unreached(5, 3), &unreached(6, 3), &reply(7, 7)]), Err(ExchangeError::Unreached));
+    let write = Request::WriteRegister { address: 0x2174, value: 1 };
+    assert_eq!(line.ask(1, write, &[&unreached(7, 6), &reply(8, 7)]), Err(ExchangeError::Unreached));
+}
+
 #[test]
 fn vabus_ends_its_exchanges_and_parts_replies_by_what_was_answered_before() {
     let mut line = Line::vabus();
