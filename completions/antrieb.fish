@@ -691,7 +691,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -734,7 +734,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -777,7 +777,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -820,7 +820,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -863,7 +863,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -906,7 +906,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -949,7 +949,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -992,7 +992,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1035,7 +1035,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1152,7 +1152,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1195,7 +1195,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1238,7 +1238,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1281,7 +1281,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1324,7 +1324,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1367,7 +1367,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1410,7 +1410,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1453,7 +1453,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1496,7 +1496,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1547,7 +1547,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l ramp -d 'Le
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l profile -d 'Lead the setpoint by lines such as `5s, 25Hz`' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l jog -d 'Enable, run for this time, stop' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"
@@ -1602,7 +1602,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l ramp -d 'Le
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l profile -d 'Lead the setpoint by lines such as `5s, 25Hz`' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l jog -d 'Enable, run for this time, stop' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l duration -d 'With --hold: end after this time' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l on-exit -d 'Then ramp, quick-stop, coast or keep [default: ramp]' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l on-exit -d 'Then ramp (default), quick-stop, coast or keep' -r -f -a "ramp\t'Disable operation: transition 5, which coasts, brakes or ramps as P.392 says'
 quick-stop\t'Quick stop: the emergency ramps P.424 and P.425'
 coast\t'Disable voltage: the shaft coasts'
 keep\t'Leave it running'"

@@ -903,7 +903,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -949,7 +949,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -995,7 +995,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1041,7 +1041,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1087,7 +1087,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1133,7 +1133,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1179,7 +1179,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1225,7 +1225,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1271,7 +1271,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1317,7 +1317,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1363,7 +1363,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1409,7 +1409,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1455,7 +1455,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1501,7 +1501,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1547,7 +1547,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1593,7 +1593,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1639,7 +1639,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1685,7 +1685,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -1739,7 +1739,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by lines such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')
@@ -1797,7 +1797,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by lines such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
-            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp, quick-stop, coast or keep [default: ramp]')
+            [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
             [CompletionResult]::new('--step', '--step', [CompletionResultType]::ParameterName, 'With --view: the arrows change the setpoint by this')

@@ -1,6 +1,7 @@
 //! From the command line, the environment and files (`low`: what was typed) to [`Settings`] (what holds), resolved once.
 
 mod address;
+pub mod below_zero;
 mod choices;
 mod globals;
 mod low;

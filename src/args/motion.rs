@@ -1,5 +1,6 @@
 //! Arguments of everything that can turn a shaft.
 
+use super::below_zero;
 use super::globals::parse_span;
 use crate::tick::Span;
 use clap::{Args, ValueEnum};
@@ -15,7 +16,7 @@ pub struct MotionArgs {
     #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Run")]
     pub duration: Option<Span>,
 
-    /// Then ramp, quick-stop, coast or keep [default: ramp]
+    /// Then ramp (default), quick-stop, coast or keep
     ///
     /// How to stop at the end, on Ctrl-C, on an error: ramp (ACTIVE: P.392 decides; LXM05: setpoint 0, or a quick stop in modes that it does not stop), quick-stop, coast,
     /// keep. Another Ctrl-C takes the next stronger way.
@@ -32,7 +33,7 @@ pub struct MotionArgs {
     /// Set the drive's own watchdog for the run
     ///
     /// P.413, MBnode_guard: in RAM, and restored afterwards.
-    #[arg(long, value_name = "TIME", value_parser = parse_span, help_heading = "Run")]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, hide_short_help = true, help_heading = "Run")]
     pub watchdog: Option<Span>,
 
     /// ACTIVE: take control with P.412 = 1 for the run
@@ -45,7 +46,7 @@ pub struct MotionArgs {
     ///
     /// Beyond what ramps and holding times need, at most 10 min in all unless this is longer;
     /// and how long missing answers are borne where the drive has no watchdog (with one: half of its time).
-    #[arg(long, value_name = "TIME", value_parser = parse_span, help_heading = "Run")]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, hide_short_help = true, help_heading = "Run")]
     pub wait: Option<Span>,
 
     /// With --hold: chart and keypad; space stops
@@ -85,6 +86,7 @@ pub struct KeypadArgs {
         long,
         value_name = "SETPOINT",
         allow_hyphen_values = true,
+        value_parser = below_zero::word,
         requires = "step",
         hide_short_help = true,
         help_heading = "Run"
@@ -98,6 +100,7 @@ pub struct KeypadArgs {
         long,
         value_name = "SETPOINT",
         allow_hyphen_values = true,
+        value_parser = below_zero::word,
         requires = "step",
         hide_short_help = true,
         help_heading = "Run"

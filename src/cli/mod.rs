@@ -4,8 +4,10 @@ mod complete;
 mod manual;
 mod page;
 mod printed;
+mod short;
 mod signals;
 mod typed;
+mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language};
@@ -41,7 +43,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         streams;
     let (globals, what) = match typed::parse(arguments) {
         Ok(typed::Line { globals, what }) => (globals, what),
-        Err(error) => return typed::explain(&error, arguments, environment, out.as_mut(), err),
+        Err(error) => return unfit::explain(&error, arguments, environment, out.as_mut(), err),
     };
     let settings = what.unkept(&globals).map_or_else(|| Settings::resolve(&globals, environment), Err);
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);

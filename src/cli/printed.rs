@@ -62,7 +62,7 @@ impl Page for Schema {
                 Some(verb) => (verb.schema)(),
                 None => {
                     let message = both!("'{typed}' has no JSON output", "'{typed}' hat keine JSON-Ausgabe");
-                    return Ok(Some(Failure::new(Class::Usage, "usage.schema", message)));
+                    return Ok(Some(Failure::new(Class::Usage, "usage.schema", message).hint(verbs())));
                 }
             },
         };
@@ -70,6 +70,12 @@ impl Page for Schema {
         writeln!(out)?;
         out.flush().map(|()| None)
     }
+}
+
+/// The verbs, for a hint.
+fn verbs() -> Text {
+    let verbs = VERBS.iter().map(|verb| verb.name).collect::<Vec<_>>().join(", ");
+    both!("there are: {verbs}", "es gibt: {verbs}")
 }
 
 /// Prints a completion script: bash, zsh, fish, powershell
@@ -131,7 +137,7 @@ impl Page for Man {
         let Some(command) = found else {
             let verb = self.verb.join(" ");
             let message = both!("there is no verb '{verb}'", "es gibt keinen Befehl '{verb}'");
-            return Ok(Some(Failure::new(Class::Usage, "usage.verb", message)));
+            return Ok(Some(Failure::new(Class::Usage, "usage.verb", message).hint(verbs())));
         };
         manual::print(command, out)?;
         out.flush().map(|()| None)

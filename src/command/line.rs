@@ -88,7 +88,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
                     "expected at least one of --baud, --parity, --address behind `line set`",
                     "hinter `line set` wird mindestens eines von --baud, --parity, --address erwartet"
                 );
-                return Err(Failure::new(Class::Usage, "usage.nothing_to_set", message));
+                return Err(Failure::new(Class::Usage, "usage.nothing_to_set", message)
+                    .hint(both!("for example `line set --baud 57600`", "zum Beispiel `line set --baud 57600`")));
             }
             move_drive(wish, context).await
         }

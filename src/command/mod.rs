@@ -194,7 +194,16 @@ fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<
             "{whence}unbekannter Antrieb '{name}' (erwartet: auto, {known})",
             known = known.join(", ")
         );
-        Failure::new(Class::Usage, "usage.drive", message)
+        let titles = registry
+            .drives()
+            .into_iter()
+            .map(|drive| both!("{id} = {title}", "{id} = {title}", id = drive.id, title = drive.title));
+        let titles = Text::join(&titles.collect::<Vec<_>>(), ", ");
+        Failure::new(Class::Usage, "usage.drive", message).hint(both!(
+            "{titles}; auto, or no --drive, asks the drive what it is",
+            "{titles}; auto oder kein --drive fragt den Antrieb, was er ist",
+            titles
+        ))
     })
 }
 

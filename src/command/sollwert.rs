@@ -11,7 +11,7 @@ use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
-use crate::args::{KeypadArgs, MotionArgs, Takes, parse_span};
+use crate::args::{KeypadArgs, MotionArgs, Takes, below_zero, parse_span};
 use crate::drive::motion::{self, Motor};
 use crate::drive::{Panel, Upper};
 use crate::failure::{Class, Failure};
@@ -42,7 +42,7 @@ pub struct Args {
     /// 25Hz, -12,5Hz, 30%, 1450rpm, 48usr, 10A, 2/3
     ///
     /// With --mode also without a unit.
-    #[arg(value_name = "SETPOINT", allow_hyphen_values = true)]
+    #[arg(value_name = "SETPOINT", allow_negative_numbers = true, value_parser = below_zero::word)]
     pub value: Option<String>,
 
     /// What is set, where the unit does not tell
@@ -54,19 +54,19 @@ pub struct Args {
     /// Set a parameter first, such as RAMPacc=2000
     ///
     /// One of the mode. With --hold it is given back.
-    #[arg(long = "set", value_name = "PARAMETER=VALUE")]
+    #[arg(long = "set", value_name = "PARAMETER=VALUE", hide_short_help = true)]
     pub options: Vec<String>,
 
     /// absolute (default) or relative
     ///
     /// How the movement starts, in modes that need it.
-    #[arg(long, value_name = "START")]
+    #[arg(long, value_name = "START", hide_short_help = true)]
     pub start: Option<String>,
 
     /// Wait until the setpoint is `reached`
     ///
     /// Waits before the program goes on (status bit 10); the time of --duration begins there.
-    #[arg(long, value_name = "WHAT", hide_possible_values = true)]
+    #[arg(long, value_name = "WHAT", hide_possible_values = true, hide_short_help = true)]
     pub until: Option<Until>,
 
     /// Walk to "operation enabled" first
@@ -76,19 +76,19 @@ pub struct Args {
     /// ACTIVE: line or sum forms the setpoint
     ///
     /// Set for the run, in RAM. P.434: line = line setpoint only, sum = internal and line setpoint added.
-    #[arg(long, value_name = "SOURCE")]
+    #[arg(long, value_name = "SOURCE", hide_short_help = true)]
     pub source: Option<String>,
 
     /// Lead the setpoint, such as 0Hz:50Hz:20s
     ///
     /// On a straight line: FROM:TO:TIME.
-    #[arg(long, value_name = "FROM:TO:TIME", allow_hyphen_values = true, conflicts_with_all = ["value", "profile"])]
+    #[arg(long, value_name = "FROM:TO:TIME", allow_hyphen_values = true, value_parser = below_zero::word, conflicts_with_all = ["value", "profile"])]
     pub ramp: Option<String>,
 
     /// Lead the setpoint by lines such as `5s, 25Hz`
     ///
     /// TIME, SETPOINT: at this time this setpoint.
-    #[arg(long, value_name = "FILE", conflicts_with = "value")]
+    #[arg(long, value_name = "FILE", conflicts_with = "value", hide_short_help = true)]
     pub profile: Option<PathBuf>,
 
     /// Enable, run for this time, stop
@@ -100,7 +100,7 @@ pub struct Args {
     /// Give also a setpoint beyond its limit
     ///
     /// The drive judges it.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub force: bool,
 
     /// How the run is bounded.

@@ -3,7 +3,7 @@
 use super::read::select_failure;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target, terms};
-use crate::args::Takes;
+use crate::args::{Takes, below_zero};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
@@ -28,8 +28,8 @@ use clap::Args as ClapArgs;
 pub struct Args {
     /// PARAMETER=VALUE, such as 480=12,5Hz or 376@4=1.5kW
     ///
-    /// Or as two words: 376@4 1.5kW. A value below zero needs the `=`.
-    #[arg(value_name = "PARAMETER=VALUE", required = true)]
+    /// Or as two words: 376@4 1.5kW, 480 -12,5Hz.
+    #[arg(value_name = "PARAMETER=VALUE", required = true, allow_negative_numbers = true, value_parser = below_zero::word)]
     pub assignments: Vec<String>,
 
     /// uint, int, word or long, whatever the catalogue says

@@ -16,16 +16,17 @@ use advice::advised;
 pub(super) use port::{found_ports, link};
 
 impl AccessError {
-    /// The failure to show for a question to `address`. `family` knows the texts of the error register.
+    /// The failure to show for a question to `address`, or with 0 for what no drive was asked. `family` knows the texts of
+    /// the error register.
     pub fn failure(&self, address: u8, family: Option<&Family>) -> Failure {
-        match self {
+        let failure = match self {
             AccessError::Refused(refusal) => refused(refusal, address, family),
             AccessError::Exchange(error) => exchange(error, address),
             AccessError::Unspeakable => unspeakable(),
             AccessError::Link(error) => link(error),
             AccessError::Interrupted => interrupted(),
-        }
-        .with("address", address)
+        };
+        if address == 0 { failure } else { failure.with("address", address) }
     }
 }
 

@@ -124,6 +124,26 @@ pub enum LinkError {
     },
 }
 
+impl LinkError {
+    /// The port that it happened to; a recording has a file.
+    pub fn port(&self) -> Option<&str> {
+        match self {
+            LinkError::NotFound(port)
+            | LinkError::Busy(port)
+            | LinkError::Permission(port)
+            | LinkError::Fixed(port)
+            | LinkError::NoRfc2217(port)
+            | LinkError::Stuck(port)
+            | LinkError::Lost(port)
+            | LinkError::Setting { port, .. }
+            | LinkError::Direction { port, .. }
+            | LinkError::Unreachable { port, .. }
+            | LinkError::Stranger { port, .. } => Some(port),
+            LinkError::Recording { .. } | LinkError::OffTape { .. } => None,
+        }
+    }
+}
+
 /// A way to the drives.
 #[derive(Debug)]
 pub struct Link {

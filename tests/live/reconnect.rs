@@ -76,6 +76,10 @@ fn a_port_that_goes_away_ends_it() {
     adapter.pulled();
     assert_eq!(run.ends(), Some(3), "{}", run.said());
     fit_the_schema(&run.records);
+    // What was lost is a port, and no drive.
+    let lost = run.records.iter().find(|record| record["type"] == "lost").unwrap();
+    assert_eq!(lost["error"]["context"]["port"], lost["port"]);
+    assert_eq!(lost["error"]["context"]["address"], Value::Null);
     assert_eq!(run.records.iter().filter(|record| record["type"] == "lost").count(), 1);
     let end = run.records.last().unwrap();
     assert_eq!((&end["summary"]["because"], &end["error"]["code"]), (&Value::from("lost"), &Value::from("port.lost")));

@@ -85,5 +85,6 @@ mod output {
     mod help;
     mod regressions;
     mod screens;
+    mod usage;
     mod words;
 }

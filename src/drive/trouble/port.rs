@@ -9,7 +9,7 @@ use crate::transport::{LinkError, list_ports};
 /// The failure to show when a port cannot be used.
 pub(in crate::drive) fn link(error: &LinkError) -> Failure {
     let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
-    match error {
+    let failure = match error {
         LinkError::NotFound(_) => Failure::new(class, "port.not_found", said(error)).hint(found_ports()),
         LinkError::Setting { port, message } if NO_PORT.iter().any(|said| message.starts_with(said)) => {
             let text = both!("{port} is no serial port", "{port} ist kein serieller Anschluss");
@@ -20,6 +20,10 @@ pub(in crate::drive) fn link(error: &LinkError) -> Failure {
             Failure { code: "port.lost".to_owned(), ..advised(class, "port.lost_server", said(error)) }
         }
         error => advised(class, code(error), said(error)),
+    };
+    match error.port() {
+        Some(port) => failure.with("port", port),
+        None => failure,
     }
 }
 

@@ -81,3 +81,35 @@ fn what_is_no_serial_port_is_said_to_be_none() {
     let told = antrieb("--lang de -p /dev/null -a 1 read 372").exits(3).err;
     assert!(told.contains("Fehler: /dev/null ist kein serieller Anschluss"), "{told}");
 }
+
+/// A value below zero needs no `=`: no option begins with a digit.
+#[test]
+fn a_value_below_zero_may_be_a_word_of_its_own() {
+    for (line, raw) in [
+        ("480@1 -12,5", -1250),
+        ("480@1 -12.5Hz", -1250),
+        ("480@1 -12", -1200),
+        ("480@1 -,5", -50),
+        ("480@1 --decimals 2 -12,5Hz", -1250),
+        ("480@1 −12,5", -1250),
+        ("--dry-run 480@1 -12,5 -v", -1250),
+        ("-- 480@1 -12,5", -1250),
+    ] {
+        let document = antrieb(&format!("-p sim -a 1 --drive act --dry-run --json write {line}")).run();
+        let document: serde_json::Value = serde_json::from_str(&document.out).unwrap();
+        assert_eq!(document["data"]["values"][0]["raw"], raw, "{line}: {document}");
+    }
+    let several = antrieb("-p sim -a 1 --drive act --dry-run write 480@1 -1 481@1=-2 482@1 -3,5Hz").json().exits(0);
+    let raws: Vec<_> = several.data("/values").as_array().unwrap().iter().map(|row| row["raw"].clone()).collect();
+    assert_eq!(raws, [-100, -200, -350]);
+    for line in ["-12,5Hz", "-12.5Hz --mode frequency", "--mode frequency -12,5"] {
+        let planned = antrieb(&format!("-p sim -a 1 --drive act --dry-run sollwert {line}")).exits(0);
+        assert!(planned.out.contains("= -12.50 Hz"), "{line}\n{}", planned.out);
+    }
+    let led = "--ramp -5Hz:5Hz:2s --hold --enable --step 1Hz --min -6,5Hz --max 6Hz --view";
+    antrieb(&format!("-p sim -a 1 --drive act --dry-run sollwert {led}")).exits(0);
+    for unknown in ["write 480=1 --yess", "write 480 -x", "sollwert --hodl 5Hz", "read -5"] {
+        let said = antrieb(&format!("-p sim -a 1 {unknown}")).exits(2).err;
+        assert!(said.contains(" is not expected behind `"), "{unknown}: {said}");
+    }
+}

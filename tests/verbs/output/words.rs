@@ -392,9 +392,9 @@ fn a_broadcast_says_that_nobody_confirms_it() {
 #[test]
 fn a_verb_under_another_one_is_hinted_at() {
     let run = antrieb("enable").exits(2);
-    assert!(run.err.contains("hint: antrieb statemachine enable"), "{}", run.err);
+    assert!(run.err.contains("hint: it is `antrieb statemachine enable`"), "{}", run.err);
     assert!(antrieb("enable --json").exits(2).out.contains("antrieb statemachine enable"));
-    assert!(!antrieb("enabel").exits(2).err.contains("hint:"));
+    assert!(!antrieb("enabel").exits(2).err.contains("hint: it is"));
 }
 
 #[test]

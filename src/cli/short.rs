@@ -1,0 +1,63 @@
+//! `-h`: a line for each option, and no more lines than a terminal has.
+
+use clap::{Arg, Command};
+
+/// Lines of a terminal (80 x 24).
+const SCREEN: usize = 24;
+
+/// Options of every verb in the order in which they give way where a page has no room; who has no place here never does.
+const GIVE_WAY: &[&str] = &[
+    "parity",
+    "protocol",
+    "lang",
+    "data_bits",
+    "stop_bits",
+    "timeout",
+    "baud",
+    "verbose",
+    "format",
+    "drive",
+    "catalogue",
+];
+
+/// The tree of what `-h` tells.
+pub(super) fn of(root: Command) -> Command {
+    let globals: Vec<_> = root.get_arguments().map(|arg| arg.get_id().clone()).collect();
+    // A verb's own option of the same name has no heading.
+    let is_common = |arg: &Arg| globals.contains(arg.get_id()) && arg.get_help_heading().is_some();
+    let under = |arg: Arg| match is_common(&arg) {
+        true => arg.help_heading(COMMON),
+        false => arg.help_heading(None::<&str>),
+    };
+    root.mut_args(under).mut_subcommands(|verb| {
+        let verb = verb.mut_args(under);
+        let common: Vec<_> = verb.get_arguments().filter(|arg| is_common(arg)).cloned().collect();
+        let verb = verb.mut_subcommands(|inner| {
+            let own = |arg: &&Arg| !inner.get_arguments().any(|own| own.get_id() == arg.get_id());
+            let common: Vec<_> = common.iter().filter(own).cloned().collect();
+            fitted(inner.mut_args(under).args(common))
+        });
+        fitted(verb)
+    })
+}
+
+/// What the options of every verb stand under.
+const COMMON: &str = "Options of every verb (more with --help)";
+
+/// The command with as many of the common options as its page has room for.
+fn fitted(command: Command) -> Command {
+    let is_told = |arg: &&Arg| !arg.is_hide_set() && !arg.is_hide_short_help_set();
+    let told: Vec<_> = command.get_arguments().filter(is_told).collect();
+    let shown = told.iter().map(|arg| arg.get_id().to_string()).collect::<Vec<_>>();
+    let block = |rows: usize| if rows == 0 { 0 } else { rows + 2 };
+    let positional = told.iter().filter(|arg| arg.is_positional()).count();
+    let common = told.iter().filter(|arg| arg.get_help_heading() == Some(COMMON)).count();
+    let inner = command.get_subcommands().filter(|inner| !inner.is_hide_set()).count();
+    // `--help` is an option too.
+    let options = told.len() - positional - common + 1;
+    // What it does, and how it is called; behind the last block there is no blank line.
+    let lines = 4 + block(positional) + block(inner) + block(options) + block(common) - 1;
+    let away = GIVE_WAY.iter().filter(|name| shown.iter().any(|shown| shown == *name));
+    let away: Vec<&str> = away.take(lines.saturating_sub(SCREEN)).copied().collect();
+    command.mut_args(|arg| if away.contains(&arg.get_id().as_str()) { arg.hide_short_help(true) } else { arg })
+}

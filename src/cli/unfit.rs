@@ -1,0 +1,250 @@
+//! What does not fit the tree of arguments, in words of ours: clap knows one language, and says nothing to programs.
+
+use super::closed;
+use super::typed::whole;
+use crate::args::{Environment, Useless, language};
+use crate::failure::{Class, Failure};
+use crate::outcome::Outcome;
+use crate::render::{self, Console, Format, Manner, Stream, View};
+use crate::text::{Text, Wrong, both};
+use clap::error::{ContextKind as Told, ContextValue, ErrorKind};
+use std::borrow::Cow;
+use std::ffi::OsString;
+use std::io::Write;
+
+/// Help goes to stdout and is a success; anything else is a usage error, in JSON too if JSON was asked for.
+pub(super) fn explain(
+    error: &clap::Error,
+    arguments: &[OsString],
+    environment: &Environment,
+    out: &mut dyn Write,
+    err: Box<dyn Write>,
+) -> u8 {
+    let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
+    let lang = language(value_of(&words, "--lang").and_then(|lang| lang.parse().ok()), environment);
+    let console = Console::new(err, lang, true, false);
+    if !error.use_stderr() {
+        let printed = out.write_all(error.render().to_string().as_bytes()).and_then(|()| out.flush());
+        return printed.map_or_else(|error| closed(&error, &console), |()| 0);
+    }
+    let place = Place::of(&words);
+    let failure = place.failure(error);
+    if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
+        let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));
+        let _closed = if verb == "monitor" {
+            Stream::open(View::Ndjson, out, manner, &console).and_then(|stream| stream.finish(&outcome, "monitor"))
+        } else {
+            render::print(&outcome, verb, Format::Json, manner, out, &console)
+        };
+    } else if place.path.is_empty() && error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        // `antrieb` alone shows its help.
+        error.render().to_string().lines().for_each(|line| console.line(line));
+    } else {
+        console.failure(&failure);
+    }
+    Class::Usage.exit()
+}
+
+/// Behind which command something does not fit.
+struct Place {
+    root: clap::Command,
+    /// The names of the verb, and of the verb within it.
+    path: Vec<String>,
+}
+
+impl Place {
+    fn of(words: &[Cow<'_, str>]) -> Self {
+        let root = whole();
+        let (mut path, mut command) = (Vec::new(), &root);
+        for word in words.iter().skip(1) {
+            if let Some(inner) = command.find_subcommand(word.as_ref()) {
+                path.push(inner.get_name().to_owned());
+                command = inner;
+            }
+        }
+        Place { path, root }
+    }
+
+    fn verb(&self) -> &str {
+        self.path.first().map_or("", String::as_str)
+    }
+
+    /// What may stand behind it, as it is typed.
+    fn known(&self) -> String {
+        let command = self.path.iter().try_fold(&self.root, |command, name| command.find_subcommand(name));
+        let inner = command.into_iter().flat_map(clap::Command::get_subcommands).filter(|inner| !inner.is_hide_set());
+        let names = inner.map(clap::Command::get_name).filter(|name| *name != "help");
+        names.collect::<Vec<_>>().join(", ")
+    }
+
+    fn failure(&self, error: &clap::Error) -> Failure {
+        if let Some(useless) = std::error::Error::source(error).and_then(|why| why.downcast_ref::<Useless>()) {
+            return useless.clone().into();
+        }
+        Failure::new(Class::Usage, "usage.arguments", self.message(error)).hint(self.hint(error))
+    }
+
+    /// Behind which command, for a sentence; nothing before a verb.
+    fn behind(&self) -> Text {
+        let path = self.path.join(" ");
+        if path.is_empty() { Text::default() } else { both!(" behind `{path}`", " hinter `{path}`") }
+    }
+
+    /// What was expected, and what came.
+    fn message(&self, error: &clap::Error) -> Text {
+        let told = |kind: Told| error.get(kind).map(ToString::to_string).filter(|text| !text.is_empty());
+        let what = told(Told::InvalidArg).unwrap_or_default();
+        let what =
+            if error.kind() == ErrorKind::MissingRequiredArgument { &*what } else { what.trim_end_matches("...") };
+        let valid = told(Told::ValidValue)
+            .map_or_else(Text::default, |valid| both!(" (expected: {valid})", " (erwartet: {valid})"));
+        let (behind, known) = (self.behind(), self.known());
+        match (error.kind(), told(Told::InvalidValue)) {
+            (ErrorKind::InvalidValue, Some(value)) => {
+                both!(
+                    "'{value}' does not fit '{what}'{valid}",
+                    "'{value}' passt nicht für '{what}'{valid}",
+                    value,
+                    what,
+                    valid
+                )
+            }
+            (ErrorKind::InvalidValue, None) => {
+                both!("a value for '{what}' is missing{valid}", "für '{what}' fehlt ein Wert{valid}", what, valid)
+            }
+            (ErrorKind::ValueValidation, value) => both!(
+                "'{value}' does not fit '{what}'{why}",
+                "'{value}' passt nicht für '{what}'{why}",
+                value = value.unwrap_or_default(),
+                what,
+                why = std::error::Error::source(error).map_or_else(Text::default, unfit_value)
+            ),
+            (ErrorKind::UnknownArgument, _) => match behind.is_empty() {
+                true => both!("'{what}' is not expected here", "'{what}' wird hier nicht erwartet"),
+                false => {
+                    both!("'{what}' is not expected{behind}", "'{what}' wird{behind} nicht erwartet", what, behind)
+                }
+            },
+            (ErrorKind::InvalidSubcommand, _) => {
+                let word = told(Told::InvalidSubcommand).unwrap_or_default();
+                match behind.is_empty() {
+                    true => both!("there is no verb '{word}'", "den Befehl '{word}' gibt es nicht"),
+                    false => both!(
+                        "expected{behind}: {known}; got '{word}'",
+                        "erwartet{behind}: {known}; angegeben: '{word}'",
+                        behind,
+                        known,
+                        word
+                    ),
+                }
+            }
+            (ErrorKind::MissingRequiredArgument, _) => {
+                both!("missing{behind}: {what}", "es fehlt{behind}: {what}", behind, what)
+            }
+            (ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand, _) => {
+                match behind.is_empty() {
+                    true => both!("expected a verb: {known}", "erwartet: ein Befehl: {known}"),
+                    false => both!("expected{behind}: {known}", "erwartet{behind}: {known}", behind, known),
+                }
+            }
+            (ErrorKind::ArgumentConflict, _) => {
+                let prior = told(Told::PriorArg).unwrap_or_default();
+                let prior = prior.trim_end_matches("...");
+                match prior == what || prior.is_empty() {
+                    true => both!("'{what}' is there twice", "'{what}' steht zweimal da"),
+                    false => both!(
+                        "'{what}' does not go together with '{prior}'",
+                        "'{what}' geht nicht zusammen mit '{prior}'"
+                    ),
+                }
+            }
+            (ErrorKind::TooManyValues, Some(value)) => {
+                both!("'{value}' is a value too many for '{what}'", "'{value}' ist für '{what}' ein Wert zu viel")
+            }
+            (ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues, _) => {
+                both!("'{what}' has not as many values as expected", "'{what}' hat nicht so viele Werte wie erwartet")
+            }
+            _ => Text::quoted(
+                error.render().to_string().lines().next().unwrap_or_default().trim_start_matches("error: "),
+            ),
+        }
+    }
+
+    /// What to do next: what was perhaps meant, how it is called, or who tells that.
+    fn hint(&self, error: &clap::Error) -> Text {
+        let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
+        if let Some(near) = near.into_iter().find_map(|kind| nearest(error.get(kind)?)) {
+            return both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'");
+        }
+        if let Some(line) = self.elsewhere(error) {
+            return both!("it is `{line}`", "es heißt `{line}`");
+        }
+        let help = [&["antrieb".to_owned()], &*self.path].concat().join(" ");
+        let page = error.render().to_string();
+        let usage = page.lines().find_map(|line| line.strip_prefix("Usage: "));
+        match (usage, error.kind()) {
+            (Some(usage), ErrorKind::MissingRequiredArgument) => both!(
+                "it is called as `{usage}`; `{help} -h` shows the rest",
+                "der Aufruf ist `{usage}`; `{help} -h` zeigt das Übrige"
+            ),
+            _ if self.path.is_empty() => {
+                both!("`antrieb --help` shows what there is", "`antrieb --help` zeigt, was es gibt")
+            }
+            _ => both!("`{help} -h` shows what is taken there", "`{help} -h` zeigt, was dort angenommen wird"),
+        }
+    }
+
+    /// The verb under which an unknown one is to be found: `statemachine enable` for `enable`, `decode telegram` for a byte.
+    fn elsewhere(&self, error: &clap::Error) -> Option<String> {
+        let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand) else { return None };
+        if self.verb() == "decode" && word.starts_with(|c: char| c == ':' || c.is_ascii_digit()) {
+            return Some(format!("antrieb decode telegram {word}"));
+        }
+        let verb = self.root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
+        Some(format!("antrieb {} {word}", verb.get_name()))
+    }
+}
+
+/// The nearest of what is suggested, which is the last of several.
+fn nearest(value: &ContextValue) -> Option<&str> {
+    match value {
+        ContextValue::String(name) => Some(name),
+        ContextValue::Strings(names) => names.last().map(String::as_str),
+        _ => None,
+    }
+}
+
+/// Why a value does not do: in our words, in those of a number, or as it was said.
+fn unfit_value(why: &(dyn std::error::Error + 'static)) -> Text {
+    let told = why.to_string();
+    match (why.downcast_ref::<Wrong>(), told.split_once(" is not in ")) {
+        (Some(ours), _) => both!(": {why}", ": {why}", why = ours.0),
+        (None, Some((_, range))) => match range.split_once("..") {
+            Some((first, last)) if last == u64::MAX.to_string() || last.is_empty() => {
+                both!(": expected a whole number from {first} on", ": erwartet wird eine ganze Zahl ab {first}")
+            }
+            Some((first, last)) => {
+                let last = last.trim_start_matches('=');
+                both!(
+                    ": expected a whole number, {first} to {last}",
+                    ": erwartet wird eine ganze Zahl, {first} bis {last}"
+                )
+            }
+            None => both!(": expected a whole number, {range}", ": erwartet wird eine ganze Zahl, {range}"),
+        },
+        (None, None) if why.is::<std::net::AddrParseError>() => both!(
+            ": expected an address and a port such as 127.0.0.1:5020",
+            ": erwartet werden Adresse und Port wie 127.0.0.1:5020"
+        ),
+        (None, None) if why.is::<std::num::ParseIntError>() => {
+            both!(": expected a whole number", ": erwartet wird eine ganze Zahl")
+        }
+        (None, None) => both!(": {told}", ": {told}", told = Text::quoted(&told)),
+    }
+}
+
+/// What was typed for an option, in whichever of its two ways: `--lang de`, `--lang=de`.
+fn value_of<'w>(words: &'w [Cow<'_, str>], option: &str) -> Option<&'w str> {
+    let joined = words.iter().find_map(|word| word.strip_prefix(option)?.strip_prefix('='));
+    joined.or_else(|| Some(words.windows(2).find(|pair| pair.first().is_some_and(|w| w == option))?.last()?.as_ref()))
+}
