@@ -56,7 +56,8 @@ pub struct Args {
     pub until_first: bool,
     /// End after this time, whatever is left: `90s`, `2m`
     ///
-    /// The likeliest settings and addresses have had their turn by then; what was left open is told.
+    /// Nothing puts it off but what is on the wire, for a second at most. The likeliest settings and addresses have had their turn by
+    /// then; what was left open is told, and so is who answered and could not be asked any more what he is.
     #[arg(long, value_name = "TIME", value_parser = parse_span)]
     pub within: Option<Span>,
     /// Go on where this result of `scan --json` ends

@@ -329,6 +329,11 @@ impl Survey {
         self.ready_at = self.ready_at.max(now + self.dialect.gap(self.line, PAUSE));
     }
 
+    /// It ends then at the latest, however long somebody else had the line.
+    pub fn end_by(&mut self, at: Tick) {
+        self.ends_at = Some(self.ends_at.map_or(at, |ends| ends.min(at)));
+    }
+
     /// A station has answered.
     fn credit(&mut self, at: Tick, station: u8, said: Said) {
         if self.window.is_some_and(|(asked, _)| asked == station) {

@@ -32,6 +32,10 @@ pub(super) fn report(
         // What was meant to end early leaves nothing out.
         let is_cut = result.cut.is_some() || result.is_over_time || left_out.is_some();
         is_over_time |= result.is_over_time;
+        let place =
+            |drive: &FoundDrive| (drive.address, drive.port.clone(), drive.line.clone(), drive.protocol.clone());
+        let anew: Vec<_> = result.drives.iter().map(place).collect();
+        drives.retain(|old| !anew.contains(&place(old)));
         drives.extend(result.drives);
         warnings.extend(result.warnings);
         warnings.extend(coverage(port, ports.len(), &result.searched).filter(|_| is_cut));

@@ -20,6 +20,8 @@ pub(super) const REPLY: u64 = 8;
 pub(super) enum Sight {
     /// Somebody is there, with what is odd about him.
     Drive(Box<FoundDrive>, Option<Warning>),
+    /// Somebody answered, and there was no time to ask him what he is.
+    Unlooked(Box<FoundDrive>),
     /// Somebody is there, but only garbage comes when he is asked more.
     Garbled,
     /// Nobody answers any more.
@@ -60,18 +62,10 @@ async fn describe_drive(
     if finding.drive.is_none() && is_late && sign.said.is_some() && confirm(session, address).await?.is_none() {
         return Ok(None);
     }
-    let stranger = both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
     let mut found = FoundDrive {
-        address,
         drive: finding.drive.clone().unwrap_or_else(|| "unknown".to_owned()),
-        title: stranger.to_owned(),
-        port: session.port().to_owned(),
-        line: session.line().to_string(),
-        protocol: session.protocol().name().to_owned(),
         evidence: finding.evidence.clone(),
-        state: None,
-        fault: None,
-        warnings: None,
+        ..stranger(session, address, both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"))
     };
     let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
     let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
@@ -91,6 +85,31 @@ async fn describe_drive(
         found.warnings = warnings(&mut target, session).await?;
     }
     Ok(Some(found))
+}
+
+/// Somebody of whom no more is known than that he answers.
+fn stranger(session: &Session<'_>, address: u8, title: Text) -> FoundDrive {
+    FoundDrive {
+        address,
+        drive: "unknown".to_owned(),
+        title,
+        port: session.port().to_owned(),
+        line: session.line().to_string(),
+        protocol: session.protocol().name().to_owned(),
+        evidence: Vec::new(),
+        state: None,
+        fault: None,
+        warnings: None,
+    }
+}
+
+/// Somebody who answered when the time of the search was over.
+pub(super) fn unlooked(session: &Session<'_>, address: u8) -> Sight {
+    let title = both!(
+        "answered; the time was over before it was asked what it is",
+        "hat geantwortet; die Zeit war um, bevor gefragt war, was es ist"
+    );
+    Sight::Unlooked(Box::new(stranger(session, address, title)))
 }
 
 /// The status word, if the first answer is that of this family.
@@ -199,7 +218,7 @@ pub(super) fn remarks(survey: &Survey, tuning: Tuning) -> Vec<Warning> {
         }
     }
     for &address in survey.strangers() {
-        warn("stranger", stranger(address));
+        warn("stranger", intruder(address));
     }
     warnings
 }
@@ -263,7 +282,7 @@ fn doubled(address: u8, asked: u32, replies: usize) -> Text {
     )
 }
 
-fn stranger(address: u8) -> Text {
+fn intruder(address: u8) -> Text {
     both!(
         "a telegram of address {address} came that nobody here had asked for: another master on the line, or a \
              telegram that the line changed",

@@ -38,7 +38,7 @@ pub(super) struct Search<'p, 's, 'o> {
     drives: Vec<FoundDrive>,
     warnings: Vec<Warning>,
     pace: Pace,
-    /// When it ends, whatever is left.
+    /// When it ends, whatever is left; the looks at finds put it off, but not an end that was named.
     ends_at: Option<Tick>,
     /// It ended then.
     is_over_time: bool,
@@ -64,6 +64,8 @@ struct Visit {
     /// Drives that were looked at, and how long that took.
     found: BTreeSet<u8>,
     looked: Span,
+    /// Who answered when there was no time any more to ask him what he is.
+    unlooked: BTreeSet<u8>,
 }
 
 fn work(stage: Stage, span: Span) -> Work {
@@ -148,14 +150,16 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             let Some(Tuning { protocol, line }) = self.searched.get(index).map(|searched| searched.tuning) else {
                 break;
             };
-            if self.searched.len() == 1 || self.yielded {
+            let now = self.session.now();
+            if self.searched.len() == 1 || self.yielded || self.named_end().is_some_and(|at| now >= at) {
                 break;
             }
             self.retune(Tuning { protocol, line }).await?;
             let listen = (line.chars(POLL) + GAPS).times(POLLS);
             let (began, window) = (self.session.now(), Span::ZERO);
             let patience = Patience::by_the_book(self.session.limits().reply_timeout);
-            let patience = Patience { listen, window, yields: !self.plan.force, ..patience };
+            let limit = self.named_end().map(|at| at.since(began));
+            let patience = Patience { listen, window, limit, yields: !self.plan.force, ..patience };
             let mut survey = Survey::new(protocol, line, [], patience, began);
             while self.session.survey(&mut survey).await? != News::Over {}
             self.yielded |= survey.is_shared() && !self.plan.force;
@@ -168,6 +172,11 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             }
         }
         Ok(())
+    }
+
+    /// The end that somebody named (--within), which nothing puts off.
+    fn named_end(&self) -> Option<Tick> {
+        self.plan.within.and(self.ends_at)
     }
 
     async fn retune(&mut self, to: Tuning) -> Result<(), AccessError> {
@@ -249,10 +258,10 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let expected = work(stage, expected);
         let whole = self.ends_at.map(|at| at.since(began));
         let limit = own.into_iter().chain(whole).min();
-        let (found, looked) = (BTreeSet::new(), Span::ZERO);
+        let (found, looked, unlooked) = (BTreeSet::new(), Span::ZERO, BTreeSet::new());
         let patience = Patience { limit, ..patience };
         let stations = questions.len();
-        Some(Visit { index, stage, patience, stations, questions, expected, beyond, began, found, looked })
+        Some(Visit { index, stage, patience, stations, questions, expected, beyond, began, found, looked, unlooked })
     }
 
     fn patience(&self, tuning: Tuning, stage: Stage, question: &Question, is_sure: bool) -> Patience {
@@ -286,8 +295,9 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                     let now = self.session.now();
                     survey.resume(now);
                     visit.looked = visit.looked + now.since(began);
-                    if self.plan.within.is_none() {
-                        self.ends_at = self.ends_at.map(|at| at + now.since(began));
+                    match self.named_end() {
+                        Some(at) => survey.end_by(at),
+                        None => self.ends_at = self.ends_at.map(|at| at + now.since(began)),
                     }
                     self.take(visit, &sign, sight?);
                 }
@@ -304,7 +314,19 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             self.session.expect(sign.station, question);
         }
         let is_late = sign.after > window + self.session.line().chars(look::REPLY);
-        look::look(self.session, self.registry, sign, is_late).await
+        let Some(at) = self.named_end() else {
+            return look::look(self.session, self.registry, sign, is_late).await;
+        };
+        self.session.end_at(Some(at));
+        let sight = match self.session.is_over() {
+            true => Ok(Sight::Nobody),
+            false => look::look(self.session, self.registry, sign, is_late).await,
+        };
+        // What was cut short tells nothing: neither silence nor a refusal.
+        let sight =
+            if self.session.is_over() { sight.map(|_| look::unlooked(self.session, sign.station)) } else { sight };
+        self.session.end_at(None);
+        sight
     }
 
     fn take(&mut self, visit: &mut Visit, sign: &Sign, sight: Sight) {
@@ -318,6 +340,12 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                     first.found();
                 }
                 self.warnings.extend(remark);
+                self.session.tell(Event::Found(drive.clone()));
+                self.drives.push(*drive);
+            }
+            Sight::Unlooked(drive) => {
+                searched.found = true;
+                visit.unlooked.insert(drive.address);
                 self.session.tell(Event::Found(drive.clone()));
                 self.drives.push(*drive);
             }
@@ -340,6 +368,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             Manner::Fast if !visit.stage.quick => searched.asked.extend(survey.attendance().keys()),
             _ => searched.asked.extend(survey.settled(now)),
         }
+        searched.asked.retain(|address| !visit.unlooked.contains(address));
         if !visit.stage.quick {
             searched.garbled.retain(|address| !survey.attendance().contains_key(address));
             self.warnings.extend(look::remarks(survey, searched.tuning));

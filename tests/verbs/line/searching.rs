@@ -219,6 +219,51 @@ fn a_search_within_a_time_ends_then_with_a_verdict() {
     run("10s").and("--lang de").exits(1);
 }
 
+/// Neither listening before the first byte nor looking at many finds, each of which answers late, puts off an end that was
+/// named: behind it comes what is on the wire, and nothing is asked any more.
+#[test]
+fn a_time_that_was_named_is_kept_whatever_the_line_brings() {
+    const WORD: Span = Span::from_secs(4);
+    let slow: Vec<_> = (1..=30).map(|address| (address, "reply_delay = \"400ms\"")).collect();
+    let odd: Vec<_> = (1..=30).map(|address| (address, "baud = 9600\nreply_delay = \"300ms\"")).collect();
+    let lines = [
+        ("late drives", drives(&slow), BAUD),
+        ("late drives at a setting that is known", drives(&slow), Unknown::default()),
+        ("late drives elsewhere", drives(&odd), EVERYTHING),
+        ("somebody speaks at every setting", slow_pair() + &babble("55", "60ms"), EVERYTHING),
+        ("a line that is never silent", slow_pair() + &babble("55", "12ms"), EVERYTHING),
+        ("another master", slow_pair() + &babble("master", "50ms"), EVERYTHING),
+        ("garbled", drives(&slow) + "[[disturb]]\nevery = 1\nkind = \"garbled\"\n", BAUD),
+    ];
+    for (name, bench, unknown) in lines {
+        for manner in [Manner::Usual, Manner::Fast, Manner::Thorough] {
+            let plan = ScanPlan { within: Some(WORD), manner, force: true, ..all(unknown) };
+            let played = play(&bench, &plan);
+            println!("{name}, {manner:?}: {}", played.took);
+            assert!(played.took < WORD + Span::from_millis(1_500), "{name}, {manner:?}: {}", played.took);
+            assert!(played.result.is_over_time || played.took < WORD, "{name}, {manner:?}");
+        }
+    }
+}
+
+/// Who answered and could not be asked more is told, as no drive that is known, and asked again by whoever goes on.
+#[test]
+fn who_answers_at_the_end_of_a_time_is_told_as_left_open() {
+    let bench = drives(&[(1, "reply_delay = \"400ms\"")]);
+    let hasty = antrieb("-a 1-3 scan --within 500ms --json").on(&bench).exits(0);
+    let told: Value = serde_json::from_str(&hasty.out).unwrap();
+    let drive = &told["data"]["drives"][0];
+    assert_eq!((&drive["address"], &drive["drive"]), (&1.into(), &"unknown".into()), "{drive:#}");
+    assert_eq!(drive["title"], "answered; the time was over before it was asked what it is");
+    assert_eq!((&told["data"]["complete"], &told["data"]["searches"][0]["open"]), (&false.into(), &"1-3".into()));
+    let going_on = "-p sim:{dir}/bench.toml -a 1-3 scan --resume {dir}/before.json";
+    let before = hasty.out.clone();
+    let whole = hasty.then(going_on).file("before.json", &before).json().exits(0);
+    let drives: Vec<_> = whole.data("/drives").as_array().unwrap().iter().map(|drive| drive["drive"].clone()).collect();
+    assert_eq!(drives, ["act"], "{:#}", whole.value);
+    antrieb("--lang de -a 1-3 scan --within 500ms").on(&bench).exits(0);
+}
+
 #[test]
 fn in_a_pipe_every_setting_is_a_line_and_with_ndjson_a_record() {
     let run = |more: &str| antrieb(&format!("--baud auto -a 1-40 {more} scan")).on(&slow_pair());

@@ -81,9 +81,10 @@ impl Search<'_, '_, '_> {
             return;
         }
         let expected = self.expected().sum();
-        let most = self.plan.within.unwrap_or_else(|| pace::at_most(expected));
-        let begun = self.session.now();
-        self.ends_at = Some(begun + most);
+        // An end that was named holds from the moment it was named.
+        if self.plan.within.is_none() {
+            self.ends_at = Some(self.session.now() + pace::at_most(expected));
+        }
         let news = self.news(None, expected);
         self.session.tell(Event::Sought(Box::new(news)));
     }
