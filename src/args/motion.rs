@@ -68,6 +68,11 @@ impl MotionArgs {
     pub fn wants_keys(&self) -> bool {
         self.view || self.dead_man
     }
+
+    /// The same without what bounds a run: a stop is none.
+    pub fn of_a_stop(&self) -> MotionArgs {
+        MotionArgs { hold: false, duration: None, view: false, dead_man: false, ..self.clone() }
+    }
 }
 
 /// What the arrows of the keypad do.

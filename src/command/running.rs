@@ -42,7 +42,7 @@ pub(super) struct Plan<'p> {
     pub(super) relief: Option<Relief>,
     /// The drive is to run when it is done, unless the run is bounded.
     pub(super) runs: bool,
-    /// A setpoint of zero: the modes of a family in which it is one.
+    /// A setpoint of zero, which goes out first: the modes of a family in which it is one.
     pub(super) zero: Option<&'p Modes<'p>>,
     /// What takes motion away has gone out already.
     pub(super) said: bool,
@@ -143,7 +143,7 @@ pub(super) async fn run<'p, C>(
     keypad::is_there(plan.args, interrupt.panel())?;
     let act = plan.relief;
     // Whatever else somebody must agree to, a command that stops goes out before.
-    let goes_first = act.or(plan.aim.filter(|aim| *aim != Relief::Zero));
+    let goes_first = act.or(plan.aim).or(plan.zero.map(|_| Relief::Zero));
     if goes_first.is_some() {
         // A stop goes out and is proven whether or not somebody reads what comes of it.
         interrupt.hear_only_keys();

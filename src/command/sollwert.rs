@@ -157,7 +157,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     takes_what_it_needs(args, &wanted)?;
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
-    give(args, &spoken, relief, context).await
+    give(args, &spoken, (relief, zero::goes_first(args, &wanted)), context).await
 }
 
 /// A setpoint alone is obeyed whoever starts and stops the drive: control is taken for an enable only.
@@ -176,7 +176,7 @@ fn takes_what_it_needs(args: &Args, wanted: &Wanted) -> Result<(), Failure> {
 async fn give(
     args: &Args,
     spoken: &Spoken,
-    relief: Option<Relief>,
+    (relief, zero_first): (Option<Relief>, bool),
     context: &mut Context<'_>,
 ) -> Result<Outcome, Failure> {
     let mut motion = args.motion.clone();
@@ -191,7 +191,7 @@ async fn give(
         needs_control: enable,
         relief,
         runs: enable,
-        zero: relief.map(|_| &zeros as &running::Modes<'_>),
+        zero: zero_first.then_some(&zeros as &running::Modes<'_>),
         ..Plan::of("sollwert", Text::default(), &motion)
     };
     running::run(

@@ -11,7 +11,9 @@ use crate::drive::motion::{self, Motor, Situation, missing, no_control, no_fault
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
-use crate::outcome::{Data, Document, ErrorDoc, OrMotion, OrRecord, Outcome, StateReport, StateRow, Statemachine};
+use crate::outcome::{
+    Data, Document, ErrorDoc, Event, OrMotion, OrRecord, Outcome, StateReport, StateRow, Statemachine,
+};
 use crate::profile::{DriveState, Family, Registry};
 use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
@@ -83,6 +85,11 @@ impl Action {
             | Action::Contacts { motion, .. } => Some(motion),
         }
     }
+
+    /// Whether it can only take motion away.
+    fn is_stop(&self) -> bool {
+        matches!(self, Action::Disable(_) | Action::DisableVoltage(_) | Action::QuickStop(_))
+    }
 }
 
 /// Roles that are read, in this order.
@@ -113,7 +120,8 @@ impl Verb for Args {
     type Prints = OrRecord<Document<OrMotion<Statemachine>>>;
 
     fn streams(&self) -> Option<Flow> {
-        let motion = self.action.as_ref().and_then(Action::motion)?;
+        let action = self.action.as_ref().filter(|action| !action.is_stop())?;
+        let motion = action.motion()?;
         (motion.hold || motion.wants_keys()).then_some(Flow::Run { view: motion.wants_keys() })
     }
 
@@ -143,7 +151,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let text = both!("this drive has no command '{slug}'", "dieser Antrieb hat keinen Befehl '{slug}'");
         Failure::new(Class::Data, "data.machine", text)
     })?;
-    let aim = relief_of(slug).filter(|_| !motion.hold);
+    let aim = relief_of(slug);
+    let unheld = aim.map(|_| motion.of_a_stop());
+    let bounds = motion.hold.then(no_run).filter(|_| aim.is_some());
+    let motion = unheld.as_ref().unwrap_or(motion);
     let relief = aim.filter(|_| Plan::only_relieves(motion, true));
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, aim.map(|_| slug), |told| match slug {
@@ -157,6 +168,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         context,
         plan,
         async |session, target, before, plan| {
+            bounds.into_iter().for_each(|told| session.tell(Event::Note(told)));
             if plan.relief.is_some() {
                 return Ok(());
             }
@@ -181,6 +193,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         },
     )
     .await
+}
+
+/// A stop goes out at once and is proven; nothing is left that could be held.
+fn no_run() -> Text {
+    both!(
+        "a stop is no run: --hold, --duration, --view and --dead-man change nothing here",
+        "ein Halt ist kein Lauf: --hold, --duration, --view und --dead-man ändern hier nichts"
+    )
 }
 
 /// Commands that can only take motion away.

@@ -68,7 +68,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
     let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family))?;
-    if let Some(note) = better_by_line(&planned, &family) {
+    for note in [better_by_line(&planned, &family), is_a_stop(&planned, &family)].into_iter().flatten() {
         (context.observe)(Event::Note(note));
     }
     if context.settings.dry_run {
@@ -153,6 +153,17 @@ fn better_by_line(steps: &[Step], family: &Family) -> Option<Text> {
         "{label} is a setting of the line: `{verb}` changes it, follows the drive and proves that it answers",
         "{label} ist eine Einstellung der Leitung: `{verb}` ändert sie, folgt dem Antrieb und prüft, dass er antwortet",
         label = param.label()
+    ))
+}
+
+/// Whoever stops a drive by hand is not to wait at a question.
+fn is_a_stop(steps: &[Step], family: &Family) -> Option<Text> {
+    let word = family.role(Role::ControlWord)?;
+    steps.iter().find(|step| step.param.id == word.id && step.raw == 0)?;
+    let label = word.label();
+    Some(both!(
+        "{label} = 0 takes the power away: `statemachine disable-voltage` sends it at once, asks nobody, and looks what came of it",
+        "{label} = 0 nimmt die Spannung weg: `statemachine disable-voltage` sendet es sofort, fragt niemanden und sieht nach, was daraus wurde"
     ))
 }
 

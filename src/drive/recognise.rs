@@ -28,6 +28,8 @@ pub struct Finding {
     pub kept_register: Option<Result<u16, ExchangeError>>,
     /// It refused a question on the way, which is its last synchronous error now.
     pub refused: bool,
+    /// It was too busy to say what it is (exceptions 5 and 6).
+    pub busy: bool,
     /// Product code, where it told one (code 43, object 1).
     pub product: Option<String>,
 }
@@ -180,6 +182,7 @@ impl<'q, 's> Inquest<'q, 's> {
         let Answer::Reply { said, .. } = answer else { return None };
         let status = self.route.number(said);
         self.finding.refused |= no(said).is_some();
+        self.finding.busy = matches!(no(said), Some(No::Exception(Exception::Acknowledge | Exception::DeviceBusy)));
         let answered = match (no(said), status) {
             (Some(no), _) => told(no),
             (None, Some(status)) => Text::name(format!("0x{status:04X}")),

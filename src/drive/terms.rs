@@ -98,19 +98,40 @@ impl Terms<'_> {
                 both!("{asked}: {answered} ({tells})", "{asked}: {answered} ({tells})", asked, answered, tells)
             };
             let told: Vec<Text> = finding.evidence.iter().map(row).collect();
+            unknown(address, finding.busy, &Text::join(&told, "; "))
+        })
+    }
+}
+
+/// Who answers is no drive that we know, or has no time to say so.
+fn unknown(address: u8, busy: bool, told: &Text) -> Failure {
+    let failure = match busy {
+        true => {
+            let text = both!(
+                "address {address} answers, but is too busy to say what it is",
+                "Adresse {address} antwortet, ist aber zu beschäftigt, um zu sagen, was sie ist"
+            );
+            let hint = both!(
+                "{told}; try again later, or name the family with --drive",
+                "{told}; später noch einmal versuchen, oder die Familie mit --drive angeben",
+                told
+            );
+            Failure::new(Class::Refused, "refused.busy", text).hint(hint)
+        }
+        false => {
             let text = both!(
                 "address {address} is no drive that we know",
                 "unter Adresse {address} antwortet kein bekannter Antrieb"
             );
-            Failure::new(Class::Data, "data.unknown_drive", text)
-                .hint(both!(
-                    "{told}; name the family with --drive if you know better",
-                    "{told}; ist sie bekannt, die Familie mit --drive angeben",
-                    told = Text::join(&told, "; ")
-                ))
-                .with("address", address)
-        })
-    }
+            let hint = both!(
+                "{told}; name the family with --drive if you know better",
+                "{told}; ist sie bekannt, die Familie mit --drive angeben",
+                told
+            );
+            Failure::new(Class::Data, "data.unknown_drive", text).hint(hint)
+        }
+    };
+    failure.with("address", address)
 }
 
 /// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.

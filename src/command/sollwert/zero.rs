@@ -18,14 +18,18 @@ pub(super) fn is_meant(args: &Args, wanted: &Wanted) -> bool {
 
 /// Whether nothing but a standstill is wanted.
 pub(super) fn is_aim(args: &Args, wanted: &Wanted) -> bool {
+    goes_first(args, wanted) && args.source.is_none() && !args.motion.hold
+}
+
+/// Whether it is a zero that goes out whatever else is wanted: what somebody must agree to is asked behind it.
+pub(super) fn goes_first(args: &Args, wanted: &Wanted) -> bool {
     // A standstill is waited for anyway (--until reached).
-    let plain = !(args.enable || args.source.is_some()) && args.options.is_empty();
+    let plain = !args.enable && args.options.is_empty();
     let mode = &wanted.mode;
     plain
         && args.jog.is_none()
         && args.ramp.is_none()
         && args.profile.is_none()
-        && !args.motion.hold
         && mode.zero_stops()
         && mode.starts.is_empty()
         && wanted.schedule.values().all(|raw| raw == 0)
@@ -33,7 +37,7 @@ pub(super) fn is_aim(args: &Args, wanted: &Wanted) -> bool {
 
 /// The modes of a family that a zero may mean, before the drive is asked.
 pub(super) fn modes(args: &Args, bare: bool, wanted: Option<Wanted>, family: &Family) -> Vec<Mode> {
-    let Some(wanted) = wanted.filter(|wanted| is_meant(args, wanted)) else { return Vec::new() };
+    let Some(wanted) = wanted.filter(|wanted| goes_first(args, wanted)) else { return Vec::new() };
     match bare && wanted.mode.value.is_some() {
         true => family.modes.iter().filter(|mode| mode.zero_stops() && mode.starts.is_empty()).cloned().collect(),
         false => vec![wanted.mode],

@@ -11,14 +11,16 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Foreign {
     registers: BTreeMap<u16, u16>,
+    /// It has no time for anybody.
+    busy: bool,
 }
 
 /// Most registers of one request (V1.1b3, 6.3).
 const MOST_REGISTERS: u16 = 125;
 
 impl Foreign {
-    pub(crate) fn new(registers: BTreeMap<u16, u16>) -> Self {
-        Foreign { registers }
+    pub(crate) fn new(registers: BTreeMap<u16, u16>, busy: bool) -> Self {
+        Foreign { registers, busy }
     }
 
     pub(crate) fn register(&self, address: u32) -> Option<i64> {
@@ -28,6 +30,9 @@ impl Foreign {
     /// Executes a request and makes the reply.
     pub(crate) fn answer(&mut self, pdu: &[u8]) -> Reply {
         let function = pdu.first().copied().unwrap_or(0);
+        if self.busy {
+            return Reply::Exception { function, code: Exception::DeviceBusy };
+        }
         self.execute(pdu).unwrap_or_else(|code| Reply::Exception { function, code })
     }
 
@@ -94,7 +99,7 @@ mod tests {
 
     #[test]
     fn it_speaks_the_norm_and_nothing_else() {
-        let mut foreign = Foreign::new([(0, 17), (1, 42)].into());
+        let mut foreign = Foreign::new([(0, 17), (1, 42)].into(), false);
         assert_eq!(foreign.answer(&[3, 0, 0, 0, 2]).encode(), [3, 4, 0, 17, 0, 42]);
         assert_eq!(foreign.answer(&[3, 0, 1, 0, 2]).encode(), [0x83, 2]);
         assert_eq!(foreign.answer(&[3, 0, 0, 0, 0]).encode(), [0x83, 3]);

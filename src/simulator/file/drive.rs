@@ -37,8 +37,8 @@ impl BenchFile<'_> {
         if family.is_none() && model != Model::Foreign {
             return Err(self.error(row.model.span(), format!("no catalogue describes model '{}'", model.name())));
         }
-        if model != Model::Foreign && !row.registers.is_empty() {
-            return Err(self.error(table.span(), "registers are for model foreign; expected set".to_owned()));
+        if model != Model::Foreign && (row.busy || !row.registers.is_empty()) {
+            return Err(self.error(table.span(), "registers and busy are for model foreign; expected set".to_owned()));
         }
         let place = NodeSetting { address, spoken, line: self.line(row, spoken)? };
         let mut station = Setup::plain(place);
@@ -53,7 +53,7 @@ impl BenchFile<'_> {
             station.script.extend(self.active_events(event, model)?);
         }
         let device: Box<dyn Device> = match model {
-            Model::Foreign => Box::new(Foreign::new(registers)),
+            Model::Foreign => Box::new(Foreign::new(registers, row.busy)),
             _ => Box::new(active::Drive::new(&setup, place, nodes, family.as_deref())),
         };
         Ok(Drive::new(station, device))

@@ -58,6 +58,8 @@ pub(crate) struct DriveTable {
     #[serde(default)]
     pub(crate) registers: BTreeMap<String, Spanned<i64>>,
     #[serde(default)]
+    pub(crate) busy: bool,
+    #[serde(default)]
     pub(crate) nodes: Vec<Spanned<NodeTable>>,
     pub(crate) servo: Option<Spanned<ServoTable>>,
     #[serde(default)]

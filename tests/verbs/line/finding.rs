@@ -76,6 +76,14 @@ fn other_verbs_say_that_it_is_no_drive_that_they_know() {
 }
 
 #[test]
+fn who_has_no_time_to_say_what_it_is_may_be_a_drive() {
+    let busy = "[[drive]]\nmodel = \"foreign\"\nbusy = true\n";
+    let document = antrieb("-a 1 read 372").on(busy).json().exits(6);
+    assert_eq!(document.error()["code"], "refused.busy");
+    assert!(document.error()["hint"].as_str().unwrap().contains("exception 6"), "{}", document.error());
+}
+
+#[test]
 fn only_the_addresses_that_were_named_are_asked() {
     let run = antrieb("-p sim -v -a 2,5-7 scan").exits(0);
     let stations: std::collections::BTreeSet<&str> =

@@ -91,3 +91,20 @@ fn a_stop_goes_out_whatever_else_somebody_must_agree_to() {
         }
     }
 }
+
+#[test]
+fn a_stop_is_not_held_and_a_zero_goes_out_before_anybody_is_asked_about_the_rest() {
+    let running = drive(super::rig::RUNNING, "ramps = { up_right = 50, down_right = 20 }");
+    for verb in ["quick-stop", "disable", "disable-voltage"] {
+        let run =
+            antrieb(&format!("-b 115200 -a 1 statemachine {verb} --hold --duration 1s")).on(&running).json().exits(0);
+        assert!(run.err.contains("a stop is no run"), "{}", run.err);
+        assert!(!turns_later(), "{verb}");
+    }
+    for more in ["--hold --duration 1s", "--source line", "--watchdog 2s"] {
+        let run = antrieb(&format!("-b 115200 -a 1 sollwert 0 {more}")).on(&running).json().exits(8);
+        let message = run.error()["message"].as_str().unwrap();
+        assert!(message.starts_with("the stop was sent"), "{more}: {message}");
+        assert!(!turns_later(), "{more}");
+    }
+}

@@ -50,8 +50,10 @@ fn a_setting_of_the_line_is_told_its_verb() {
         let told = antrieb(&format!("-p sim -a 1 write {typed} --dry-run")).exits(0).err;
         assert!(told.contains("is a setting of the line") && told.contains(verb), "{told}");
     }
-    let quiet = antrieb("-p sim -a 1 write 480=6 --dry-run").exits(0).err;
-    assert!(!quiet.contains("setting of the line"), "{quiet}");
+    let told = antrieb("-p sim -a 1 write 410=0 --dry-run").exits(0).err;
+    assert!(told.contains("statemachine disable-voltage"), "{told}");
+    let quiet = antrieb("-p sim -a 1 write 480=6 410=15 --dry-run").exits(0).err;
+    assert!(!quiet.contains("setting of the line") && !quiet.contains("disable-voltage"), "{quiet}");
 }
 
 #[test]
