@@ -7,13 +7,16 @@
 use crate::text::{Text, both};
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Longest configuration, catalogue, bench, setpoint file or saved result in bytes; ours have some ten thousand. What reads
 /// them may have a lower limit of its own.
 pub const TEXT: u64 = 16 << 20;
 /// Longest recording in bytes: three hours of a line that is asked without a pause.
 pub const RECORDING: u64 = 64 << 20;
+
+/// So many files that earlier crashes have left are gone past.
+const MOST_LEFT_OVER: u32 = 99;
 
 /// Why a file cannot be read or written. Shown by itself it speaks English.
 #[derive(Debug, thiserror::Error)]
@@ -124,27 +127,79 @@ pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
 
 /// Writes a whole file, or nothing of it: what stands there is replaced only with `overwrite`, and only by all of the text.
 pub fn write_whole(path: &Path, text: &str, overwrite: bool) -> Result<(), FileError> {
+    may_be_written(path)?;
+    let (beside, mut file) = beside(path)?;
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all()).map_err(FileError::from);
+    drop(file);
+    let placed = written.and_then(|()| match overwrite {
+        true => Ok(std::fs::rename(&beside, path)?),
+        false => place_new(&beside, path, |from, to| std::fs::hard_link(from, to)),
+    });
+    let _gone = std::fs::remove_file(&beside);
+    placed?;
+    Ok(keep_directory(path)?)
+}
+
+/// Whether a file can be written at a path: nothing is there, or a regular file and no link.
+pub fn may_be_written(path: &Path) -> Result<(), FileError> {
     match std::fs::symlink_metadata(path) {
-        Ok(found) if found.file_type().is_symlink() => return Err(FileError::Link),
-        Ok(found) => must_be_regular(&found)?,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        Ok(found) if found.file_type().is_symlink() => Err(FileError::Link),
+        Ok(found) => must_be_regular(&found),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// A new file beside the one that is to be. What an earlier crash has left there is nobody's, and stays.
+fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut taken = io::Error::from(io::ErrorKind::NotFound);
+    for count in 0..MOST_LEFT_OVER {
+        let beside = path.with_file_name(format!(".{name}.{}-{count}.new", std::process::id()));
+        match OpenOptions::new().write(true).create_new(true).open(&beside) {
+            Ok(file) => return Ok((beside, file)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => taken = error,
+            Err(error) => return Err(error),
+        }
+    }
+    Err(taken)
+}
+
+/// Gives a file its name, which must be free. A link is made only where nothing is yet; file systems without links (FAT, exFAT)
+/// take a name that is reserved first, so that nobody else's file is replaced.
+fn place_new(beside: &Path, path: &Path, link: impl FnOnce(&Path, &Path) -> io::Result<()>) -> Result<(), FileError> {
+    let taken = |error: &io::Error| error.kind() == io::ErrorKind::AlreadyExists;
+    match link(beside, path) {
+        Ok(()) => return Ok(()),
+        Err(error) if taken(&error) => return Err(FileError::Exists),
+        Err(_) => {}
+    }
+    match OpenOptions::new().write(true).create_new(true).open(path) {
+        Ok(_reserved) => {}
+        Err(error) if taken(&error) => return Err(FileError::Exists),
         Err(error) => return Err(error.into()),
     }
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let beside = path.with_file_name(format!(".{name}.{}.new", std::process::id()));
-    let written = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
-        file.write_all(text.as_bytes())?;
-        file.sync_all()?;
-        // A link is made only where nothing is yet; a rename takes the place of what is there.
-        if overwrite { std::fs::rename(&beside, path) } else { std::fs::hard_link(&beside, path) }
-    });
-    if !(overwrite && written.is_ok()) {
-        let _ = std::fs::remove_file(&beside);
+    std::fs::rename(beside, path).inspect_err(|_| {
+        let _gone = std::fs::remove_file(path);
+    })?;
+    Ok(())
+}
+
+/// A new name is on the disk only when its directory is.
+#[cfg(unix)]
+fn keep_directory(path: &Path) -> io::Result<()> {
+    use io::ErrorKind::{InvalidInput, PermissionDenied, Unsupported};
+    let directory = path.parent().filter(|directory| !directory.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match File::open(directory).and_then(|directory| directory.sync_all()) {
+        // Not every file system can, and not every directory may be read.
+        Err(error) if matches!(error.kind(), InvalidInput | PermissionDenied | Unsupported) => Ok(()),
+        kept => kept,
     }
-    match written {
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(FileError::Exists),
-        written => Ok(written?),
-    }
+}
+
+#[cfg(not(unix))]
+fn keep_directory(_path: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 /// Takes a file of ours away, if it is there.
@@ -275,6 +330,34 @@ mod tests {
             assert!(write_whole(&at("none/where"), "three", overwrite).unwrap_err().is_missing());
         }
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2, "nothing is left behind");
+    }
+
+    #[test]
+    fn what_a_crash_has_left_is_in_nobodys_way() {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        for stale in [format!(".new.{}.new", std::process::id()), format!(".new.{}-0.new", std::process::id())] {
+            std::fs::write(at(&stale), "half").unwrap();
+        }
+        write_whole(&at("new"), "one", false).unwrap();
+        write_whole(&at("new"), "two", true).unwrap();
+        assert_eq!(std::fs::read_to_string(at("new")).unwrap(), "two");
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 3);
+    }
+
+    #[test]
+    fn a_file_system_without_links_gets_whole_files_too_and_replaces_none() {
+        let dir = tempfile::tempdir().unwrap();
+        let at = |name: &str| dir.path().join(name);
+        let none = |_: &Path, _: &Path| Err(io::Error::from(io::ErrorKind::PermissionDenied));
+        std::fs::write(at("beside"), "one").unwrap();
+        place_new(&at("beside"), &at("new"), none).unwrap();
+        assert_eq!((std::fs::read_to_string(at("new")).unwrap(), at("beside").exists()), ("one".to_owned(), false));
+        std::fs::write(at("beside"), "two").unwrap();
+        assert_eq!(told(place_new(&at("beside"), &at("new"), none)), "the file exists already");
+        assert_eq!(std::fs::read_to_string(at("new")).unwrap(), "one");
+        assert!(place_new(&at("nothing"), &at("other"), none).is_err());
+        assert!(!at("other").exists(), "no reserved name is left behind");
     }
 
     #[test]

@@ -153,10 +153,11 @@ fn whole(
     console: &Console,
 ) -> io::Result<Outcome> {
     match render::print(&outcome, verb.name, format, manner, out, console) {
-        // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn.
-        Err(error) if outcome.is_run() || verb.turns && outcome.failure.is_some() => {
+        // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn. So must
+        // what was written, and which file takes it back.
+        Err(error) if outcome.is_run() || outcome.has_written() || verb.turns && outcome.failure.is_some() => {
             let outcome = unwritten(outcome, &error);
-            render::print_end(&outcome, console);
+            render::print_end(&outcome, verb.name, Manner { color: false, ..manner }, console);
             if outcome.failure.is_some() || is_untaken(&error) { Ok(outcome) } else { Err(error) }
         }
         Err(error) if is_untaken(&error) => Ok(outcome),

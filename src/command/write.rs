@@ -9,7 +9,7 @@ use crate::drive::{Session, Target, Terms, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Writing};
 use crate::outcome::{Data, Document, Event, Outcome, Warning, Write, Written};
-use crate::profile::value::{self, ValueError, format_decimal};
+use crate::profile::value::{self, ValueError};
 use crate::profile::{Family, Param, Role, Selector, Type};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
@@ -246,15 +246,14 @@ fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: 
     if !force {
         value::check_range(raw, param).map_err(|error| bad("data.range", &error).hint(force_sends()))?;
     }
-    if kind == Some(Type::Word) && raw < 0 && param.min.is_none_or(|min| min >= 0) {
-        let error = ValueError::Width { value: format_decimal(raw, param.decimals_or_zero()), kind: "word" };
-        return Err(bad("data.width", &error).hint(both!(
-            "no source tells that it is signed; --type int says so",
-            "keine Quelle nennt ein Vorzeichen; --type int gibt eines an"
-        )));
-    }
     if let Some(kind) = kind {
-        value::check_width(raw, kind, param.decimals_or_zero()).map_err(|error| bad("data.width", &error))?;
+        value::check_type(raw, kind, param).map_err(|error| match kind == Type::Word && raw < 0 {
+            true => bad("data.width", &error).hint(both!(
+                "no source tells that it is signed; --type int says so",
+                "keine Quelle nennt ein Vorzeichen; --type int gibt eines an"
+            )),
+            false => bad("data.width", &error),
+        })?;
     }
     Ok(raw)
 }

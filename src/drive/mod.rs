@@ -26,6 +26,7 @@ mod route;
 mod scan;
 mod session;
 mod sniff;
+mod stands;
 mod tally;
 mod target;
 mod terms;

@@ -106,13 +106,9 @@ impl<'t, 'o> Reader<'t, 'o> {
 
     /// Reads in few telegrams what lies next to each other; [`Reader::rows`] takes it from there.
     pub async fn fetch(&mut self, params: &[Param]) -> Result<(), Failure> {
-        match self.target.neighbours(self.session, params).await {
-            Ok(readings) => {
-                self.fetched.extend(readings);
-                Ok(())
-            }
-            Err(error) => Err(error.failure(self.target.address, Some(&self.target.family))),
-        }
+        let (readings, end) = self.target.neighbours(self.session, params).await;
+        self.fetched.extend(readings);
+        end.map_err(|error| error.failure(self.target.address, Some(&self.target.family)))
     }
 
     /// One row per data set. Refusals are rows with an error; what ends the session is an error.

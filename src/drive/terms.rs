@@ -1,6 +1,6 @@
 //! What is known of a line and its drives without asking, because somebody said it.
 
-use super::{Session, Target, decode, recognise};
+use super::{Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
 use crate::outcome::Evidence;
 use crate::profile::{Family, Registry};
@@ -132,6 +132,22 @@ fn unknown(address: u8, busy: bool, told: &Text) -> Failure {
         }
     };
     failure.with("address", address)
+}
+
+impl Terms<'_> {
+    /// What a drive calls itself. One whose family was named (`--drive`) has not been asked yet.
+    ///
+    /// # Errors
+    /// The session is over.
+    pub async fn product(&self, session: &mut Session<'_>, drive: &Recognised) -> Result<Option<String>, Failure> {
+        let Recognised { target, product, .. } = drive;
+        if product.is_some() || self.named.is_none() {
+            return Ok(product.clone());
+        }
+        let asked = introduce(session, self.registry, target).await;
+        let found = asked.map_err(|error| error.failure(target.address, Some(&target.family)))?.unwrap_or_default();
+        Ok(found.product)
+    }
 }
 
 /// Whom a question to the user names: `drive 3 (acu)`; with a node of the system bus behind it `drive 3.17 (acu)`.

@@ -123,23 +123,24 @@ impl Target {
     }
 
     /// Reads those of the parameters that lie next to each other, in as few telegrams as possible. What is not
-    /// returned, alone or refused with its neighbours, is to be read one by one.
+    /// returned, alone or refused with its neighbours, is to be read one by one. Whatever ends the session, what was read
+    /// stays.
     pub async fn neighbours(
         &mut self,
         session: &mut Session<'_>,
         params: &[Param],
-    ) -> Result<Vec<(u32, Reading)>, AccessError> {
+    ) -> (Vec<(u32, Reading)>, Result<(), AccessError>) {
         let way = self.family.link.route;
         let mut readings = Vec::new();
         let lines = params.chunk_by(|one, next| way.neighbour(one.id) == Some(next.id));
         for chunk in lines.flat_map(|line| line.chunks(way.most())).filter(|chunk| chunk.len() > 1) {
             match self.read_chunk(session, chunk).await {
                 Ok(chunk) => readings.extend(chunk),
-                Err(error) if error.is_fatal() => return Err(error),
+                Err(error) if error.is_fatal() => return (readings, Err(error)),
                 Err(_) => {}
             }
         }
-        Ok(readings)
+        (readings, Ok(()))
     }
 
     async fn read_chunk(

@@ -69,6 +69,18 @@ impl Outcome {
     }
 }
 
+impl Outcome {
+    /// Whether it tells of values that were written, or tried.
+    pub fn has_written(&self) -> bool {
+        match &self.data {
+            Some(Data::Write(write)) => !write.dry_run && !write.values.is_empty(),
+            Some(Data::Dataset(dataset)) => !dataset.dry_run && !dataset.written.is_empty(),
+            Some(Data::Load(load)) => !load.dry_run && !load.values.is_empty(),
+            _ => false,
+        }
+    }
+}
+
 impl From<Failure> for Outcome {
     fn from(failure: Failure) -> Self {
         Outcome { failure: Some(failure), ..Outcome::default() }

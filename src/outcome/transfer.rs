@@ -171,10 +171,11 @@ pub struct Load {
 }
 
 /// How a transaction ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadEnd {
     /// The drive has every value, proven.
+    #[default]
     Done,
     /// Nothing was changed.
     Untouched,
@@ -203,7 +204,7 @@ pub struct NotLoaded {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum NotLoadedWhy {
-    /// A setting of a bus, for which nobody asked.
+    /// A setting of a bus, or what hangs on an index, for which nobody asked: `--only` names it.
     NotAskedFor,
     /// The drive only tells it.
     ReadOnly,

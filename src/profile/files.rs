@@ -37,7 +37,7 @@ pub struct Alters {
 pub enum Goes {
     /// It does.
     Always,
-    /// Only if somebody asks for it: settings of a bus.
+    /// Only if somebody asks for it: settings of a bus, what hangs on an index.
     IfAsked,
     /// It never does: what the drive tells.
     Told,

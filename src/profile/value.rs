@@ -298,6 +298,16 @@ pub fn check_width(raw: i64, kind: Type, decimals: u8) -> Result<(), ValueError>
     Ok(())
 }
 
+/// Holds a raw value against its type, sign included: a word is read back with a sign only where the range has one.
+pub fn check_type(raw: i64, kind: Type, param: &Param) -> Result<(), ValueError> {
+    let decimals = param.decimals_or_zero();
+    check_width(raw, kind, decimals)?;
+    match kind == Type::Word && from_wire(raw as u32, kind, param.min) != raw {
+        true => Err(ValueError::Width { value: format_decimal(raw, decimals), kind: kind.name() }),
+        false => Ok(()),
+    }
+}
+
 /// The raw integer that bits on the wire stand for.
 pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
     match kind {

@@ -196,7 +196,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("nothing was changed", "nichts wurde geändert"),
     ("as before, proven", "wie vorher, geprüft"),
     ("NOT as before", "NICHT wie vorher"),
-    ("left out, of the bus", "ausgelassen, vom Bus"),
+    ("left out until named", "ausgelassen bis genannt"),
     ("left out, only told", "ausgelassen, nur lesbar"),
     ("left out, commands", "ausgelassen, Befehle"),
     ("left out, restarts", "ausgelassen, Neustart"),

@@ -22,6 +22,7 @@ mod parameters {
     mod reading;
     mod saving;
     mod transactions;
+    mod truth;
     mod worked;
     mod writing;
 }

@@ -1,11 +1,11 @@
 //! `dataset load`, `dataset undo`: parameter files into a drive, and back.
 
-use super::loaded::{applied_outcome, blank, dry_run, forbidden, not_all_back, outcome};
+use super::loaded::{applied_outcome, blank, dry_run, forbidden, nothing_to_write, outcome, undone_outcome};
 use super::only_one;
 use super::opened::Opened;
 use crate::args::Settings;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
-use crate::drive::transaction::{self, Choice, Plan, UndoFile};
+use crate::drive::transaction::{self, Choice, Plan, UndoFile, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
@@ -68,8 +68,11 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
     let (steps, left_out) = choice.steps(&values, &family)?;
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
     let mut report = blank(address, &family, files, left_out);
+    if steps.is_empty() {
+        return Ok(nothing_to_write(report, values.len()));
+    }
     if context.settings.dry_run {
-        return dry_run(context, report, &family, &steps);
+        return dry_run(context, report, &family, &steps, fits);
     }
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
@@ -104,29 +107,30 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let mut report = blank(address, &family, vec![args.file.display().to_string()], Vec::new());
     let (steps, from) = transaction::steps_back(&file, &family)?;
     if context.settings.dry_run {
-        return dry_run(context, report, &family, &steps);
+        // What stood in the drive is not judged.
+        return dry_run(context, report, &family, &steps, |_, _| Ok(()));
     }
     let from = if context.settings.force { BTreeMap::new() } else { from };
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
     let drive = same_family(&mut session, &terms, address, &family).await?;
-    same_product(&file, &drive, settings.force)?;
+    same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
-    let (theirs, forbidding): (Vec<Failure>, _) =
-        std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == "forbidden.changed_since");
+    // What somebody has changed since, or what cannot be read, stays; the others go back.
+    let (forbidding, theirs): (Vec<Failure>, _) =
+        std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == transaction::RUNNING);
     plan.failures = forbidding;
     if let Some(failure) = forbidden(&mut plan) {
+        report.ended = Some(LoadEnd::Untouched);
         return Ok(outcome(report, plan, Vec::new(), Some(failure)));
     }
-    let mut failures = theirs;
-    if let Some(permit) = permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
-        failures.extend(transaction::undo(&mut session, &mut plan, &permit).await.failures);
-    }
-    report.ended = Some(if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Torn });
-    let failure = not_all_back(failures);
-    Ok(outcome(report, plan, Vec::new(), failure))
+    let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
+        Some(permit) => Some(transaction::undo(&mut session, &mut plan, &permit).await),
+        None => None,
+    };
+    Ok(undone_outcome(report, plan, theirs, undone))
 }
 
 /// What is asked about.
@@ -183,6 +187,18 @@ fn read_all(paths: &[PathBuf], settings: &Settings, registry: &Registry) -> Resu
     let mut laid: Option<(Rc<Family>, Values)> = None;
     for path in paths {
         let opened = Opened::read(path, registry, settings.drive.as_deref())?;
+        if opened.file.undo.is_some() {
+            let message = both!(
+                "{path}: this file takes a load back; it is no parameter file to be written",
+                "{path}: diese Datei nimmt ein Laden zurück; zum Schreiben ist sie keine Parameterdatei",
+                path = opened.file.path
+            );
+            return Err(Failure::new(Class::Data, "data.is_undo_file", message).hint(both!(
+                "`antrieb dataset undo {shown}` takes it back, and looks who has changed something since",
+                "`antrieb dataset undo {shown}` nimmt es zurück und prüft, was seitdem jemand geändert hat",
+                shown = path.display()
+            )));
+        }
         if !opened.file.head.saved.complete {
             let message = both!(
                 "{path}: this file is not complete: the save was interrupted",
@@ -212,7 +228,8 @@ async fn same_family(
     address: u8,
     family: &Family,
 ) -> Result<Recognised, Failure> {
-    let drive = terms.recognised(session, address, false).await?;
+    let mut drive = terms.recognised(session, address, false).await?;
+    drive.product = terms.product(session, &drive).await?;
     let found = &drive.target.family.drive;
     if *found == family.drive {
         return Ok(drive);
@@ -247,9 +264,8 @@ fn same_address(file: &ParamFile, at: (u8, u8), force: bool) -> Result<(), Failu
 }
 
 /// The same address may be another drive by now: what it calls itself must be the same too.
-fn same_product(file: &ParamFile, drive: &Recognised, force: bool) -> Result<(), Failure> {
-    let (of, found) = (&file.head.drive.product, &drive.product);
-    let (Some(of), Some(found)) = (of, found) else { return Ok(()) };
+fn same_product(file: &ParamFile, found: Option<&str>, force: bool) -> Result<(), Failure> {
+    let (Some(of), Some(found)) = (file.head.drive.product.as_deref(), found) else { return Ok(()) };
     if of == found || force {
         return Ok(());
     }

@@ -3,11 +3,12 @@
 use crate::command::{Context, terms, write};
 use crate::drive::describe;
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, Ended, Plan};
+use crate::drive::transaction::{Applied, Plan};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Load, LoadEnd, NotLoaded, Outcome, Warning, WriteResult};
-use crate::profile::{Effective, Family, Role};
+use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult};
+use crate::profile::{Effective, Family, Role, Type};
 use crate::text::{Text, both};
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -32,42 +33,94 @@ pub(super) fn blank(address: u8, family: &Family, files: Vec<String>, left_out: 
 /// Why nothing may be begun, if so: the rows say which values are in the way.
 pub(super) fn forbidden(plan: &mut Plan) -> Option<Failure> {
     let failures = std::mem::take(&mut plan.failures);
-    let count = failures.len();
-    let first = failures.into_iter().next()?;
+    let failure = in_the_way(failures, &both!("nothing was written", "es wurde nichts geschrieben"))?;
     for row in plan.job.rows.iter_mut().filter(|row| row.result == WriteResult::Planned) {
         row.result = WriteResult::Skipped;
     }
+    Some(failure)
+}
+
+/// The first of what is in the way, and how many more there are.
+fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
+    let count = failures.len();
+    let first = failures.into_iter().next()?;
     let why = first.message.clone();
     let message = match count {
-        1 => both!("{why}; nothing was written", "{why}; es wurde nichts geschrieben", why),
+        1 => both!("{why}; {so}", "{why}; {so}", why, so),
         _ => both!(
-            "{why}; {more} more in the way; nothing was written",
-            "{why}; {more} weitere stehen im Weg; es wurde nichts geschrieben",
+            "{why}; {more} more in the way; {so}",
+            "{why}; {more} weitere stehen im Weg; {so}",
             why,
+            so,
             more = count - 1
         ),
     };
     Some(Failure { message, ..first })
 }
 
-/// What would be sent, without opening anything.
+/// The scope leaves out all that the files hold: nothing is as it was wanted, so that is no success.
+pub(super) fn nothing_to_write(mut report: Load, held: usize) -> Outcome {
+    report.ended = Some(LoadEnd::Untouched);
+    let asked: Vec<String> =
+        report.left_out.iter().filter(|row| row.why == NotLoadedWhy::NotAskedFor).map(number).collect();
+    let asked: BTreeSet<String> = asked.into_iter().collect();
+    let asked = asked.into_iter().collect::<Vec<_>>().join(",");
+    let message = match held {
+        0 => both!(
+            "the files hold no values; nothing was written",
+            "die Dateien enthalten keine Werte; geschrieben wurde nichts"
+        ),
+        _ => both!(
+            "nothing is left to write: of the {held} values of the files none was asked for",
+            "es bleibt nichts zu schreiben: von den {held} Werten der Dateien war keiner verlangt"
+        ),
+    };
+    let hint = match (held, asked.is_empty()) {
+        (0, _) => both!(
+            "`antrieb dataset save` writes files with values",
+            "`antrieb dataset save` schreibt Dateien mit Werten"
+        ),
+        (_, true) => both!(
+            "--only, --except and --sets pick what is written; `antrieb dataset check` shows what the files hold",
+            "--only, --except und --sets wählen aus, was geschrieben wird; `antrieb dataset check` zeigt, was die Dateien enthalten"
+        ),
+        _ => both!(
+            "settings of a bus, and what hangs on an index, are written only if they are named: --only {asked}",
+            "Einstellungen eines Busses und was an einem Index hängt werden nur geschrieben, wenn sie genannt sind: --only {asked}"
+        ),
+    };
+    let failure = Failure::new(Class::No, "no.values", message).hint(hint);
+    Outcome { data: Some(Data::Load(report)), warnings: Vec::new(), failure: Some(failure) }
+}
+
+fn number(left: &NotLoaded) -> String {
+    left.param.to_string()
+}
+
+/// What would be sent, without opening anything; what `fits` refuses would end it.
 pub(super) fn dry_run(
     context: &Context<'_>,
     mut report: Load,
     family: &Rc<Family>,
     steps: &[Step],
+    fits: impl Fn(&Step, Option<Type>) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let terms = terms(context.settings, context.registry)?;
+    let mut failures = Vec::new();
     for step in steps {
         let mut row = describe::to_write(report.address, family, &step.param, step.set, step.raw);
         row.node = terms.speech.node;
         job::tell(&mut row, step.kind.and_then(|kind| job::telegram(&terms, family, report.address, step, kind)));
+        if let Err(failure) = fits(step, step.kind) {
+            row.result = WriteResult::Refused;
+            row.error = Some(ErrorDoc::from(&failure));
+            failures.push(failure);
+        }
         report.values.push(row);
     }
     report.dry_run = true;
-    let mut outcome = Outcome::of(Data::Load(report));
-    outcome.warnings = vec![write::dry_run_reads()];
-    Ok(outcome)
+    let failure = in_the_way(failures, &both!("nothing would be written", "es würde nichts geschrieben"));
+    Ok(Outcome { data: Some(Data::Load(report)), warnings: vec![write::dry_run_reads()], failure })
 }
 
 /// The whole of it, with what takes effect later.
@@ -98,12 +151,7 @@ pub(super) fn outcome(mut report: Load, plan: Plan, mut warnings: Vec<Warning>, 
 /// How a transaction ended, and what to do next.
 pub(super) fn applied_outcome(mut report: Load, plan: Plan, applied: Applied, left: &Path) -> Outcome {
     let Applied { ended, failures, notes } = applied;
-    report.ended = Some(match ended {
-        Ended::Done => LoadEnd::Done,
-        Ended::Untouched => LoadEnd::Untouched,
-        Ended::Back => LoadEnd::Back,
-        Ended::Torn => LoadEnd::Torn,
-    });
+    report.ended = Some(ended);
     let mut warnings: Vec<Warning> =
         notes.into_iter().map(|message| Warning { code: "load.altered".to_owned(), message }).collect();
     let file = left.display();
@@ -111,11 +159,8 @@ pub(super) fn applied_outcome(mut report: Load, plan: Plan, applied: Applied, le
     let failure = failures.next().map(|first| {
         let why = first.message.clone();
         match ended {
-            Ended::Done | Ended::Untouched => Failure {
-                message: both!("{why}; nothing was changed", "{why}; es wurde nichts geändert", why),
-                ..first
-            },
-            Ended::Back => partial(
+            LoadEnd::Done | LoadEnd::Untouched => unchanged(first),
+            LoadEnd::Back => partial(
                 first,
                 "partial.put_back",
                 both!(
@@ -125,7 +170,7 @@ pub(super) fn applied_outcome(mut report: Load, plan: Plan, applied: Applied, le
                 ),
                 both!("mend that and load it again", "das beheben und noch einmal laden"),
             ),
-            Ended::Torn => partial(
+            LoadEnd::Torn => partial(
                 first,
                 "partial.torn",
                 unlike(&why, failures.len()),
@@ -145,12 +190,30 @@ fn partial(first: Failure, code: &str, message: Text, hint: Text) -> Failure {
     Failure { class: Class::Partial, code: code.to_owned(), message, ..first }.hint(hint)
 }
 
-/// Why not everything is as it was.
-pub(super) fn not_all_back(failures: Vec<Failure>) -> Option<Failure> {
-    let count = failures.len();
-    let first = failures.into_iter().next()?;
-    let message = unlike(&first.message, count);
-    Some(Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first })
+/// How taking a load back ended: `theirs` is what was left as it is.
+pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>, undone: Option<Applied>) -> Outcome {
+    let notes = plan.notes.iter().cloned();
+    let mut warnings: Vec<Warning> =
+        notes.map(|message| Warning { code: "load.in_force".to_owned(), message }).collect();
+    let Applied { ended, failures, .. } = undone.unwrap_or_default();
+    let is_untouched = ended == LoadEnd::Untouched;
+    report.ended = Some(if theirs.is_empty() || is_untouched { ended } else { LoadEnd::Torn });
+    let count = failures.len() + theirs.len();
+    let mut failures = failures.into_iter().chain(theirs);
+    let failure = failures.next().map(|first| match is_untouched {
+        true => unchanged(first),
+        false => {
+            let message = unlike(&first.message, count);
+            Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }
+        }
+    });
+    warnings.extend(failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message }));
+    outcome(report, plan, warnings, failure)
+}
+
+fn unchanged(failure: Failure) -> Failure {
+    let why = failure.message;
+    Failure { message: both!("{why}; nothing was changed", "{why}; es wurde nichts geändert", why), ..failure }
 }
 
 fn unlike(why: &Text, count: usize) -> Text {

@@ -4,7 +4,7 @@ use super::opened::Opened;
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, offline_family, plan, read_question, terms};
 use crate::drive::paramfile::{Draft, Harvest, Wanted, factory, harvest, left_out, rows};
-use crate::drive::{Recognised, Session, is_over, summary};
+use crate::drive::{Session, Target, Terms, is_over, summary};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{Data, ErrorDoc, Outcome, SavedFile, Saves};
@@ -41,6 +41,8 @@ struct Goal {
     /// What an interrupted save leaves.
     part: PathBuf,
     before: Option<Opened>,
+    /// The file is whole already: of several drives that are gone on with, one that was done before.
+    done: Option<Opened>,
 }
 
 pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
@@ -56,9 +58,9 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
     let (mut saved, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
     for goal in &goals {
         session.allow(session.now(), <super::Args as Verb>::UPPER.drive);
-        let one = match terms.recognised(&mut session, goal.address, false).await {
-            Ok(drive) => save(options, &mut session, drive, goal, settings.force).await,
-            Err(failure) => Err(failure),
+        let one = match &goal.done {
+            Some(done) => Ok((options.there(goal, done, &session), None)),
+            None => save(options, &mut session, &terms, goal, settings.force).await,
         };
         let (row, failure) = match one {
             Ok((row, failure)) => (row, failure),
@@ -88,10 +90,12 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
 async fn save(
     options: &Options,
     session: &mut Session<'_>,
-    mut drive: Recognised,
+    terms: &Terms<'_>,
     goal: &Goal,
     force: bool,
 ) -> Result<(SavedFile, Option<Failure>), Failure> {
+    let mut drive = terms.recognised(session, goal.address, false).await?;
+    drive.product = terms.product(session, &drive).await?;
     let family = drive.target.family.clone();
     let scope = options.scope(goal);
     let mut before = Harvest::default();
@@ -117,25 +121,38 @@ async fn save(
     }
     let failure = done.failure().map(|failure| unfinished(failure, goal));
     let file = store(goal, &draft.text(&done), &done, force)?;
-    let signature = done.settings.signature(&family.drive);
-    let row = SavedFile {
+    let saved = row(goal, &done, (session, &drive.target), scope, file);
+    Ok((SavedFile { error: failure.as_ref().map(ErrorDoc::from), ..saved }, failure))
+}
+
+/// The row of a drive of which this was read, and its file.
+fn row(
+    goal: &Goal,
+    held: &Harvest,
+    (session, target): (&Session<'_>, &Target),
+    scope: Scope,
+    file: Option<&Path>,
+) -> SavedFile {
+    SavedFile {
         address: goal.address,
-        drive: family.drive.clone(),
+        drive: target.family.drive.clone(),
         file: file.map(|file| file.display().to_string()),
         scope: scope.name(),
-        complete: done.is_complete(),
-        signature: Some(signature.to_string()),
-        values: rows(session, &drive.target, &done.settings),
-        not_held: left_out(&done),
-        error: failure.as_ref().map(ErrorDoc::from),
-    };
-    Ok((row, failure))
+        complete: held.is_complete(),
+        signature: Some(held.settings.signature(&target.family.drive).to_string()),
+        values: rows(session, target, &held.settings),
+        not_held: left_out(held),
+        error: None,
+    }
 }
 
 /// Writes the whole file; what is not whole goes beside it.
 fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<Option<&'g Path>, Failure> {
     if done.is_complete() {
-        write(&goal.file, text, force)?;
+        write(&goal.file, text, force).inspect_err(|_| {
+            // What was read is not lost with the name.
+            let _kept = write(&goal.part, text, true);
+        })?;
         // It stands in the file now.
         let _gone = files::remove(&goal.part);
         return Ok(Some(&goal.file));
@@ -229,15 +246,25 @@ impl Options {
             let message = both!("{shown} is no directory", "{shown} ist kein Verzeichnis");
             return Err(Failure::new(Class::Data, "data.output", message));
         }
+        for path in [&file, &part] {
+            files::may_be_written(path).map_err(|error| unwritten(path, &error))?;
+        }
+        if several && self.resume && exists(&file) && !exists(&part) {
+            let done = Opened::read(&file, context.registry, settings.drive.as_deref())?;
+            if done.file.head.drive.address == Some(address) && done.file.head.saved.complete {
+                return Ok(Goal { address, file, part, before: None, done: Some(done) });
+            }
+        }
         if exists(&file) && !settings.force {
             return Err(unwritten(&file, &FileError::Exists));
         }
         if self.resume && exists(&part) {
             let before = Opened::read(&part, context.registry, settings.drive.as_deref())?;
-            return Ok(Goal { address, file, part, before: Some(before) });
+            self.same_scope(&before)?;
+            return Ok(Goal { address, file, part, before: Some(before), done: None });
         }
         let shown = part.display().to_string();
-        if self.resume {
+        if self.resume && !several {
             let message = both!(
                 "there is nothing to go on with: {shown} is not there",
                 "es gibt nichts fortzusetzen: {shown} gibt es nicht"
@@ -255,7 +282,39 @@ impl Options {
                 "--resume setzt es fort, --force beginnt von vorn"
             )));
         }
-        Ok(Goal { address, file, part, before: None })
+        Ok(Goal { address, file, part, before: None, done: None })
+    }
+
+    /// What was begun with one scope is not gone on with in another: the file would hold some of either.
+    fn same_scope(&self, before: &Opened) -> Result<(), Failure> {
+        let typed = self.typed().zip(before.file.head.saved.scope);
+        let Some((asked, begun)) = typed.filter(|(asked, begun)| asked != begun) else { return Ok(()) };
+        let message = both!(
+            "{path} was begun as `{begun}`, not as `{asked}`",
+            "{path} wurde als `{begun}` begonnen, nicht als `{asked}`",
+            path = before.file.path,
+            begun = begun.name(),
+            asked = asked.name()
+        );
+        Err(Failure::new(Class::Usage, "usage.scope", message).hint(both!(
+            "--resume alone goes on as it was begun; --force without --resume begins anew",
+            "--resume allein setzt fort, wie begonnen; --force ohne --resume beginnt von vorn"
+        )))
+    }
+
+    /// The scope that was typed, if one was.
+    fn typed(&self) -> Option<Scope> {
+        let changed = self.changed.then_some(Scope::Changed);
+        changed.or_else(|| self.discover.then_some(Scope::Discovered))
+    }
+
+    /// The row of a drive whose file was whole before.
+    fn there(&self, goal: &Goal, done: &Opened, session: &Session<'_>) -> SavedFile {
+        let head = &done.file.head;
+        let numbers = head.not_held.iter().map(|(&reason, list)| (reason, numbers(list).unwrap_or_default()));
+        let held = Harvest { settings: done.settings.clone(), not_held: numbers.collect(), ..Harvest::default() };
+        let target = Target::new(goal.address, done.family.clone());
+        row(goal, &held, (session, &target), self.scope(goal), Some(&goal.file))
     }
 
     /// The file of the drive at an address.
@@ -282,12 +341,8 @@ impl Options {
 
     /// What the file is to hold; one that is gone on with says it itself.
     fn scope(&self, goal: &Goal) -> Scope {
-        let begun = goal.before.as_ref().and_then(|before| before.file.head.saved.scope);
-        begun.unwrap_or(match (self.changed, self.discover) {
-            (true, _) => Scope::Changed,
-            (_, true) => Scope::Discovered,
-            _ => Scope::Settings,
-        })
+        let begun = goal.before.as_ref().or(goal.done.as_ref()).and_then(|before| before.file.head.saved.scope);
+        begun.or_else(|| self.typed()).unwrap_or(Scope::Settings)
     }
 
     /// The row of a drive of which nothing was read.
@@ -308,7 +363,7 @@ impl Options {
     /// The questions, as if the four data sets of everything were equal.
     fn dry_run(&self, context: &mut Context<'_>) -> Result<Outcome, Failure> {
         let family = offline_family(context.settings, context.registry)?;
-        let scope = self.scope(&Goal { address: 0, file: PathBuf::new(), part: PathBuf::new(), before: None });
+        let scope = self.typed().unwrap_or(Scope::Settings);
         let wanted = Wanted::of(scope, &family)?;
         let questions: Vec<_> = wanted.asked.iter().map(|one| read_question(&one.param, 0)).collect();
         plan(context, &family, &questions)

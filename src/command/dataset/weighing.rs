@@ -161,21 +161,23 @@ impl Weighed {
         let count = compared.differences.len();
         let differ = (count > 0).then(|| differing(count));
         let none = (compared.count == 0).then(nothing_to_compare);
+        let part = [&a, &b].into_iter().find(|one| one.is_part).map(|one| incomplete(&one.side.name));
         for one in [&mut a, &mut b] {
             one.side.signature = Some(one.settings.signature(&family.drive).to_string());
         }
         let warnings = [&a, &b].into_iter().flat_map(Weight::warnings).collect();
-        let equal = if missing.is_some() || compared.count == 0 { None } else { Some(count == 0) };
+        let is_open = missing.is_some() || part.is_some() || compared.count == 0;
+        let equal = if is_open { None } else { Some(count == 0) };
         let comparison = Comparison {
             a: a.side,
             b: b.side,
             equal: if count > 0 { Some(false) } else { equal },
             compared: compared.count,
             differences: compared.differences,
-            error: missing.as_ref().map(ErrorDoc::from),
+            error: missing.as_ref().or(part.as_ref()).map(ErrorDoc::from),
             unified,
         };
-        Weighed { comparison, failure: missing.or(differ).or(none), warnings }
+        Weighed { comparison, failure: missing.or(differ).or(none).or(part), warnings }
     }
 
     /// A file whose drive could not be asked at all.
@@ -227,6 +229,19 @@ fn differing(count: usize) -> Failure {
         count => both!("{count} values differ", "{count} Werte sind verschieden"),
     };
     Failure::new(Class::No, "no.differences", message)
+}
+
+/// What is not in a file can be anything.
+fn incomplete(name: &Text) -> Failure {
+    let message = both!(
+        "nothing differs as far as {name} goes, which is not complete",
+        "soweit {name} reicht, ist nichts verschieden, doch die Datei ist nicht vollständig",
+        name
+    );
+    Failure::new(Class::Partial, "partial.file_incomplete", message).hint(both!(
+        "`antrieb dataset save --resume` completes it",
+        "`antrieb dataset save --resume` vervollständigt sie"
+    ))
 }
 
 fn nothing_to_compare() -> Failure {

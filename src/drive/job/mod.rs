@@ -7,12 +7,13 @@ mod asked;
 
 pub use asked::question;
 
+use super::stands::{has_ram, in_ram};
 use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{DataSets, Effective, Family, HazardKind, Holds, Param, Role, Type};
+use crate::profile::{Effective, Family, HazardKind, Holds, Param, Role, Type};
 use crate::text::{Text, both};
 use crate::tick::Span;
 
@@ -89,9 +90,12 @@ pub async fn prepare(
             }
         }
         check_found(step, target)?;
-        if row.old_raw == Some(step.raw) && !force && !differs_in_ram(session, target, step).await {
-            row.result = WriteResult::Unchanged;
-            row.note = might_be_ram(target, step);
+        if row.old_raw == Some(step.raw) && !force {
+            let in_ram = in_ram(session, target, &step.param, &[step.set]).await.map_err(nothing_sent)?;
+            if in_ram.iter().all(|(_, raw)| *raw == step.raw) {
+                row.result = WriteResult::Unchanged;
+                row.note = might_be_ram(target, step);
+            }
         }
         let kind = step.kind.or(target.known_width(step.param.id));
         tell(&mut row, kind.and_then(|kind| telegram(terms, &target.family, address, step, kind)));
@@ -116,7 +120,7 @@ fn nothing_sent(failure: Failure) -> Failure {
 /// The width that the drive has told, or that nobody tells, before anything is sent.
 fn check_found(step: &Step, target: &Target) -> Result<(), Failure> {
     let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param)) };
-    value::check_width(step.raw, kind, step.param.decimals_or_zero()).map_err(|error| {
+    value::check_type(step.raw, kind, &step.param).map_err(|error| {
         let (label, slug) = (step.param.label(), &step.param.slug);
         let message = both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", why = error.text());
         nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id))
@@ -140,26 +144,10 @@ pub fn tell(row: &mut Written, telegram: Option<TelegramDoc>) {
     row.telegram = telegram.map(|doc| doc.hex);
 }
 
-/// Whether a value of the EEPROM is another one in RAM, which is the one in force (CM-485 manual 7): then it is written, though
-/// the EEPROM has it.
-async fn differs_in_ram(session: &mut Session<'_>, target: &mut Target, step: &Step) -> bool {
-    let Some(set) = ram_of(target, step) else { return false };
-    let mut reader = Reader::new(session, target);
-    // What cannot be read there differs from nothing.
-    let rows = reader.rows(&step.param, describe::sets(set)).await.unwrap_or_default();
-    rows.first().and_then(|row| row.raw).is_some_and(|raw| raw != step.raw)
-}
-
 /// Some drives read the value in force from the EEPROM's sets (facts: readings): nobody can tell then what they store.
 fn might_be_ram(target: &Target, step: &Step) -> Option<Text> {
-    ram_of(target, step)?;
-    Some(both!("if it was set in RAM only, --force stores it", "stand er nur im RAM, speichert ihn --force"))
-}
-
-/// The set in RAM behind a set of the EEPROM.
-fn ram_of(target: &Target, step: &Step) -> Option<u8> {
-    let is_stored = target.family.link.route.has_data_sets() && step.set < DataSets::RAM_OFFSET;
-    (is_stored && target.address != 0).then_some(step.set + DataSets::RAM_OFFSET)
+    let hint = both!("if it was set in RAM only, --force stores it", "stand er nur im RAM, speichert ihn --force");
+    has_ram(target, &step.param, step.set).then_some(hint)
 }
 
 /// Writes what is planned for one drive. The first failure skips the rest; returns whether the session is over.

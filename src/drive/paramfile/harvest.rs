@@ -102,22 +102,21 @@ pub async fn harvest(
     let mut work = Work { session, target, so_far, silences: 0 };
     let began = work.session.now();
     let mut kept = began;
-    let mut fetched = work.fetch(&todo).await;
+    work.fetch(&todo).await;
     for (done, one) in todo.iter().enumerate() {
         if work.so_far.end.is_some() {
             break;
         }
         work.tell(began, done, todo.len());
-        match fetched.remove(&one.param.id) {
-            Some(reading) => work.take(&one.param, vec![(0, Ok(reading))]),
-            None => work.ask(one).await,
+        if work.so_far.is_open(one.param.id) {
+            work.ask(one).await;
         }
         if work.session.now().since(kept) >= CHECKPOINT {
             kept = work.session.now();
             keep(&work.so_far);
         }
     }
-    work.leave_what_moves(&todo).await;
+    work.leave_what_moves(asked).await;
     work.so_far
 }
 
@@ -131,15 +130,18 @@ struct Work<'w, 's> {
 
 impl Work<'_, '_> {
     /// What lies next to each other, where one telegram can ask for several.
-    async fn fetch(&mut self, todo: &[&Asking]) -> BTreeMap<u32, Reading> {
+    async fn fetch(&mut self, todo: &[&Asking]) {
         let whole = todo.iter().filter(|one| one.sets == [DataSets::Unnamed]);
         let params: Vec<Param> = whole.map(|one| one.param.clone()).collect();
-        match self.target.neighbours(self.session, &params).await {
-            Ok(readings) => readings.into_iter().collect(),
-            Err(error) => {
-                self.end(&error);
-                BTreeMap::new()
+        let (readings, end) = self.target.neighbours(self.session, &params).await;
+        let readings: BTreeMap<u32, Reading> = readings.into_iter().collect();
+        for param in &params {
+            if let Some(reading) = readings.get(&param.id) {
+                self.take(param, vec![(0, Ok(reading.clone()))]);
             }
+        }
+        if let Err(error) = end {
+            self.end(&error);
         }
     }
 
@@ -169,8 +171,9 @@ impl Work<'_, '_> {
             return self.so_far.leave(param.id, NotHeld::NoNumber);
         }
         for reading in readings {
-            if param.kind.is_none() && reading.kind == Type::Long {
-                self.so_far.types.insert(param.id, Type::Long);
+            // What whoever reads the file would not expect.
+            if param.kind.unwrap_or(Type::Word).bits() != reading.kind.bits() {
+                self.so_far.types.insert(param.id, reading.kind);
             }
             let (set, _) = describe::place(reading.set);
             let at = At { path: format!("drive {}", self.target.address).into(), line: 0, column: 0 };
@@ -205,9 +208,10 @@ impl Work<'_, '_> {
         self.session.tell(Event::Progress { done: done as u64, total: total as u64, what });
     }
 
-    /// Of a number that no catalogue knows nobody knows whether it is a setting. What has moved meanwhile is none.
-    async fn leave_what_moves(&mut self, todo: &[&Asking]) {
-        for param in todo.iter().map(|one| &one.param).filter(|param| !param.is_known()) {
+    /// Of a number that no catalogue knows nobody knows whether it is a setting. What has moved meanwhile is none, whether it was
+    /// read now or before the save was interrupted.
+    async fn leave_what_moves(&mut self, asked: &[Asking]) {
+        for param in asked.iter().map(|one| &one.param).filter(|param| !param.is_known()) {
             if self.so_far.end.is_some() {
                 return;
             }
@@ -215,15 +219,24 @@ impl Work<'_, '_> {
                 continue;
             };
             match self.target.read_set(self.session, param, first.set).await {
-                Ok(reading) if reading.raw != first.raw => {
-                    self.so_far.settings.retain(|one| one.param.id != param.id);
-                    self.so_far.types.remove(&param.id);
+                Ok(reading) if reading.raw == first.raw => {}
+                Ok(_) => {
+                    self.drop(param);
                     self.so_far.leave(param.id, NotHeld::ActualValue);
                 }
-                Err(error) if error.is_fatal() => self.end(&error),
-                _ => {}
+                Err(error) => {
+                    if !error.is_fatal() {
+                        self.drop(param);
+                    }
+                    self.miss(param, &error);
+                }
             }
         }
+    }
+
+    fn drop(&mut self, param: &Param) {
+        self.so_far.settings.retain(|one| one.param.id != param.id);
+        self.so_far.types.remove(&param.id);
     }
 }
 

@@ -1,44 +1,19 @@
 //! Writing a plan: value by value, each proven, all proven once more at the end; and back, if anything goes wrong.
 
 use super::back::put_back;
+use super::ended::{Applied, untouched};
 use super::plan::{Kept, Plan, is_touched, standstill};
-use super::reading::stands_at;
+use super::proof::look;
 use super::undo_file::UndoFile;
-use crate::drive::job::{self, Step};
+use crate::drive::job::{self, Job, Step};
+use crate::drive::stands::{in_ram, stands_at};
 use crate::drive::{Session, Terms};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
-use crate::outcome::{ErrorDoc, Event, WriteResult, Written};
+use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
 use crate::profile::DataSets;
 use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
-
-/// So often everything in the RAM is asked again at most, until it is told without a gap.
-const PROOFS: usize = 6;
-
-/// How a transaction ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ended {
-    /// Everything is as it was wanted.
-    Done,
-    /// Nothing was written.
-    Untouched,
-    /// Everything is as it was before, proven.
-    Back,
-    /// Some of it is not as it was before, or nobody knows; the rows say which.
-    Torn,
-}
-
-/// What became of a transaction.
-#[derive(Debug)]
-pub struct Applied {
-    /// How it ended.
-    pub ended: Ended,
-    /// Why it did not end well: first what went wrong, then what could not be put back.
-    pub failures: Vec<Failure>,
-    /// What the drive changed by itself.
-    pub notes: Vec<Text>,
-}
 
 /// Writes what is planned. Whatever ends it early, what was written goes back; the rows say what became of each value.
 ///
@@ -56,22 +31,19 @@ pub async fn apply(
         Ok(()) => forward(session, plan, terms, permit).await,
     };
     let failure = match went {
-        Ok(notes) => return Applied { ended: Ended::Done, failures: Vec::new(), notes },
+        Ok(notes) => return Applied { ended: LoadEnd::Done, failures: Vec::new(), notes },
         Err(failure) => failure,
     };
-    for row in plan.job.rows.iter_mut().filter(|row| row.result == WriteResult::Planned) {
-        row.result = WriteResult::Skipped;
-    }
+    let Applied { mut failures, .. } = untouched(plan, failure);
     if !plan.job.rows.iter().any(is_touched) {
-        return Applied { ended: Ended::Untouched, failures: vec![failure], notes: Vec::new() };
+        return Applied { ended: LoadEnd::Untouched, failures, notes: Vec::new() };
     }
-    let mut failures = vec![failure];
     failures.extend(put_back(session, plan, permit, &failures[..]).await);
     let was_written = plan.job.rows.iter().any(|row| row.result == WriteResult::Restored);
     let ended = match (failures.len(), was_written) {
-        (1, true) => Ended::Back,
-        (1, false) => Ended::Untouched,
-        _ => Ended::Torn,
+        (1, true) => LoadEnd::Back,
+        (1, false) => LoadEnd::Untouched,
+        _ => LoadEnd::Torn,
     };
     Applied { ended, failures, notes: Vec::new() }
 }
@@ -145,51 +117,42 @@ async fn look_again(session: &mut Session<'_>, plan: &mut Plan, written: usize) 
     for (step, row) in job.steps.iter().zip(&mut job.rows).skip(written + 1) {
         if altered.contains(&step.param.id) {
             let now = stands_at(session, &mut job.target, &step.param, step.set).await?;
-            row.result = if now == step.raw { WriteResult::Unchanged } else { WriteResult::Planned };
+            let in_force = in_ram(session, &mut job.target, &step.param, &[step.set]).await?;
+            let is_there = now == step.raw && in_force.iter().all(|(_, raw)| *raw == step.raw);
+            row.result = if is_there { WriteResult::Unchanged } else { WriteResult::Planned };
         }
     }
     Ok(())
 }
 
 /// Proves once more what was promised: power that failed for a moment takes back what went into the RAM, and a drive may
-/// change what it was told before. In the RAM all values must be told without a gap: behind a missing answer, which may be a
-/// restart, it begins anew.
+/// change what it was told before.
 async fn prove(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
     let in_ram = plan.job.steps.iter().any(|step| step.set >= DataSets::RAM_OFFSET);
     let all = in_ram || !plan.watched.is_empty();
     let is_due = |row: &Written| row.result == WriteResult::Verified || (all && row.result == WriteResult::Unchanged);
-    let due: Vec<usize> = (0..).zip(&plan.job.rows).filter(|(_, row)| is_due(row)).map(|(index, _)| index).collect();
-    let (mut told, most) = (0, due.len() * PROOFS);
-    for index in due.iter().copied().cycle().take(most) {
-        let repeats = session.tally().repeats;
-        let job = &mut plan.job;
-        let (Some(step), Some(row)) = (job.steps.get(index), job.rows.get_mut(index)) else { break };
-        let wrong = match stands_at(session, &mut job.target, &step.param, step.set).await {
-            Ok(now) if now == step.raw => {
-                told = if in_ram && session.tally().repeats > repeats { 1 } else { told + 1 };
-                if told == due.len() {
-                    return Ok(());
-                }
-                continue;
+    let Job { target, steps, rows } = &mut plan.job;
+    let due: Vec<usize> = (0..).zip(rows.iter()).filter(|(_, row)| is_due(row)).map(|(index, _)| index).collect();
+    let of = |index: &usize| steps.get(*index).map(Kept::wanted);
+    let places: Vec<Kept> = due.iter().filter_map(of).collect();
+    let mut wrong = None;
+    let looked = look(session, target, &places, |nth, now| {
+        wrong = match (now, due.get(nth).and_then(|index| Some((steps.get(*index)?, rows.get_mut(*index)?)))) {
+            (Ok(now), Some((step, _))) if now == step.raw => None,
+            (now, Some((step, row))) => {
+                let failure = now.map_or_else(|failure| failure, |now| changed_since(step, now));
+                // What was not written stays so; what was is put back.
+                let was_written = row.result != WriteResult::Unchanged;
+                row.result = if was_written { WriteResult::Differs } else { WriteResult::Skipped };
+                row.error = Some(ErrorDoc::from(&failure));
+                Some(failure)
             }
-            Ok(now) => changed_since(step, now),
-            Err(failure) => failure,
+            _ => None,
         };
-        // What was not written stays so; what was is put back.
-        row.result = if row.result == WriteResult::Unchanged { WriteResult::Skipped } else { WriteResult::Differs };
-        row.error = Some(ErrorDoc::from(&wrong));
-        return Err(wrong);
-    }
-    if due.is_empty() { Ok(()) } else { Err(unsteady()) }
-}
-
-/// The failure of a line over which nothing can be proven of a RAM.
-fn unsteady() -> Failure {
-    let message = both!(
-        "so many answers are missing that nobody knows whether the drive restarted meanwhile",
-        "so viele Antworten fehlen, dass offen ist, ob der Antrieb zwischendurch neu gestartet ist"
-    );
-    Failure::new(Class::Garbled, "garbled.unsteady", message)
+        wrong.is_none()
+    });
+    looked.await?;
+    wrong.map_or(Ok(()), Err)
 }
 
 fn changed_since(step: &Step, now: i64) -> Failure {

@@ -2,12 +2,15 @@
 //!
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
+use super::ended::{Applied, untouched};
 use super::plan::{Kept, Plan, is_touched, standstill};
-use super::reading::stands_at;
+use super::proof::look;
+use crate::drive::job;
+use crate::drive::stands::stands_at;
 use crate::drive::{Order, Session, WriteFate, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
-use crate::outcome::{ErrorDoc, Event, WriteResult};
+use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
 use crate::profile::{DataSets, FileRules, Role};
 use crate::text::both;
 use crate::tick::Span;
@@ -34,50 +37,70 @@ pub(super) async fn put_back(
     let nobody = is_silent && !await_return(session, plan).await;
     let order = back_order(plan);
     match nobody {
-        true => order.iter().filter_map(|kept| told(plan, kept, Err(left(kept)))).collect(),
-        false => restore_all(session, plan, &order, permit).await,
+        true => order.iter().filter_map(|kept| told(plan, kept, Err(unseen(kept)))).collect(),
+        false => restore_all(session, plan, &order, permit).await.failures,
     }
 }
 
-/// Brings these values back in this order, and proves all of them at the end: a failure for each that did not come back.
-async fn restore_all(
-    session: &mut Session<'_>,
-    plan: &mut Plan,
-    order: &[Kept],
-    permit: &Permit<Writing>,
-) -> Vec<Failure> {
-    let (mut failures, mut silences, mut over) = (Vec::new(), 0, false);
-    for (done, kept) in (0..).zip(order) {
-        session.tell(restoring(done, order.len() as u64, kept));
-        let result = match over || silences >= NOBODY_AFTER {
-            true => Err(left(kept)),
-            false => restore(session, plan, kept, permit).await,
-        };
-        silences = match &result {
-            Err(failure) if failure.class == Class::Silence => silences + 1,
-            _ if silences >= NOBODY_AFTER => silences,
-            _ => 0,
-        };
-        over |= result.as_ref().is_err_and(is_over);
-        failures.extend(told(plan, kept, result));
+/// How far the way back came.
+#[derive(Debug, Default)]
+struct Way {
+    /// A failure for each value that did not come back.
+    failures: Vec<Failure>,
+    /// Something was written.
+    is_begun: bool,
+    /// Why the session is over.
+    over: Option<Failure>,
+    /// Values in a row that brought no answer.
+    silences: usize,
+}
+
+impl Way {
+    /// Whether asking for more is in vain.
+    fn is_lost(&self) -> bool {
+        self.over.is_some() || self.silences >= NOBODY_AFTER
     }
-    if failures.is_empty() {
-        for kept in order {
-            if over || silences >= NOBODY_AFTER {
-                failures.extend(told(plan, kept, Err(left(kept))));
-                continue;
-            }
-            let result = match stands_at(session, &mut plan.job.target, &kept.param, kept.set).await {
-                Ok(now) if now == kept.raw => continue,
-                Ok(_) => Err(left(kept)),
-                Err(failure) => Err(failure),
-            };
-            silences += usize::from(result.as_ref().is_err_and(|failure| failure.class == Class::Silence));
-            over |= result.as_ref().is_err_and(is_over);
-            failures.extend(told(plan, kept, result));
+
+    fn count(&mut self, failure: Option<&Failure>) {
+        if self.over.is_none() {
+            self.over = failure.filter(|failure| is_over(failure)).cloned();
+        }
+        if !self.is_lost() {
+            self.silences = if failure.is_some_and(|it| it.class == Class::Silence) { self.silences + 1 } else { 0 };
         }
     }
-    failures
+}
+
+/// Brings these values back in this order, and looks at all of them once more at the end: only what that look has seen is said
+/// to be as before.
+async fn restore_all(session: &mut Session<'_>, plan: &mut Plan, order: &[Kept], permit: &Permit<Writing>) -> Way {
+    let (mut way, mut back) = (Way::default(), Vec::new());
+    for (done, kept) in (0..).zip(order) {
+        session.tell(restoring(done, order.len() as u64, kept));
+        let result = match way.is_lost() {
+            true => Err(unseen(kept)),
+            false => restore(session, plan, kept, permit, &mut way.is_begun).await,
+        };
+        way.count(result.as_ref().err());
+        back.extend(result.is_ok().then(|| kept.clone()));
+        way.failures.extend(told(plan, kept, result));
+    }
+    let mut seen: Vec<Result<(), Failure>> = back.iter().map(|kept| Err(unseen(kept))).collect();
+    if !way.is_lost() {
+        let looked = look(session, &mut plan.job.target, &back, |index, now| {
+            way.count(now.as_ref().err());
+            if let Some((kept, seen)) = back.get(index).zip(seen.get_mut(index)) {
+                *seen = now.and_then(|now| if now == kept.raw { Ok(()) } else { Err(left(kept)) });
+            }
+            !way.is_lost()
+        });
+        if let Err(failure) = looked.await {
+            seen.iter_mut().for_each(|seen| *seen = Err(failure.clone()));
+        }
+    }
+    let wrong = back.iter().zip(seen).filter_map(|(kept, seen)| told(plan, kept, Err(seen.err()?)));
+    way.failures.extend(wrong);
+    way
 }
 
 /// Waits for a drive that does not answer: perhaps it restarts. Asked is now this, now that, each once: no telegram goes out
@@ -104,7 +127,9 @@ async fn await_return(session: &mut Session<'_>, plan: &mut Plan) -> bool {
 /// What is put back, in its order: first what can start a shaft, then what the rest depends on, then the rest from its end.
 fn back_order(plan: &Plan) -> Vec<Kept> {
     let rules = &plan.job.target.family.files;
-    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| is_touched(row));
+    // Whatever ended the load may have taken from the RAM what nobody touched.
+    let is_due = |(step, row): &(&job::Step, &Written)| is_touched(row) || step.set >= DataSets::RAM_OFFSET;
+    let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(is_due);
     let mut order: Vec<Kept> = rows
         .filter_map(|(step, row)| Some(Kept { param: step.param.clone(), set: step.set, raw: row.old_raw? }))
         .collect();
@@ -114,9 +139,7 @@ fn back_order(plan: &Plan) -> Vec<Kept> {
         by_touched && !named.contains(&(kept.param.id, kept.set))
     };
     order.extend(plan.watched.iter().filter(touches).cloned());
-    let behind = |kept: &Kept| [0, kept.set - DataSets::RAM_OFFSET].map(|set| (kept.param.id, set));
-    let is_over_written = |kept: &&Kept| behind(kept).iter().any(|place| named.contains(place));
-    order.extend(plan.in_force.iter().filter(is_over_written).cloned());
+    order.extend(plan.in_force.iter().cloned());
     back_sorted(order, rules)
 }
 
@@ -148,6 +171,7 @@ async fn restore(
     plan: &mut Plan,
     kept: &Kept,
     permit: &Permit<Writing>,
+    is_begun: &mut bool,
 ) -> Result<Came, Failure> {
     let Kept { param, set, raw } = kept;
     let target = &mut plan.job.target;
@@ -156,6 +180,7 @@ async fn restore(
     }
     let address = target.address;
     let kind = target.width(session, param, *set).await;
+    *is_begun |= kind.is_ok();
     let fate = match kind {
         Ok(kind) => target.write(session, param, Order { set: *set, raw: *raw, kind, read_back: true }, permit).await,
         Err(error) => Err(error),
@@ -174,6 +199,12 @@ fn left(kept: &Kept) -> Failure {
     Failure::new(Class::Partial, "partial.not_put_back", message).with("param", kept.param.id)
 }
 
+fn unseen(kept: &Kept) -> Failure {
+    let message =
+        both!("{label} was not asked any more", "{label} wurde nicht mehr gefragt", label = kept.param.label());
+    Failure::new(Class::Partial, "partial.not_asked", message).with("param", kept.param.id)
+}
+
 /// Says in the row what became of putting it back.
 fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<Failure> {
     let job = &mut plan.job;
@@ -182,8 +213,8 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
     match (result, row) {
         (Ok(came), Some(row)) => {
             // What the drive refused was never another value, and what nobody touched stays so.
-            let is_as_it_was = came == Came::Stood && row.result == WriteResult::Unchanged;
-            let keeps = is_as_it_was || row.result == WriteResult::Refused;
+            use WriteResult::{Refused, Skipped, Unchanged};
+            let keeps = came == Came::Stood && matches!(row.result, Refused | Skipped | Unchanged);
             row.result = if keeps { row.result } else { WriteResult::Restored };
             None
         }
@@ -208,26 +239,23 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
     }
 }
 
-/// What became of taking a transaction back.
-#[derive(Debug)]
-pub struct Restored {
-    /// A failure for each value that is not as it was.
-    pub failures: Vec<Failure>,
-}
-
 /// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others.
-pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Restored {
+pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Applied {
     if let Err(failure) = standstill(session, &mut plan.job.target).await {
-        for row in plan.job.rows.iter_mut().filter(|row| row.result == WriteResult::Planned) {
-            row.result = WriteResult::Skipped;
-        }
-        return Restored { failures: vec![failure] };
+        return untouched(plan, failure);
     }
+    let before = plan.job.rows.clone();
     let rows = plan.job.steps.iter().zip(&plan.job.rows);
     let todo = rows.filter(|(_, row)| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged));
-    let order = todo.map(|(step, _)| Kept { param: step.param.clone(), set: step.set, raw: step.raw }).collect();
+    let order = todo.map(|(step, _)| Kept::wanted(step)).collect();
     let order = back_sorted(order, &plan.job.target.family.files);
-    Restored { failures: restore_all(session, plan, &order, permit).await }
+    let Way { failures, is_begun, over, .. } = restore_all(session, plan, &order, permit).await;
+    if let (Some(over), false) = (over, is_begun) {
+        plan.job.rows = before;
+        return untouched(plan, over);
+    }
+    let ended = if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Torn };
+    Applied { ended, failures, notes: Vec::new() }
 }
 
 fn restoring(done: u64, total: u64, kept: &Kept) -> Event {

@@ -10,12 +10,14 @@
 mod apply;
 mod back;
 mod choice;
+mod ended;
 mod plan;
-mod reading;
+mod proof;
 mod undo_file;
 
-pub use apply::{Applied, Ended, apply};
-pub use back::{Restored, undo};
+pub use apply::apply;
+pub use back::undo;
 pub use choice::Choice;
-pub use plan::{Plan, plan};
+pub use ended::Applied;
+pub use plan::{Plan, RUNNING, fits, plan};
 pub use undo_file::{Coming, UndoFile, broken, plan_back, steps_back};

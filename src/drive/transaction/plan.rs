@@ -1,14 +1,15 @@
 //! What a transaction is going to do: every old value read, every new one checked, nothing sent.
 
 use super::choice::in_sets;
-use super::reading::stands;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::motion::has_power;
-use crate::drive::{Reader, Session, Target, Terms, describe};
+use crate::drive::stands::{in_ram, stands};
+use crate::drive::{Reader, Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, ErrorDoc, Event, WriteResult, Written};
+use crate::profile::paramfile::value_text;
 use crate::profile::value;
-use crate::profile::{DataSets, Family, Param, Role, Sets, Store};
+use crate::profile::{DataSets, Family, Param, Role, Sets, Store, Type};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
@@ -40,6 +41,13 @@ pub(super) struct Kept {
     pub(super) raw: i64,
 }
 
+impl Kept {
+    /// The place of a step, with what it wants there.
+    pub(super) fn wanted(step: &Step) -> Self {
+        Kept { param: step.param.clone(), set: step.set, raw: step.raw }
+    }
+}
+
 impl Plan {
     /// Values that are going to be written.
     pub fn todo(&self) -> usize {
@@ -68,12 +76,26 @@ pub async fn plan(
     prepare(session, target, terms, steps, &Purpose::Forward).await
 }
 
+/// The code of a drive that runs.
+pub const RUNNING: &str = "forbidden.running";
+/// The code of a value that cannot be read on the way back.
+const UNREAD: &str = "partial.unread";
+/// So many values in a row that do not come tell that nobody is there.
+const MOST_SILENCES: usize = 2;
+
 /// Where a transaction goes.
 pub(super) enum Purpose {
     /// To new values.
     Forward,
     /// Back from these, by number and data set; what is not named was changed by the drive itself.
     Back(BTreeMap<(u32, u8), i64>),
+}
+
+impl Purpose {
+    /// Whether a value that does not come keeps nobody from bringing the others.
+    fn bears(&self, failure: &Failure, silences: usize) -> bool {
+        matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
+    }
 }
 
 /// See [`plan`].
@@ -90,6 +112,7 @@ pub(super) async fn prepare(
         Err(failure) => return Err(failure),
     };
     let (mut planned, mut rows) = (Vec::new(), Vec::new());
+    let (mut in_force, mut notes, mut silences) = (Vec::new(), Vec::new(), 0);
     let total = steps.len() as u64;
     for group in grouped(steps) {
         let Some(param) = group.first().map(|step| step.param.clone()) else { continue };
@@ -98,22 +121,37 @@ pub(super) async fn prepare(
             target.set_width(param.id, kind);
         }
         let sets: Vec<u8> = group.iter().map(|step| step.set).collect();
-        let old: BTreeMap<u8, _> = stands(session, &mut target, &param, &sets).await?.into_iter().collect();
+        let old = stands(session, &mut target, &param, &sets).await;
+        let old: BTreeMap<u8, _> = match old {
+            Err(failure) if purpose.bears(&failure, silences) => {
+                silences += 1;
+                sets.iter().map(|set| (*set, Err(failure.clone()))).collect()
+            }
+            old => {
+                silences = 0;
+                old?.into_iter().collect()
+            }
+        };
+        let told: Vec<u8> = old.iter().filter(|(_, raw)| raw.is_ok()).map(|(set, _)| *set).collect();
+        let ram = in_ram(session, &mut target, &param, &told).await?;
         for step in spread(group, &old) {
             let old = old.get(&step.set).cloned().unwrap_or_else(|| Err(unread(&param)));
-            let (row, failure) = weigh(session, &target, terms, (&step, purpose), old);
+            let beneath: Vec<(u8, i64)> = ram.iter().filter(|(set, _)| is_behind(*set, step.set)).copied().collect();
+            let stored = old.as_ref().ok().copied();
+            let (row, failure) = weigh(session, &target, terms, (&step, purpose), (old, &beneath));
+            for (set, raw) in beneath.into_iter().filter(|(_, raw)| stored.is_some_and(|stored| stored != *raw)) {
+                notes.extend(differs_in_ram(&param, (set, raw), &row, purpose));
+                in_force.push(Kept { param: param.clone(), set, raw });
+            }
             failures.extend(failure);
             planned.push(step);
             rows.push(row);
         }
     }
     let job = Job { target, steps: planned, rows };
-    let (watched, in_force, notes) = (Vec::new(), Vec::new(), Vec::new());
+    let watched = Vec::new();
     let mut plan = Plan { job, watched, in_force, notes, failures, eeprom_writes: 0, eeprom_writes_back: 0 };
     plan.watch(session).await?;
-    if matches!(purpose, Purpose::Forward) {
-        plan.look_at_ram(session).await?;
-    }
     plan.count();
     Ok(plan)
 }
@@ -137,7 +175,7 @@ pub(super) async fn standstill(session: &mut Session<'_>, target: &mut Target) -
         "Antrieb {address} läuft ({state}): eine Datei wird in einen Antrieb geschrieben, der nicht läuft",
         state = state.name
     );
-    Err(Failure::new(Class::Forbidden, "forbidden.running", message).with("address", address).hint(both!(
+    Err(Failure::new(Class::Forbidden, RUNNING, message).with("address", address).hint(both!(
         "stop it first, such as with `antrieb statemachine disable`; `antrieb write` writes single values to a drive that runs",
         "ihn zuerst anhalten, etwa mit `antrieb statemachine disable`; `antrieb write` schreibt einzelne Werte in einen \
          laufenden Antrieb"
@@ -150,7 +188,7 @@ fn weigh(
     target: &Target,
     terms: &Terms<'_>,
     (step, purpose): (&Step, &Purpose),
-    old: Result<i64, Failure>,
+    (old, in_ram): (Result<i64, Failure>, &[(u8, i64)]),
 ) -> (Written, Option<Failure>) {
     let row = describe::to_write(target.address, &target.family, &step.param, step.set, step.raw);
     let mut row = Written { node: session.node(), ..row };
@@ -158,29 +196,48 @@ fn weigh(
         row.old_raw = Some(old);
         row.old = Some(Decimal { raw: old, decimals: step.param.decimals_or_zero() });
     }
-    let verdict = match old {
-        Ok(old) if old == step.raw => {
+    let is_in_force = || in_ram.iter().all(|(_, raw)| *raw == step.raw);
+    let kind = target.known_width(step.param.id).or(step.kind);
+    let verdict = match (old, purpose) {
+        (Ok(old), Purpose::Forward) if old == step.raw && is_in_force() => {
             row.result = WriteResult::Unchanged;
             return (row, None);
         }
-        Ok(old) => match purpose {
-            Purpose::Forward => fits(target, step),
-            Purpose::Back(from) => stands_as_left(step, old, from),
-        },
-        Err(failure) => Err(no_way_back(&step.param, failure)),
+        // An undo file states what was stored.
+        (Ok(old), Purpose::Back(_)) if old == step.raw => {
+            row.result = WriteResult::Unchanged;
+            return (row, None);
+        }
+        (old @ Ok(_), Purpose::Forward) => {
+            if old == Ok(step.raw) {
+                row.note = Some(both!(
+                    "stored already, but the drive works with another value (RAM)",
+                    "schon gespeichert, der Antrieb arbeitet aber mit einem anderen Wert (RAM)"
+                ));
+            }
+            let known = kind.ok_or_else(|| job::no_width(&step.param));
+            known.and_then(|kind| fits(step, Some(kind)))
+        }
+        (Ok(old), Purpose::Back(from)) => stands_as_left(step, old, from),
+        (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
+        (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
     };
-    let kind = step.kind.or(target.known_width(step.param.id));
     job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, step, kind)));
     let failure = verdict.err();
     if let Some(failure) = &failure {
-        row.result = WriteResult::Refused;
+        let is_unknown = failure.code == UNREAD;
+        row.result = if is_unknown { WriteResult::Unrestored } else { WriteResult::Refused };
         row.error = Some(ErrorDoc::from(failure));
     }
     (row, failure)
 }
 
-/// Whether the catalogue, the width and the line allow the value.
-fn fits(target: &Target, step: &Step) -> Result<(), Failure> {
+/// What forbids a value that is to be written, as far as that can be told without asking: the line, the range, the type if it is
+/// known.
+///
+/// # Errors
+/// What forbids it.
+pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
     let Step { param, raw, .. } = step;
     let label = param.label();
     if job::cuts(param) {
@@ -203,18 +260,18 @@ fn fits(target: &Target, step: &Step) -> Result<(), Failure> {
         ))
     };
     value::check_range(*raw, param).map_err(|error| wrong("data.range", error))?;
-    let kind = step.kind.or(target.known_width(param.id)).ok_or_else(|| job::no_width(param))?;
-    value::check_width(*raw, kind, param.decimals_or_zero()).map_err(|error| wrong("data.width", error))
+    let typed = kind.map_or(Ok(()), |kind| value::check_type(*raw, kind, param));
+    typed.map_err(|error| wrong("data.width", error))
 }
 
 /// Whether a value still is what the transaction made of it: what somebody has changed since is his.
 fn stands_as_left(step: &Step, now: i64, from: &BTreeMap<(u32, u8), i64>) -> Result<(), Failure> {
     let Some(left) = from.get(&(step.param.id, step.set)).filter(|left| **left != now) else { return Ok(()) };
-    let shown = |raw| value::format_decimal(raw, step.param.decimals_or_zero());
+    let shown = |raw| value_text(&step.param, raw);
     let message = both!(
-        "{label} is {now} now, neither what it was before, {before}, nor what was written, {left}",
-        "{label} ist jetzt {now}, weder was es vorher war, {before}, noch was geschrieben wurde, {left}",
-        label = step.param.label(),
+        "{label} reads as {now}, which is neither the value before the load ({before}) nor the one that it was to write ({left})",
+        "{label} liest sich als {now}; das ist weder der Wert vor dem Laden ({before}) noch der, den es schreiben sollte ({left})",
+        label = place(step),
         now = shown(now),
         before = shown(step.raw),
         left = shown(*left)
@@ -238,6 +295,17 @@ fn no_way_back(param: &Param, failure: Failure) -> Failure {
         "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except lässt Parameter weg"
     );
     Failure { message, ..failure }.hint(hint)
+}
+
+/// A value that cannot be read is not brought back: nobody could tell whether somebody has changed it since.
+fn not_told(param: &Param, failure: Failure) -> Failure {
+    let message = both!(
+        "{label} is left as it is, because it cannot be read: {why}",
+        "{label} bleibt, wie er ist, weil er sich nicht lesen lässt: {why}",
+        label = param.label(),
+        why = failure.message
+    );
+    Failure { message, code: UNREAD.to_owned(), ..failure }
 }
 
 fn unread(param: &Param) -> Failure {
@@ -288,35 +356,6 @@ impl Plan {
         Ok(())
     }
 
-    /// Reads what the drive works with where something is going to be stored: a write to the EEPROM replaces both (CM-485 manual
-    /// 7), so going back must bring back both.
-    async fn look_at_ram(&mut self, session: &mut Session<'_>) -> Result<(), Failure> {
-        if !self.job.target.family.link.route.has_data_sets() {
-            return Ok(());
-        }
-        let rows = self.job.steps.iter().zip(&self.job.rows);
-        let is_stored = |step: &Step| step.set < DataSets::RAM_OFFSET && !step.param.is_volatile();
-        let todo = rows.filter(|(step, row)| row.result == WriteResult::Planned && is_stored(step));
-        let stored: Vec<(Step, i64)> = todo.filter_map(|(step, row)| Some((step.clone(), row.old_raw?))).collect();
-        let steps = stored.iter().map(|(step, _)| step.clone()).collect();
-        for group in grouped(steps) {
-            let Some(param) = group.first().map(|step| step.param.clone()) else { continue };
-            let sets: Vec<u8> = group.iter().map(|step| step.set + DataSets::RAM_OFFSET).collect();
-            for (set, raw) in stands(session, &mut self.job.target, &param, &sets).await? {
-                // A drive that does not show its RAM has nothing to give back.
-                let Ok(raw) = raw else { continue };
-                let behind = [0, set - DataSets::RAM_OFFSET];
-                let at = |step: &Step| step.param.id == param.id && behind.contains(&step.set);
-                let is_other = stored.iter().any(|(step, old)| at(step) && *old != raw);
-                if is_other {
-                    self.notes.push(differs_in_ram(&param, set, raw));
-                    self.in_force.push(Kept { param: param.clone(), set, raw });
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// The parameters that are going to be written and change others, and whether in RAM only.
     fn altering(&self) -> Vec<(u32, bool)> {
         let rules = &self.job.target.family.files;
@@ -342,16 +381,34 @@ impl Plan {
     }
 }
 
-fn differs_in_ram(param: &Param, set: u8, raw: i64) -> Text {
-    both!(
-        "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced, and an undo file brings \
-         back only what is stored",
-        "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt, und eine Datei zum \
-         Zurücknehmen bringt nur das Gespeicherte zurück",
-        label = param.label(),
-        set = set - DataSets::RAM_OFFSET,
-        raw = value::format_decimal(raw, param.decimals_or_zero())
-    )
+/// What is to be said of a value in force that is not the one that is stored.
+fn differs_in_ram(param: &Param, (set, raw): (u8, i64), row: &Written, purpose: &Purpose) -> Option<Text> {
+    let (label, set) = (param.label(), set - DataSets::RAM_OFFSET);
+    let raw = value_text(param, raw);
+    match (purpose, row.result) {
+        (Purpose::Forward, _) => Some(both!(
+            "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced, and an undo file \
+             brings back only what is stored",
+            "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt, und eine Datei \
+             zum Zurücknehmen bringt nur das Gespeicherte zurück"
+        )),
+        (Purpose::Back(_), WriteResult::Unchanged) => Some(both!(
+            "{label}@{set}: what is stored is as before; the drive works with {raw} (RAM) until it is switched off",
+            "{label}@{set}: gespeichert ist der Wert von vorher; der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)"
+        )),
+        (Purpose::Back(_), _) => None,
+    }
+}
+
+/// Whether a data set in RAM is the one in force behind one of the EEPROM; behind data set 0 all of them are.
+pub(super) fn is_behind(ram: u8, stored: u8) -> bool {
+    [0, ram - DataSets::RAM_OFFSET].contains(&stored)
+}
+
+/// A parameter with its data set, as people name it.
+fn place(step: &Step) -> String {
+    let label = step.param.label();
+    if step.set.is_multiple_of(5) { label } else { format!("{label}@{}", step.set % 5) }
 }
 
 /// Cells of the EEPROM that a write wears at most.

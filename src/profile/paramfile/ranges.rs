@@ -16,13 +16,21 @@ pub fn ranges(numbers: impl IntoIterator<Item = u32>) -> String {
     shown.collect::<Vec<_>>().join(", ")
 }
 
+/// Highest number of any family.
+const LAST: u32 = u16::MAX as u32;
+
 /// Reads what [`ranges`] writes; `None` if it is something else.
 pub fn numbers(ranges: &str) -> Option<BTreeSet<u32>> {
-    let mut all = BTreeSet::new();
+    let (mut all, mut count) = (BTreeSet::new(), 0);
     for range in ranges.split(',').map(str::trim).filter(|range| !range.is_empty()) {
         let (first, last) = range.split_once('-').unwrap_or((range, range));
         let (first, last): (u32, u32) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
-        if first > last || last > u16::MAX.into() {
+        if first > last || last > LAST {
+            return None;
+        }
+        count += last - first + 1;
+        if count > LAST + 1 {
+            // More than there are: the same ones over and over.
             return None;
         }
         all.extend(first..=last);
@@ -45,5 +53,9 @@ mod tests {
         for text in ["a", "9-3", "1-99999999", "1--2"] {
             assert_eq!(numbers(text), None, "{text}");
         }
+        assert_eq!(numbers("0-65535").map(|all| all.len()), Some(65_536));
+        assert_eq!(numbers("1, 1, 1-2").map(|all| all.len()), Some(2));
+        // As long as a file may be, and done at once.
+        assert_eq!(numbers(&"0-65535,".repeat(2_000_000)), None);
     }
 }

@@ -31,7 +31,8 @@ impl ParamFile {
         let mut settings = Settings::default();
         for line in lines {
             let (param, set) = self.place(line, family)?;
-            let kind = param.kind.or(self.head.types.get(&param.id).copied());
+            // What was found out by asking goes before what a catalogue presumes.
+            let kind = self.head.types.get(&param.id).copied().or(param.kind);
             let raw = raw(line, family, &param, kind)?;
             if let Some(before) = settings.exactly(param.id, set) {
                 let why = both!(
@@ -105,8 +106,11 @@ fn raw(line: &Line, family: &Family, param: &Param, kind: Option<Type>) -> Resul
             }
         })?,
     };
-    if let Some(kind) = kind {
-        value::check_width(raw, kind, param.decimals_or_zero()).map_err(fault)?;
+    match kind.map(|kind| (kind, family.link.route.carried(kind))) {
+        Some((kind, carried)) if kind == carried => value::check_type(raw, kind, param).map_err(fault)?,
+        // A drive may tell more there than its type promises.
+        Some((_, carried)) => value::check_width(raw, carried, param.decimals_or_zero()).map_err(fault)?,
+        None => {}
     }
     Ok(raw)
 }

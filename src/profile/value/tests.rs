@@ -202,3 +202,19 @@ fn mega_is_no_milli() {
     assert_eq!((power("kw"), power("KW"), power("W")), (Some(0), Some(0), unit_power("w", Some("kW"))));
     assert_eq!((power("MW"), unit_power("MV", Some("mV")), unit_power("MIN", Some("min"))), (None, None, Some(0)));
 }
+
+#[test]
+fn a_word_carries_a_sign_only_where_its_range_has_one() {
+    let plain = Param::unknown(1);
+    let signed = Param { min: Some(-100), ..Param::unknown(1) };
+    for (raw, param, fits) in [
+        (-5, &plain, false),
+        (0xFFFF, &plain, true),
+        (-5, &signed, true),
+        (0xFFFF, &signed, false),
+        (0x1_0000, &plain, false),
+    ] {
+        assert_eq!(check_type(raw, Type::Word, param).is_ok(), fits, "{raw}");
+    }
+    assert!(check_type(-5, Type::Int, &plain).is_ok() && check_type(-5, Type::Uint, &plain).is_err());
+}

@@ -44,9 +44,15 @@ pub fn print(
     Ok(())
 }
 
-/// Says on the console how a run ended whose document nobody reads.
-pub fn print_end(outcome: &Outcome, console: &Console) {
+/// Says on the console how a run ended, or what was written, whose document nobody reads.
+pub fn print_end(outcome: &Outcome, command: &str, manner: Manner, console: &Console) {
     console.finish();
+    if outcome.has_written() {
+        let mut page = Vec::new();
+        let _never_fails = table::print(&Print { outcome, command, manner }, &mut page);
+        String::from_utf8_lossy(&page).lines().for_each(|line| console.line(line));
+        outcome.warnings.iter().for_each(|warning| console.warning(&warning.message));
+    }
     if let Some(Data::Motion(motion)) = &outcome.data {
         if let Some(stop) = motion.stop.as_ref().filter(|_| outcome.failure.is_none()) {
             let proof = match stop.acknowledged {

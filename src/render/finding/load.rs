@@ -51,7 +51,7 @@ fn ended(ended: LoadEnd) -> &'static str {
 }
 
 const LEFT_OUT: &[(NotLoadedWhy, &str)] = &[
-    (NotLoadedWhy::NotAskedFor, "left out, of the bus"),
+    (NotLoadedWhy::NotAskedFor, "left out until named"),
     (NotLoadedWhy::ReadOnly, "left out, only told"),
     (NotLoadedWhy::Command, "left out, commands"),
     (NotLoadedWhy::Restarts, "left out, restarts"),

@@ -87,7 +87,7 @@ fn groups_parameters_and_data_sets_pick_what_is_written() {
 #[test]
 fn bus_settings_are_left_out_until_somebody_asks_and_what_cuts_the_line_is_refused() {
     let out = load("10 = 3\n372 = 1440", "").exits(0).out;
-    assert!(out.contains("left out, of the bus  10"), "{out}");
+    assert!(out.contains("left out until named  10"), "{out}");
     let asked = load("10 = 3\n372 = 1440", "--only bus").exits(0);
     assert!(asked.err.contains("P.10 take effect after a restart") || asked.err.contains("P.10"), "{}", asked.err);
     assert!(asked.out.contains("Baud rate"), "{}", asked.out);
@@ -182,7 +182,10 @@ fn an_undo_file_belongs_to_one_drive_and_leaves_what_somebody_changed_since() {
     let since = undo.replace("address = 3\n", "").replace("372 = 1390", "372 = 1380");
     let told = run(&since, "").exits(9);
     assert!(
-        told.err.contains("is 1390 now, neither what it was before, 1400, nor what was written, 1380"),
+        told.err.contains(
+            "reads as 1390 1/min, which is neither the value before the load (1400 1/min) nor the one that it was to \
+             write (1380 1/min)"
+        ),
         "{}",
         told.err
     );

@@ -246,3 +246,57 @@ fn what_was_saved_is_told_as_json_and_csv_too() {
     let planned = antrieb("-a 1 dataset save --dry-run {dir}/x.toml").on(&on).json().exits(0);
     assert_eq!(planned.data("/telegrams").as_array().unwrap().len(), 166);
 }
+
+#[test]
+fn several_drives_go_on_where_each_of_them_was() {
+    let drive = |address: u8| format!("[[drive]]\nmodel = \"act\"\naddress = {address}\n");
+    let bench = drive(1) + &drive(2) + &drive(3);
+    let cut = format!("{}{}[[drive.event]]\nafter_telegrams = 60\nsilent = \"10h\"\n{}", drive(1), drive(2), drive(3));
+    let line = "-a 1-3 dataset save {dir}/{address}.toml";
+    let ended = antrieb(line).on(&cut).exits(9);
+    assert!(ended.directory().join("1.toml").exists() && ended.directory().join("2.toml.part").exists());
+    // The third was not begun at all.
+    std::fs::remove_file(ended.directory().join("3.toml")).unwrap();
+    let again = ended.then(&format!("-v {line} --resume")).on(&bench).json().exits(0);
+    for nth in 0..3 {
+        assert_eq!(again.data(&format!("/saved/{nth}/complete")), true, "{:#}", again.value);
+        assert!(again.data(&format!("/saved/{nth}/values")).as_array().unwrap().len() > 50);
+    }
+}
+
+#[test]
+fn what_was_begun_in_one_scope_is_not_gone_on_with_in_another() {
+    let part = "antrieb = 1\n[drive]\nfamily = \"act\"\naddress = 1\n[saved]\nscope = \"settings\"\ncomplete = false\n[values]\n";
+    let run = |more: &str| {
+        let line = format!("-a 1 -v dataset save {{dir}}/x.toml --resume {more}");
+        antrieb(&line).on("[[drive]]\nmodel = \"act\"\n").file("x.toml.part", part)
+    };
+    for more in ["--changed", "--discover"] {
+        let ended = run(more).exits(2);
+        assert!(ended.err.contains("was begun as `settings`") && ended.sent().is_empty(), "{}", ended.err);
+    }
+    run("").exits(0);
+}
+
+#[test]
+fn a_value_that_moves_is_none_also_if_it_was_read_before_the_interruption() {
+    let part = "antrieb = 1\n[drive]\nfamily = \"act\"\naddress = 1\n[saved]\nscope = \"discovered\"\ncomplete = false\n\
+                [not-held]\nnot-asked = \"480\"\n[values]\n382 = 1\n";
+    let bench = "[[drive]]\nmodel = \"acu\"\naddress = 1\nmodules = [\"EM-RES-03\"]\nset = { \"382\" = -3.1 }\n";
+    let run =
+        antrieb("-a 1 --drive act dataset save {dir}/x.toml --resume").on(bench).file("x.toml.part", part).exits(0);
+    let text = run.text_of("x.toml");
+    assert!(!text.contains("\"382\" ="), "{text}");
+    let moving = antrieb::profile::paramfile::numbers(&file(&text).head.not_held[&NotHeld::ActualValue]).unwrap();
+    assert!(moving.contains(&382), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn where_no_file_can_stand_nothing_is_begun() {
+    let linked = antrieb("-a 1 -v --force dataset save {dir}/link.toml").on(&cube(""));
+    std::os::unix::fs::symlink(linked.directory().join("other.toml"), linked.directory().join("link.toml")).unwrap();
+    let ended = linked.exits(7);
+    assert!(ended.err.contains("this is a symbolic link") && ended.sent().is_empty(), "{}", ended.err);
+    assert!(!ended.directory().join("link.toml.part").exists());
+}

@@ -316,6 +316,14 @@ impl Trial<'_> {
         }
         let exit = seen.failure.as_ref().map_or(0, |failure| failure.class.exit());
         let unlike = differing(&self.before, &now);
+        for row in seen.load.iter().flat_map(|load| &load.values) {
+            // A row names a value as it was before; only what may not be so says otherwise.
+            let says_before = matches!(row.result, WriteResult::Restored | WriteResult::Unchanged);
+            let cell = (row.param, row.data_set + if row.store == "ram" { 5 } else { 0 });
+            if says_before && unlike.contains(&cell) {
+                sins.push(format!("P.{}@{} is said to be {:?}, but is not as before", cell.0, cell.1, row.result));
+            }
+        }
         let named = |cell: &(u32, u8)| {
             let rows = seen.load.iter().flat_map(|load| &load.values);
             let row = rows.filter(|row| row.result == WriteResult::Unrestored).any(|row| row.param == cell.0);
@@ -429,4 +437,71 @@ fn no_end_at_any_telegram_leaves_a_drive_unlike_before_without_naming_it() {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     let (files, stride) = (number("LOADS_FILES").unwrap_or(1), number("LOADS_STRIDE").unwrap_or(29));
     println!("{}", trial(files, stride as usize));
+}
+
+/// A fresh ACT, a file for it, and what takes that back; whatever is typed behind `dataset` runs there, and ends so.
+fn on_act(words: &str, end: End, step: usize) -> (Seen, tempfile::TempDir) {
+    let case = Case { model: "act", keys: "", options: "", ram: false };
+    on(case, words, end, step)
+}
+
+fn on(case: Case, words: &str, end: End, step: usize) -> (Seen, tempfile::TempDir) {
+    let dir = tempfile::tempdir().unwrap();
+    let values = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@1\" = 1400\n\"480@2\" = 7\n";
+    let undo = format!("{values}[undo]\nvalues = {{ \"372@1\" = 1390, \"480@2\" = 10 }}\n");
+    std::fs::write(dir.path().join("bench.toml"), case.bench(end, step, (0, 0))).unwrap();
+    std::fs::write(dir.path().join("u.toml"), undo).unwrap();
+    let seen = case.run(&Registry::open(&[]).unwrap(), dir.path(), words, end, step);
+    (seen, dir)
+}
+
+#[test]
+fn an_undo_that_is_interrupted_before_its_first_write_has_changed_nothing_and_says_so() {
+    let (mut before, mut between) = (0, 0);
+    for step in 1..40 {
+        let (seen, _dir) = on_act("undo {dir}/u.toml", End::Wish, step);
+        let (worn, ended) = (seen.bench.totals().eeprom_writes, seen.load.as_ref().and_then(|load| load.ended));
+        let Some(failure) = seen.failure else { continue };
+        match (worn, failure.class.exit()) {
+            (0, 130) => {
+                before += 1;
+                assert!(matches!(ended, None | Some(LoadEnd::Untouched)), "{step}: {ended:?}");
+                assert!(!failure.message.en.contains("may not be as before"), "{step}: {failure:?}");
+            }
+            (_, 9) => {
+                between += 1;
+                assert_eq!(ended, Some(LoadEnd::Torn), "{step}");
+            }
+            other => panic!("{step}: {other:?} {failure:?}"),
+        }
+    }
+    assert!(before > 5 && between > 0, "{before} {between}");
+}
+
+#[test]
+fn what_a_save_has_read_stays_and_is_never_called_whole() {
+    for (model, from) in [("act", 5), ("lxm05", 5)] {
+        let case = Case { model, keys: "", options: "", ram: false };
+        let mut held = Vec::new();
+        for step in (from..60).step_by(3) {
+            for end in [End::Killed, End::Wish] {
+                let (seen, dir) = on(case, "save {dir}/x.toml", end, step);
+                let part = std::fs::read_to_string(dir.path().join("x.toml.part"));
+                if dir.path().join("x.toml").exists() {
+                    continue;
+                }
+                let Ok(part) = part else {
+                    assert!(end == End::Wish || step < 12, "{model} {end:?} {step}");
+                    continue;
+                };
+                assert!(part.contains("complete = false"), "{model} {end:?} {step}: {part}");
+                let values = part.split("[values]").nth(1).unwrap().lines().count();
+                if end == End::Wish {
+                    assert!(seen.failure.is_some_and(|failure| failure.class.exit() == 130), "{model} {step}");
+                    held.push(values);
+                }
+            }
+        }
+        assert!(held.windows(2).all(|pair| pair[0] <= pair[1]) && held.iter().any(|values| *values > 5), "{held:?}");
+    }
 }

@@ -1,6 +1,6 @@
-//! What stands in a drive at the places that a transaction is about: in as few telegrams as possible.
+//! What stands in a drive at the places that are going to be written: in as few telegrams as possible.
 
-use crate::drive::{AccessError, Session, Target, describe};
+use super::{AccessError, Session, Target, describe};
 use crate::failure::Failure;
 use crate::profile::{DataSets, Param};
 
@@ -39,6 +39,29 @@ pub(super) async fn stands(
         }
     }
     Ok(found)
+}
+
+/// Whether a value that is stored in this data set stands in the RAM too, where it is the one in force (CM-485 manual 7).
+pub(super) fn has_ram(target: &Target, param: &Param, set: u8) -> bool {
+    let is_stored = target.family.link.route.has_data_sets() && set < DataSets::RAM_OFFSET;
+    is_stored && !param.is_volatile() && target.address != 0
+}
+
+/// What stands in the RAM behind these data sets of the EEPROM, by data set as on the wire: a write to the EEPROM replaces both
+/// (CM-485 manual 7), and what is stored already may not be in force. A drive that does not show its RAM tells nothing.
+///
+/// # Errors
+/// The drive does not answer, or the session is over.
+pub(super) async fn in_ram(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    sets: &[u8],
+) -> Result<Vec<(u8, i64)>, Failure> {
+    let stored = sets.iter().filter(|set| has_ram(target, param, **set));
+    let sets: Vec<u8> = stored.map(|set| set + DataSets::RAM_OFFSET).collect();
+    let shown = stands(session, target, param, &sets).await?;
+    Ok(shown.into_iter().filter_map(|(set, raw)| Some((set, raw.ok()?))).collect())
 }
 
 /// The raw value of one place.

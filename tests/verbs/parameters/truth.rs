@@ -1,0 +1,253 @@
+//! What is said of a parameter file in a drive is so: what is in force, what was left out, what was undone, what is not whole.
+
+use crate::run::{Output, Run, antrieb};
+use antrieb::transport::witness;
+
+const FRESH: &str = "[[drive]]\nmodel = \"act\"\n";
+const RUNNING: &str = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"410\" = 15, \"484\" = 10 }\n";
+
+fn file(values: &str) -> String {
+    format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n{values}\n")
+}
+
+fn load(bench: &str, values: &str, more: &str) -> Run {
+    antrieb(&format!("-a 1 --yes -v dataset load {{dir}}/f.toml {more}")).on(bench).file("f.toml", &file(values))
+}
+
+fn undo(bench: &str, values: &str, coming: &str) -> Run {
+    let text = format!("{}[undo]\nvalues = {{ {coming} }}\n", file(values));
+    antrieb("-a 1 --yes -v dataset undo {dir}/u.toml").on(bench).file("u.toml", &text)
+}
+
+/// Another command on the bench that [`cells`] has looked at, in its directory.
+fn then(ended: Output, line: &str) -> Run {
+    ended.then(&format!("-p sim:{{dir}}/bench.toml {line}"))
+}
+
+fn writes(sent: &[String]) -> usize {
+    sent.iter().filter(|sent| ["01 06 ", "01 10 ", "01 65 "].iter().any(|code| sent.starts_with(code))).count()
+}
+
+/// What stands in cells of the only drive on the bench that is left: number, data set, in RAM.
+fn cells<const N: usize>(places: [(u32, u8, bool); N]) -> [Option<i64>; N] {
+    let (bench, at) = witness::left().unwrap();
+    let drive = bench.drives().next().unwrap();
+    let raws = places.map(|(number, set, ram)| if ram { drive.ram(number, set) } else { drive.eeprom(number, set) });
+    witness::stands(bench, at);
+    raws
+}
+
+#[test]
+fn what_is_stored_but_not_in_force_is_written_and_not_called_done() {
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"480\" = 5, \"480@1ram\" = 7 }\n";
+    let document = load(bench, "480 = 5", "").json().exits(0);
+    let rows = document.data("/values").as_array().unwrap();
+    let results: Vec<_> = rows.iter().map(|row| row["result"].as_str().unwrap()).collect();
+    assert_eq!(results, ["verified", "unchanged", "unchanged", "unchanged"]);
+    assert!(rows[0]["note"].as_str().unwrap().contains("works with another value (RAM)"), "{}", rows[0]);
+    assert_eq!(document.data("/eeprom_writes"), 1);
+    assert!(document.err.contains("P.480@1: the drive works with 7.00 Hz (RAM)"), "{}", document.err);
+    assert_eq!(cells([(480, 1, true)]), [Some(500)]);
+    // What is both stored and in force costs nothing.
+    let same = load("[[drive]]\nmodel = \"act\"\nset = { \"480\" = 5 }\n", "480 = 5", "").exits(0);
+    assert_eq!(writes(&same.sent()), 0, "{}", same.err);
+}
+
+#[test]
+fn a_value_of_which_the_ram_cannot_be_read_is_not_called_unchanged() {
+    // Silent from the question for the RAM on.
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"480@1ram\" = 7 }\n[[drive.event]]\nafter_telegrams = 2\nsilent = \"10h\"\n";
+    let run = antrieb("-a 1 --drive act --yes write 480@1=5").on(bench).run();
+    assert_eq!(run.exit, 4, "{}{}", run.out, run.err);
+    assert!(!run.out.contains("unchanged"), "{}", run.out);
+}
+
+#[test]
+fn the_ram_behind_what_exists_once_goes_back_too() {
+    let both = [(400, 0, false), (400, 0, true)];
+    let start = antrieb("-a 1 --yes write 400@0ram=4").on(FRESH).exits(0);
+    assert_eq!(cells(both), [Some(2), Some(4)]);
+    // The drive refuses a power of 0.
+    let ended = then(start, "-a 1 --yes dataset load {dir}/f.toml").file("f.toml", &file("400 = 6\n376 = 0")).exits(9);
+    assert!(ended.err.contains("P.400@0: the drive works with 4 (RAM)"), "{}", ended.err);
+    assert!(ended.out.contains("as before, proven"), "{}", ended.out);
+    assert_eq!(cells(both), [Some(2), Some(4)]);
+}
+
+#[test]
+fn an_undo_says_where_the_drive_works_with_something_else_than_it_brings_back() {
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"480\" = 5, \"480@1ram\" = 7 }\n";
+    let document = undo(bench, "\"480@1\" = 5", "\"480@1\" = 6").json().exits(0);
+    assert_eq!(document.warnings(), ["load.in_force"]);
+    assert_eq!(cells([(480, 1, true)]), [Some(700)], "somebody's RAM is not touched");
+}
+
+#[test]
+fn where_the_scope_leaves_nothing_that_is_no_success() {
+    for (values, more, hint) in [
+        ("372 = 1440", "--only ramps", "--only, --except and --sets"),
+        ("372 = 1440", "--except motor", "--only, --except and --sets"),
+        ("\"372@2\" = 1440", "--sets 1,3", "--only, --except and --sets"),
+        ("10 = 3\n1376 = 7", "", "--only 10,1376"),
+        ("10 = 3", "--dry-run", "--only 10"),
+        ("", "", "files with values"),
+    ] {
+        let ended = load(FRESH, values, more).exits(1);
+        assert!(!ended.out.contains("done") && ended.sent().is_empty(), "{values} {more}: {}", ended.out);
+        assert!(ended.err.contains(hint), "{values} {more}: {}", ended.err);
+    }
+    let document = load(FRESH, "10 = 3", "").json().exits(1);
+    assert_eq!((document.error()["code"].as_str(), document.data("/ended")), (Some("no.values"), &"untouched".into()));
+}
+
+#[test]
+fn what_hangs_on_an_index_is_left_out_until_it_is_named_and_can_be_named() {
+    let text = file("1201 = 3\n372 = 1440").replace("act", "acu");
+    let run = |more: &str| {
+        let line = format!("-a 1 --dry-run dataset load {{dir}}/f.toml {more}");
+        antrieb(&line).on("[[drive]]\nmodel = \"acu\"\n").file("f.toml", &text).exits(0).out
+    };
+    assert!(run("").contains("left out until named  1201"), "{}", run(""));
+    for named in ["1201", "positioning", "all,1201"] {
+        assert!(run(&format!("--only {named}")).contains("Read index"), "{named}");
+    }
+}
+
+#[test]
+fn a_sign_that_a_value_does_not_carry_is_refused_before_the_first_byte() {
+    let ended = load(FRESH, "372 = 1440\n480 = \"raw 99999999999\"", "").exits(7);
+    assert_eq!(writes(&ended.sent()), 0, "{}", ended.err);
+    let typed = format!("{}[types]\n417 = \"word\"\n", file("417 = \"raw -5\""));
+    let placed = antrieb("-a 1 --yes -v dataset load {dir}/f.toml").on(FRESH).file("f.toml", &typed).exits(7);
+    assert!(placed.err.contains("f.toml:5:7: -5 does not fit into a word"), "{}", placed.err);
+}
+
+#[test]
+fn a_dry_run_tells_what_would_be_refused() {
+    for (values, more, code) in [("480 = 2000", "", 7), ("1376 = 3", "--only bus", 8)] {
+        let document = load(FRESH, values, &format!("{more} --dry-run")).json().exits(code);
+        assert_eq!(document.data("/values/0/result"), "refused");
+        assert!(document.error()["message"].as_str().unwrap().ends_with("nothing would be written"));
+    }
+}
+
+/// In the RAM a power loss takes back also what nobody wrote: whatever is said of a row then is so.
+#[test]
+fn a_power_loss_under_a_load_into_the_ram_leaves_no_row_that_says_what_is_not_so() {
+    let mut ends = std::collections::BTreeSet::new();
+    for step in 1..40 {
+        let set = "set = { \"480\" = 5, \"480@1ram\" = 7 }";
+        let bench = format!(
+            "[[drive]]\nmodel = \"act\"\n{set}\n[[drive.event]]\nafter_telegrams = {step}\npower_cycle = true\n"
+        );
+        let line = "-a 1 --drive act --yes dataset load {dir}/f.toml --ram";
+        let values = "\"372@1\" = 1440\n\"480@1\" = 7\n\"480@2\" = 8\n\"481@1\" = 9";
+        let document = antrieb(line).on(&bench).file("f.toml", &file(values)).json();
+        let (bench, _) = witness::left().unwrap();
+        let drive = bench.drives().next().unwrap();
+        for row in document.value["data"]["values"].as_array().unwrap_or(&Vec::new()) {
+            let number = |field: &str| row[field].as_i64();
+            let now = drive.ram(number("param").unwrap() as u32, number("data_set").unwrap() as u8);
+            let expected = match row["result"].as_str().unwrap() {
+                "verified" => number("raw"),
+                "unchanged" | "restored" if document.exit == 9 => number("old_raw"),
+                "unchanged" if document.exit == 0 => number("raw"),
+                _ => continue,
+            };
+            assert_eq!(now, expected, "{step}: exit {}: {row}", document.exit);
+        }
+        ends.insert(document.exit);
+    }
+    assert!(ends.contains(&0) && ends.contains(&9), "{ends:?}");
+}
+
+#[test]
+fn an_undo_brings_back_what_it_can_and_names_what_cannot_be_read() {
+    let values = "372 = 1400\n\"382@1\" = 7\n\"480@2\" = 5";
+    let ended = undo(FRESH, values, "372 = 1390, \"382@1\" = 8, \"480@2\" = 10").json().exits(9);
+    let rows = ended.data("/values").as_array().unwrap();
+    let of = |id: u32| rows.iter().find(|row| row["param"] == id).unwrap()["result"].clone();
+    assert_eq!((of(372), of(382)), ("restored".into(), "unrestored".into()), "{:#}", ended.value);
+    assert_eq!(cells([(372, 1, false)]), [Some(1400)]);
+    assert!(ended.error()["message"].as_str().unwrap().contains("cannot be read"), "{}", ended.error());
+}
+
+#[test]
+fn an_undo_leaves_a_drive_that_runs_alone() {
+    let document = undo(RUNNING, "372 = 1400", "372 = 1390").json().exits(8);
+    assert_eq!(
+        (document.error()["code"].as_str(), document.data("/ended")),
+        (Some("forbidden.running"), &"untouched".into())
+    );
+    // It starts to run on the way, also while somebody is asked.
+    let mut ends = Vec::new();
+    for step in 1..10 {
+        let bench = format!(
+            "[[drive]]\nmodel = \"act\"\nstart_right = false\nset = {{ \"412\" = 0, \"480\" = 10 }}\n\
+             [[drive.event]]\nafter_telegrams = {step}\nstart_right = true\n"
+        );
+        let ended = undo(&bench, "\"372@1\" = 1400", "\"372@1\" = 1390").run();
+        if ended.exit == 8 {
+            assert!(!ended.err.contains("may not be as before"), "{}", ended.err);
+            assert!(ended.out.contains("nothing was changed") && ended.out.contains("skipped"), "{}", ended.out);
+            assert_eq!(writes(&ended.sent()), 0, "{}", ended.err);
+        }
+        ends.push((ended.exit, ended.err.contains("nothing was changed")));
+    }
+    // Before the question, behind it, and too late to be seen before the write.
+    assert!([(8, false), (8, true), (0, false)].iter().all(|end| ends.contains(end)), "{ends:?}");
+}
+
+#[test]
+fn an_undo_file_is_no_layer_of_a_load() {
+    let undo = format!("{}[undo]\nvalues = {{ 372 = 1390 }}\n", file("372 = 1400"));
+    let line = "-a 1 --yes -v dataset load {dir}/f.toml {dir}/u.toml";
+    let ended = antrieb(line).on(FRESH).file("f.toml", &file("480 = 7")).file("u.toml", &undo).exits(7);
+    assert!(ended.err.contains("u.toml: this file takes a load back"), "{}", ended.err);
+    assert!(ended.err.contains("dataset undo") && ended.sent().is_empty(), "{}", ended.err);
+}
+
+#[test]
+fn a_status_word_that_cannot_be_read_is_no_standstill() {
+    // Silent each time that it is asked: sometimes that is the question for its state.
+    for (first, second) in (1..5).flat_map(|first| (first + 1..13).map(move |second| (first, second))) {
+        let silent = |step: i32| format!("[[drive.event]]\nafter_telegrams = {step}\nsilent = \"450ms\"\n");
+        let bench = format!("{RUNNING}{}{}", silent(first), silent(second));
+        let line = "-a 1 --drive act --retries 0 --yes -v dataset load {dir}/f.toml";
+        let ended = antrieb(line).on(&bench).file("f.toml", &file("\"372@1\" = 1440")).run();
+        assert!(ended.exit != 0 && writes(&ended.sent()) == 0, "{first} {second}: {}", ended.err);
+    }
+}
+
+#[test]
+fn what_was_written_is_heard_of_also_where_nobody_reads_the_document() {
+    let ended = load(FRESH, "372 = 1440", "").into_pipe_of(5).exits(0);
+    for told in ["done, every value proven", "f.undo.toml", "1440", "verified"] {
+        assert!(ended.err.contains(told), "{told}: {}", ended.err);
+    }
+}
+
+#[test]
+fn a_check_of_a_file_that_is_not_whole_is_no_success() {
+    let part = |value: &str| {
+        file(value).replace("[values]", "[saved]\ncomplete = false\n[not-held]\nnot-asked = \"480\"\n[values]")
+    };
+    let check = |value: &str| antrieb("-a 1 dataset check {dir}/x.toml").on(FRESH).file("x.toml", &part(value)).json();
+    let same = check("372 = 1390").exits(9);
+    assert_eq!(same.error()["code"], "partial.file_incomplete");
+    assert!(same.data("/comparisons/0/equal").is_null(), "{:#}", same.value);
+    assert_eq!(check("372 = 1400").exits(1).error()["code"], "no.differences");
+    let files = antrieb("dataset diff {dir}/a.toml {dir}/b.toml");
+    files.file("a.toml", &part("372 = 1")).file("b.toml", &file("372 = 1")).exits(9);
+}
+
+#[test]
+fn an_undo_file_of_another_product_is_refused_also_where_the_family_was_named() {
+    let text = "antrieb = 1\n[drive]\nfamily = \"lxm05\"\nproduct = \"SOMETHING ELSE\"\n[values]\n1556 = 3000\n[undo]\n\
+                values = { 1556 = 2000 }\n";
+    for named in ["", "--drive lxm05"] {
+        let line = format!("-a 1 {named} --yes dataset undo {{dir}}/u.toml");
+        let ended = antrieb(&line).on("[[drive]]\nmodel = \"lxm05\"\n").file("u.toml", text).json().exits(7);
+        assert_eq!(ended.error()["code"], "data.other_drive", "{named}: {}", ended.error());
+    }
+}
