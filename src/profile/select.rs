@@ -34,16 +34,19 @@ impl DataSets {
     pub fn wire(self) -> Vec<u8> {
         match self {
             DataSets::Unnamed => vec![0],
-            DataSets::One(set, store) => vec![wire_set(set, store)],
-            DataSets::All(store) => (1..=4).map(|set| wire_set(set, store)).collect(),
+            DataSets::One(set, store) => vec![store.wire(set)],
+            DataSets::All(store) => (1..=4).map(|set| store.wire(set)).collect(),
         }
     }
 }
 
-fn wire_set(set: u8, store: Store) -> u8 {
-    match store {
-        Store::Eeprom => set,
-        Store::Ram => set + DataSets::RAM_OFFSET,
+impl Store {
+    /// A data set (0-4) of this memory as on the wire.
+    pub fn wire(self, set: u8) -> u8 {
+        match self {
+            Store::Eeprom => set,
+            Store::Ram => set + DataSets::RAM_OFFSET,
+        }
     }
 }
 

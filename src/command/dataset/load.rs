@@ -5,18 +5,21 @@ use super::only_one;
 use super::opened::Opened;
 use crate::args::Settings;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
+use crate::drive::paramfile::head;
 use crate::drive::transaction::{self, Choice, Plan, UndoFile, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
 use crate::outcome::{LoadEnd, Outcome, WriteResult};
-use crate::profile::paramfile::{Head, ParamFile, Provenance, SavedDrive, Settings as Values};
+use crate::profile::paramfile::{ParamFile, SavedDrive, Settings as Values};
 use crate::profile::{Family, Registry, Store};
-use crate::text::both;
+use crate::text::{Wrong, both};
 use clap::Args as ClapArgs;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::str::FromStr;
 
 /// Writes parameter files into a drive: all of it, or nothing.
 ///
@@ -37,9 +40,9 @@ pub(super) struct LoadArgs {
     /// Without these groups and parameters
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     except: Vec<String>,
-    /// Only these data sets, 0 for what exists once: 1,3
-    #[arg(long, value_name = "SETS", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(0..=4))]
-    sets: Vec<u8>,
+    /// Only these data sets, 0 for what exists once: 1,3 or 1-3
+    #[arg(long, value_name = "SETS", value_delimiter = ',')]
+    sets: Vec<SetRange>,
     /// Write to RAM only, until power-off
     #[arg(long)]
     ram: bool,
@@ -59,12 +62,32 @@ pub(super) struct UndoArgs {
     file: PathBuf,
 }
 
+/// Data sets as they are typed: `2`, `1-3`.
+#[derive(Clone, Debug)]
+struct SetRange(RangeInclusive<u8>);
+
+impl FromStr for SetRange {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
+        let set = |text: &str| text.trim().parse().ok().filter(|set| *set <= 4);
+        let (first, last) = text.split_once('-').unwrap_or((text, text));
+        let range = set(first).zip(set(last)).filter(|(first, last)| first <= last);
+        range.map(|(first, last)| SetRange(first..=last)).ok_or_else(|| {
+            Wrong(both!(
+                "'{text}' is no data set: expected 0 to 4, or a range such as 1-3",
+                "'{text}' ist kein Datensatz: erwartet 0 bis 4 oder ein Bereich wie 1-3"
+            ))
+        })
+    }
+}
+
 /// Loads files.
 pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let address = only_one(&addresses_to_write(context.settings)?)?;
     let (family, values) = read_all(&args.files, context.settings, context.registry)?;
     let store = if args.ram { Store::Ram } else { Store::Eeprom };
-    let choice = Choice { only: args.only.clone(), except: args.except.clone(), sets: args.sets.clone(), store };
+    let sets = args.sets.iter().flat_map(|range| range.0.clone()).collect();
+    let choice = Choice { only: args.only.clone(), except: args.except.clone(), sets, store };
     let (steps, left_out) = choice.steps(&values, &family)?;
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
     let mut report = blank(address, &family, files, left_out);
@@ -276,25 +299,4 @@ fn same_product(file: &ParamFile, found: Option<&str>, force: bool) -> Result<()
     );
     Err(Failure::new(Class::Data, "data.other_drive", message)
         .hint(both!("if it is the same drive all the same: --force", "wenn es trotzdem derselbe Antrieb ist: --force")))
-}
-
-/// What stands above the values of an undo file.
-fn head(session: &Session<'_>, drive: &Recognised) -> Head {
-    let saved = Provenance {
-        time: session.utc(),
-        tool: Some(format!("antrieb {}", env!("CARGO_PKG_VERSION"))),
-        port: Some(session.port().to_owned()),
-        line: Some(session.line().to_string()),
-        protocol: Some(session.protocol().to_string()),
-        complete: true,
-        ..Provenance::default()
-    };
-    let drive = SavedDrive {
-        family: drive.target.family.drive.clone(),
-        address: Some(drive.target.address),
-        node: Some(session.node()).filter(|node| *node != 0),
-        product: drive.product.clone(),
-        evidence: Vec::new(),
-    };
-    Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new() }
 }

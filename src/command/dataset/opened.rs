@@ -1,5 +1,6 @@
 //! A parameter file that the user named: read, and taken by the catalogue of its family.
 
+use crate::drive::paramfile::broken;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::paramfile::{ParamFile, Settings};
@@ -24,15 +25,7 @@ impl Opened {
         let text = files::read(path, files::TEXT).map_err(|error| {
             bad("data.parameter_file", both!("{shown}: {why}", "{shown}: {why}", why = error.text()))
         })?;
-        let broken = |fault: crate::profile::paramfile::FileFault| match fault.newer {
-            true => bad("data.newer_format", fault.text())
-                .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
-            false => bad("data.parameter_file", fault.text()).hint(both!(
-                "docs/parameter-files.md tells the format",
-                "docs/parameter-files.md beschreibt das Format"
-            )),
-        };
-        let file = ParamFile::parse(&shown, &text).map_err(broken)?;
+        let file = ParamFile::parse(&shown, &text).map_err(|fault| broken(&fault))?;
         let word = &file.head.drive.family;
         let family = registry.family(word).ok_or_else(|| {
             let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
@@ -46,7 +39,7 @@ impl Opened {
                 "--catalogue DATEI bringt eine eigene Familie mit"
             ))
         })?;
-        let settings = file.settings(&family).map_err(broken)?;
+        let settings = file.settings(&family).map_err(|fault| broken(&fault))?;
         let opened = Opened { file, family, settings };
         named.map_or(Ok(()), |named| opened.fits(named))?;
         Ok(opened)
@@ -60,8 +53,8 @@ impl Opened {
             return Ok(());
         }
         let message = both!(
-            "{path} is for drives of the family {own}, the drive is a {drive}",
-            "{path} ist für Antriebe der Familie {own}, der Antrieb ist ein {drive}",
+            "{path} is for drives of the family {own}, the drive is of the family {drive}",
+            "{path} ist für Antriebe der Familie {own}, der Antrieb ist von der Familie {drive}",
             path = self.file.path
         );
         Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(

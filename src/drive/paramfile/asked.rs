@@ -81,8 +81,8 @@ impl Wanted {
 
 fn no_numbers(family: &Family) -> Failure {
     let message = both!(
-        "no source tells which numbers a {drive} may have beside those of its catalogue",
-        "keine Quelle nennt, welche Nummern ein {drive} außer denen seines Katalogs haben kann",
+        "no source tells which numbers the family {drive} may have beside those of its catalogue",
+        "keine Quelle nennt, welche Nummern die Familie {drive} außer denen ihres Katalogs haben kann",
         drive = family.drive
     );
     Failure::new(Class::Data, "data.no_numbers", message).hint(both!(

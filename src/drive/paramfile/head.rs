@@ -3,10 +3,13 @@
 use super::harvest::Harvest;
 use crate::drive::describe;
 use crate::drive::{Reading, Recognised, Session, Target};
+use crate::failure::{Class, Failure};
 use crate::outcome::{LeftOut, Value};
-use crate::profile::paramfile::{Head, NotHeld, Provenance, SavedDrive, Scope, Setting, Settings, print, ranges};
+use crate::profile::paramfile::{
+    FileFault, Head, NotHeld, Provenance, SavedDrive, Scope, Setting, Settings, print, ranges,
+};
 use crate::profile::{Family, Type};
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, both};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -20,30 +23,9 @@ pub struct Draft {
 impl Draft {
     /// Of a drive at this line, at this time.
     pub fn of(session: &Session<'_>, drive: &Recognised, scope: Scope) -> Self {
-        let Recognised { target, evidence, product } = drive;
-        let english = evidence.iter().map(|row| {
-            let [asked, answered, tells] = [&row.asked, &row.answered, &row.tells].map(|text| text.get(Lang::En));
-            format!("{asked}: {answered} ({tells})")
-        });
-        let drive = SavedDrive {
-            family: target.family.drive.clone(),
-            address: Some(target.address),
-            node: Some(session.node()).filter(|node| *node != 0),
-            product: product.clone(),
-            evidence: english.collect(),
-        };
-        let saved = Provenance {
-            time: session.utc(),
-            tool: Some(format!("antrieb {}", env!("CARGO_PKG_VERSION"))),
-            port: Some(session.port().to_owned()),
-            line: Some(session.line().to_string()),
-            protocol: Some(session.protocol().to_string()),
-            scope: Some(scope),
-            complete: false,
-            signature: None,
-        };
-        let head = Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new() };
-        Draft { head, family: target.family.clone() }
+        let head = head(session, drive);
+        let saved = Provenance { scope: Some(scope), complete: false, ..head.saved };
+        Draft { head: Head { saved, ..head }, family: drive.target.family.clone() }
     }
 
     /// The text of the file with this harvest.
@@ -60,6 +42,42 @@ impl Draft {
             ..self.head.clone()
         };
         print(&head, &harvest.settings, &self.family)
+    }
+}
+
+/// What stands above the values of a whole file that comes from a drive at this line, at this time.
+pub fn head(session: &Session<'_>, drive: &Recognised) -> Head {
+    let Recognised { target, evidence, product } = drive;
+    let english = evidence.iter().map(|row| {
+        let [asked, answered, tells] = [&row.asked, &row.answered, &row.tells].map(|text| text.get(Lang::En));
+        format!("{asked}: {answered} ({tells})")
+    });
+    let drive = SavedDrive {
+        family: target.family.drive.clone(),
+        address: Some(target.address),
+        node: Some(session.node()).filter(|node| *node != 0),
+        product: product.clone(),
+        evidence: english.collect(),
+    };
+    let saved = Provenance {
+        time: session.utc(),
+        tool: Some(format!("antrieb {}", env!("CARGO_PKG_VERSION"))),
+        port: Some(session.port().to_owned()),
+        line: Some(session.line().to_string()),
+        protocol: Some(session.protocol().to_string()),
+        complete: true,
+        ..Provenance::default()
+    };
+    Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new() }
+}
+
+/// The failure of a file that cannot be taken.
+pub fn broken(fault: &FileFault) -> Failure {
+    match fault.newer {
+        true => Failure::new(Class::Data, "data.newer_format", fault.text())
+            .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
+        false => Failure::new(Class::Data, "data.parameter_file", fault.text())
+            .hint(both!("docs/parameter-files.md tells the format", "docs/parameter-files.md beschreibt das Format")),
     }
 }
 

@@ -8,4 +8,4 @@ mod head;
 pub use asked::{Asking, Wanted, factory, held, of_file, of_set, reason};
 pub use compare::{Compared, compare, unified};
 pub use harvest::{Harvest, harvest};
-pub use head::{Draft, left_out, rows};
+pub use head::{Draft, broken, head, left_out, rows};

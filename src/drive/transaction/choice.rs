@@ -5,7 +5,7 @@ use crate::drive::job::Step;
 use crate::failure::{Class, Failure};
 use crate::outcome::{NotLoaded, NotLoadedWhy};
 use crate::profile::paramfile::{Setting, Settings};
-use crate::profile::{DataSets, Family, Goes, Param, Selector, Sets, Store};
+use crate::profile::{Family, Goes, Param, Selector, Sets, Store};
 use crate::text::both;
 use std::collections::BTreeSet;
 
@@ -38,8 +38,8 @@ impl Choice {
     pub fn steps(&self, settings: &Settings, family: &Family) -> Result<(Vec<Step>, Vec<NotLoaded>), Failure> {
         if self.store == Store::Ram && !family.link.route.has_data_sets() {
             let text = both!(
-                "no source tells how values go into the RAM of a {drive} only",
-                "keine Quelle sagt, wie Werte nur in das RAM eines {drive} gelangen",
+                "no source tells how values go into the RAM of the family {drive} only",
+                "keine Quelle sagt, wie Werte nur in das RAM der Familie {drive} gelangen",
                 drive = family.drive
             );
             return Err(
@@ -47,7 +47,8 @@ impl Choice {
             );
         }
         let (only, except) = (named(&self.only, family)?, named(&self.except, family)?);
-        let particular: Vec<String> = self.only.iter().filter(|word| bare(word) != EVERYTHING).cloned().collect();
+        let particular: Vec<String> =
+            self.only.iter().filter(|word| !bare(word).eq_ignore_ascii_case(EVERYTHING)).cloned().collect();
         let asked = named(&particular, family)?;
         let (mut steps, mut left_out) = (Vec::new(), Vec::new());
         for setting in settings.iter() {
@@ -74,8 +75,7 @@ impl Choice {
             set => vec![set],
         };
         let wanted = sets.into_iter().filter(|set| self.sets.is_empty() || self.sets.contains(set));
-        let wire = |set| DataSets::One(set, self.store).wire().first().copied().unwrap_or(set);
-        wanted.map(|set| Step { param: param.clone(), set: wire(set), raw: *raw, kind: *kind }).collect()
+        wanted.map(|set| Step { param: param.clone(), set: self.store.wire(set), raw: *raw, kind: *kind }).collect()
     }
 }
 
@@ -88,7 +88,7 @@ pub(super) fn in_sets(param: &Param) -> bool {
 fn named(words: &[String], family: &Family) -> Result<BTreeSet<u32>, Failure> {
     let mut numbers = BTreeSet::new();
     for word in words {
-        if let Some(group) = family.group(bare(word)) {
+        if let Some(group) = family.group(&bare(word).to_ascii_lowercase()) {
             numbers.extend(group);
             continue;
         }
@@ -106,8 +106,8 @@ fn bare(word: &str) -> &str {
 fn unknown(word: &str, family: &Family) -> Failure {
     let known = family.group_names().collect::<Vec<_>>().join(", ");
     let message = both!(
-        "'{word}' names no group and no parameter of a {drive}",
-        "'{word}' nennt keine Gruppe und keinen Parameter eines {drive}",
+        "'{word}' names no group and no parameter of the family {drive}",
+        "'{word}' nennt keine Gruppe und keinen Parameter der Familie {drive}",
         drive = family.drive
     );
     Failure::new(Class::Usage, "usage.scope", message).hint(both!(

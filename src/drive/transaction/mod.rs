@@ -20,4 +20,4 @@ pub use back::undo;
 pub use choice::Choice;
 pub use ended::Applied;
 pub use plan::{Plan, RUNNING, fits, plan};
-pub use undo_file::{Coming, UndoFile, broken, plan_back, steps_back};
+pub use undo_file::{Coming, UndoFile, plan_back, steps_back};

@@ -3,11 +3,12 @@
 
 use super::plan::{Plan, Purpose, prepare};
 use crate::drive::job::Step;
+use crate::drive::paramfile::broken;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::WriteResult;
-use crate::profile::paramfile::{At, FileFault, Head, ParamFile, Setting, Settings, print_undo};
+use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, print_undo};
 use crate::profile::{DataSets, Family, Store};
 use crate::text::both;
 use std::collections::BTreeMap;
@@ -123,7 +124,7 @@ pub fn steps_back(file: &ParamFile, family: &Family) -> Result<(Vec<Step>, Comin
     let Some((undo, coming)) = file.undo.as_ref().zip(file.coming(family)) else { return Err(no_undo_file(file)) };
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
-    let wire = |set: u8| DataSets::One(set, undo.store).wire().first().copied().unwrap_or(set);
+    let wire = |set| undo.store.wire(set);
     let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind };
     let mut steps: Vec<Step> = old.iter().map(step).collect();
     steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
@@ -141,10 +142,4 @@ fn no_undo_file(file: &ParamFile) -> Failure {
         "`antrieb dataset load` leaves one before it writes; `dataset load` writes a parameter file",
         "`antrieb dataset load` legt eine an, bevor es schreibt; `dataset load` schreibt eine Parameterdatei"
     ))
-}
-
-/// The failure of a file that is broken.
-pub fn broken(fault: &FileFault) -> Failure {
-    let code = if fault.newer { "data.newer_format" } else { "data.parameter_file" };
-    Failure::new(Class::Data, code, fault.text())
 }

@@ -39,8 +39,14 @@ impl Page {
                 remark.join("; "),
             ]
         });
-        let head = [">addr", ">param", "set", "store", "name", ">old", ">new", "unit", "result", "meaning"];
-        self.table(&head, rows.collect())
+        let mut rows: Vec<Vec<String>> = rows.collect();
+        let mut head = vec![">addr", ">param", "set", "store", "name", ">old", ">new", "unit", "result"];
+        // A column that says nothing is none.
+        match rows.iter().all(|row| row.last().is_some_and(String::is_empty)) {
+            true => rows.iter_mut().for_each(|row| drop(row.pop())),
+            false => head.push("meaning"),
+        }
+        self.table(&head, rows)
     }
 }
 

@@ -89,7 +89,7 @@ fn what_is_broken_of_another_family_or_newer_is_refused_before_anything_is_asked
     assert_eq!(case("antrieb = 7\n").0, "data.newer_format");
     assert_eq!(case("antrieb = 1\ndrive.family = \"acx\"\n[values]\n").0, "data.unknown_family");
     let (code, message) = case("antrieb = 1\ndrive.family = \"acu\"\n[values]\n372 = 1\n");
-    assert!(code == "data.other_family" && message.contains("the drive is a act"), "{message}");
+    assert!(code == "data.other_family" && message.contains("the drive is of the family act"), "{message}");
     assert_eq!(
         antrieb("-p sim -a 1 dataset check {dir}/none.toml").json().exits(7).error()["code"],
         "data.parameter_file"

@@ -68,7 +68,8 @@ fn groups_parameters_and_data_sets_pick_what_is_written() {
     let values = "372 = 1440\n424 = 20\n\"480@1\" = 7\n418 = 4\n10 = 3";
     for (more, expected) in [
         ("--only motor", vec![(372, 1), (372, 2), (372, 3), (372, 4)]),
-        ("--only @motor,ramps --sets 2", vec![(372, 2), (424, 2)]),
+        ("--only @Motor,RAMPS --sets 2", vec![(372, 2), (424, 2)]),
+        ("--only motor --sets 2-4", vec![(372, 2), (372, 3), (372, 4)]),
         ("--except motor,ramps,480-483", vec![(418, 0)]),
         ("--only rated-speed,418 --sets 0,3", vec![(372, 3), (418, 0)]),
     ] {
