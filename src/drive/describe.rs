@@ -6,7 +6,7 @@ use crate::outcome::{
     Bit, ChoiceDoc, Decimal, ErrorDoc, Fault, NotLoaded, NotLoadedWhy, ParamDoc, Register, State, Value, Word,
     WriteResult, Written,
 };
-use crate::profile::value::format_decimal;
+use crate::profile::value::{self, format_decimal};
 use crate::profile::{DataSets, Effective, Family, HazardKind, Param, Role, Sets, Store};
 use crate::text::{Text, both};
 
@@ -61,7 +61,6 @@ pub fn expected(family: &Family, param: &Param, raw: i64) -> Option<String> {
 
 /// A value that was read.
 pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, lookup: Lookup<'_>) -> Value {
-    let decimals = param.decimals_or_zero();
     if reading.text.is_some() {
         let kind = Some(reading.kind.name());
         return Value { text: reading.text.map(Text::name), kind, ..blank(address, family, param, reading.set) };
@@ -69,16 +68,22 @@ pub fn value(address: u8, family: &Family, param: &Param, reading: Reading, look
     let text = family.text_of(param, reading.raw).cloned();
     let word = family.is_word(param).then(|| word(family, param, reading.raw as u32, lookup));
     let text = text.or_else(|| coded(family, param, reading.raw));
+    let digits = value::digits(param, reading.raw);
+    let text = text.or_else(|| digits.is_none().then(|| both!("no number", "keine Zahl")));
     let expected = expected(family, param, reading.raw);
     Value {
         raw: Some(reading.raw),
-        value: (param.has_scale() && expected.is_none()).then_some(Decimal { raw: reading.raw, decimals }),
+        value: digits.filter(|_| param.has_scale() && expected.is_none()).map(decimal),
         text,
         word,
         expected,
         kind: Some(reading.kind.name()),
         ..blank(address, family, param, reading.set)
     }
+}
+
+fn decimal((raw, decimals): (i64, u8)) -> Decimal {
+    Decimal { raw, decimals }
 }
 
 /// What codes stand for that have tables of their own: faults and the error register.
@@ -137,7 +142,7 @@ pub fn to_write(address: u8, family: &Family, param: &Param, wire_set: u8, raw: 
         old_raw: None,
         old: None,
         raw,
-        value: Decimal { raw, decimals: param.decimals_or_zero() },
+        value: decimal(value::digits(param, raw).unwrap_or((raw, 0))),
         unit: param.unit.clone(),
         text: family.text_of(param, raw).cloned(),
         result: WriteResult::Planned,

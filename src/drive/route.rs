@@ -2,7 +2,7 @@
 //! the ways of every family.
 
 use crate::exchange::{Question, Said};
-use crate::profile::{Cause, Family, Link, Role, Route as Way, Type};
+use crate::profile::{Cause, Family, Link, Role, Route as Way, Type, input_register};
 use crate::protocol::Protocol;
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
@@ -158,7 +158,9 @@ impl Route {
     /// What an answer carries; `None` if it does not fit.
     pub(super) fn content(self, said: &Said) -> Option<Content> {
         Some(match said {
-            Said::Modbus(Reply::Registers(words) | Reply::RegistersExchanged(words)) => self.words(words)?,
+            Said::Modbus(Reply::Registers(words) | Reply::Inputs(words) | Reply::RegistersExchanged(words)) => {
+                self.words(words)?
+            }
             Said::Modbus(Reply::Long(bits)) => Content::Bits(*bits, Width::Long),
             Said::Modbus(Reply::Diagnostics { data, .. }) => Content::Bits((*data).into(), Width::Word),
             Said::Modbus(_) => Content::Done,
@@ -236,13 +238,16 @@ impl Route {
         })
     }
 
-    /// What the norm says, and nothing more: 16 bits in one register, 32 in two (V1.1b3 6.3, 6.6, 6.8, 6.12).
+    /// What the norm says, and nothing more: 16 bits in one register, 32 in two (V1.1b3 6.3, 6.4, 6.6, 6.8, 6.12).
     fn registers(self, inquiry: Inquiry) -> Option<Request> {
         let start = |cell: Cell| u16::try_from(cell.number).ok();
+        let count = |kind: Type| if kind.bits() == Some(32) { 2 } else { 1 };
         Some(match inquiry {
-            Inquiry::Read(cell, Type::Long) => Request::ReadRegisters { start: start(cell)?, count: 2 },
-            Inquiry::Read(cell, _) => Request::ReadRegisters { start: start(cell)?, count: 1 },
-            Inquiry::Write(cell, Type::Long, bits) => {
+            Inquiry::Read(cell, kind) => match input_register(cell.number) {
+                Some(start) => Request::ReadInputs { start, count: count(kind) },
+                None => Request::ReadRegisters { start: start(cell)?, count: count(kind) },
+            },
+            Inquiry::Write(cell, kind, bits) if kind.bits() == Some(32) => {
                 Request::WriteRegisters { start: start(cell)?, values: self.order.split(bits).to_vec() }
             }
             Inquiry::Write(cell, _, bits) => Request::WriteRegister { address: start(cell)?, value: bits as u16 },
@@ -264,7 +269,7 @@ impl Route {
         match inquiry {
             Inquiry::Read(cell, _) => Some(vabus::Request::Enquiry { address, header: header(cell)? }),
             Inquiry::Write(cell, kind, bits) => {
-                let data = if kind == Type::Long { Data::long(bits) } else { Data::word(bits as u16) };
+                let data = if kind.bits() == Some(32) { Data::long(bits) } else { Data::word(bits as u16) };
                 Some(vabus::Request::Select { address, header: header(cell)?, data })
             }
             _ => None,
@@ -276,9 +281,11 @@ impl Route {
 fn active(inquiry: Inquiry) -> Option<Request> {
     let word = |cell: Cell| Some(ParamAddress::new(cell.set, u16::try_from(cell.number).ok()?)?.word());
     Some(match inquiry {
-        Inquiry::Read(cell, Type::Long) => Request::ReadLong { address: word(cell)? },
+        Inquiry::Read(cell, kind) if kind.bits() == Some(32) => Request::ReadLong { address: word(cell)? },
         Inquiry::Read(cell, _) => Request::ReadRegisters { start: word(cell)?, count: 1 },
-        Inquiry::Write(cell, Type::Long, bits) => Request::WriteLong { address: word(cell)?, value: bits },
+        Inquiry::Write(cell, kind, bits) if kind.bits() == Some(32) => {
+            Request::WriteLong { address: word(cell)?, value: bits }
+        }
         Inquiry::Write(cell, _, bits) => Request::WriteRegister { address: word(cell)?, value: bits as u16 },
         Inquiry::Counter(sub) => Request::Diagnostics { sub, data: 0 },
         Inquiry::ClearCounters => Request::Diagnostics { sub: CLEAR_COUNTERS, data: 0 },

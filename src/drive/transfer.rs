@@ -245,9 +245,13 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         Content::Bits(bits, Width::Word) if kind == Type::String => text(format!("{bits:04X}")),
         Content::Bits(bits, Width::Long) if kind == Type::String => text(format!("{bits:08X}")),
         // All of it is shown, also where its type promises less.
-        Content::Bits(bits, Width::AsAsked) => Reading { raw: value::from_wire(bits, Type::Long, None), ..blank },
+        Content::Bits(bits, Width::AsAsked) => {
+            let whole = if kind == Type::Float { kind } else { Type::Long };
+            Reading { raw: value::from_wire(bits, whole, None), ..blank }
+        }
         Content::Bits(bits, width) => {
             let kind = match width {
+                Width::Long if kind.bits() == Some(32) => kind,
                 Width::Long => Type::Long,
                 Width::Word if kind.bits() == Some(16) => kind,
                 _ => Type::Word,

@@ -3,6 +3,16 @@
 use super::param::Type;
 use crate::text::{Text, both};
 use serde::Deserialize;
+use std::ops::RangeInclusive;
+
+/// Numbers of input registers, which function code 4 reads and nothing writes (V1.1b3 4.4, 6.4), in a family of plain registers:
+/// their reference with six digits, as makers print it. 300001 is register 0.
+pub const INPUTS: RangeInclusive<u32> = 300_001..=365_536;
+
+/// The input register of such a number.
+pub fn input_register(number: u32) -> Option<u16> {
+    INPUTS.contains(&number).then(|| (number - INPUTS.start()) as u16)
+}
 
 /// The way to the parameters of a family.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -40,7 +50,10 @@ fn last_register() -> u32 {
 }
 
 fn numbers() -> Text {
-    both!("a number is that of a register, 0 to 65535", "eine Nummer ist die eines Registers, 0 bis 65535")
+    both!(
+        "a number is that of a register, 0 to 65535, or of an input register, 300001 to 365536",
+        "eine Nummer ist die eines Registers, 0 bis 65535, oder eines Eingangsregisters, 300001 bis 365536"
+    )
 }
 
 fn after_reset() -> Text {
@@ -86,8 +99,8 @@ pub enum Route {
     Active,
     /// Codes 3, 16 and 23; every parameter is two registers wide, and neighbours are two apart (LXM05 manual 5.2, 5.3).
     Registers32,
-    /// Codes 3, 6 and 16: 16 bits in one register, 32 in two; the number of a parameter is that of its first register,
-    /// from 0 (V1.1b3 4.4, 6.3, 6.6, 6.12).
+    /// Codes 3, 4, 6 and 16: 16 bits in one register, 32 in two; the number of a parameter is that of its first register,
+    /// from 0, or one of [`INPUTS`] (V1.1b3 4.4, 6.3, 6.4, 6.6, 6.12).
     Registers,
 }
 
@@ -118,8 +131,8 @@ impl Route {
     /// (LXM05 manual 5.2.1).
     pub fn carried(self, kind: Type) -> Type {
         match self {
-            Route::Registers32 => Type::Long,
-            Route::Active | Route::Registers => kind,
+            Route::Registers32 if kind != Type::Float => Type::Long,
+            Route::Active | Route::Registers | Route::Registers32 => kind,
         }
     }
 
@@ -146,6 +159,6 @@ pub enum Cause {
 impl Link {
     /// Whether a telegram can carry this number.
     pub fn carries(&self, id: u32) -> bool {
-        id <= self.last
+        id <= self.last || self.route == Route::Registers && INPUTS.contains(&id)
     }
 }

@@ -7,6 +7,7 @@
 mod catalogue;
 mod family;
 mod files;
+mod float;
 pub mod import;
 mod link;
 mod machine;
@@ -24,7 +25,7 @@ pub use crate::text::{Lang, Text};
 pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
 pub use family::{Family, LookupError, WordBit};
 pub use files::{Alters, FileRules, Goes};
-pub use link::{Cause, Holds, LineTable, Link, Route};
+pub use link::{Cause, Holds, INPUTS, LineTable, Link, Route, input_register};
 pub use machine::{Command, Facts, Need, NoPlan, StateMachine, Takes, Transition};
 pub use motion::{
     Adds, Blind, Choice, Control, Convert, Floor, Interlock, Mode, MotionRules, Movement, Part, Preset, Rest, Setting,

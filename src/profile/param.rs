@@ -15,6 +15,8 @@ pub enum Type {
     Word,
     /// 32 bits, two's complement.
     Long,
+    /// 32 bits, IEEE 754; its raw integer is their pattern.
+    Float,
     /// Text; not over Modbus.
     String,
 }
@@ -24,7 +26,7 @@ impl Type {
     pub fn bits(self) -> Option<u8> {
         match self {
             Type::Uint | Type::Int | Type::Word => Some(16),
-            Type::Long => Some(32),
+            Type::Long | Type::Float => Some(32),
             Type::String => None,
         }
     }
@@ -36,6 +38,7 @@ impl Type {
             Type::Int => "int",
             Type::Word => "word",
             Type::Long => "long",
+            Type::Float => "float",
             Type::String => "string",
         }
     }
@@ -47,6 +50,7 @@ impl Type {
             Type::Int => (-0x8000, 0x7FFF),
             Type::Word => (-0x8000, 0xFFFF),
             Type::Long => (i32::MIN.into(), i32::MAX.into()),
+            Type::Float => (0, u32::MAX.into()),
             Type::String => (0, 0),
         }
     }
@@ -261,7 +265,7 @@ impl Param {
 
     /// Whether a raw integer can be turned into the value: decimals are known, or there is no unit to scale to.
     pub fn has_scale(&self) -> bool {
-        self.decimals.is_some() || self.unit.is_none()
+        self.decimals.is_some() || self.unit.is_none() || self.kind == Some(Type::Float)
     }
 
     /// Decimals to show; 0 where no source tells them.

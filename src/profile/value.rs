@@ -1,5 +1,6 @@
-//! Exact values: an integer and a count of decimals. No float anywhere.
+//! Exact values: an integer and a count of decimals. No float anywhere but where a register holds one (`float`).
 
+use super::float;
 use super::param::{Param, Type};
 use crate::text::{Text, both};
 
@@ -133,6 +134,23 @@ pub fn format_decimal(raw: i64, decimals: u8) -> String {
     if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") }
 }
 
+/// The value of a raw integer: its digits, and how many stand behind the point. `None`: a floating point that is no number, or
+/// none that can be written out.
+pub fn digits(param: &Param, raw: i64) -> Option<(i64, u8)> {
+    match param.kind {
+        Some(Type::Float) => float::decimal(u32::try_from(raw).ok()?),
+        _ => Some((raw, param.decimals_or_zero())),
+    }
+}
+
+/// A raw integer as its value is written, without unit.
+pub fn written(param: &Param, raw: i64) -> String {
+    match digits(param, raw) {
+        Some((digits, decimals)) => format_decimal(digits, decimals),
+        None => format!("0x{raw:08X}"),
+    }
+}
+
 /// Reads `text` as a decimal number with at most `decimals` places; accepts point or comma.
 ///
 /// Returns the raw integer. Trailing zeros beyond the places are accepted, other digits are not.
@@ -244,6 +262,10 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     {
         return Ok(named);
     }
+    if param.kind == Some(Type::Float) {
+        let no_number = || ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() };
+        return float::bits(number, power).map(i64::from).ok_or_else(no_number);
+    }
     if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
@@ -316,6 +338,7 @@ pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
         Type::Word if min.is_some_and(|min| min < 0) => i64::from(bits as u16 as i16),
         Type::Word => i64::from(bits & 0xFFFF),
         Type::Long => i64::from(bits as i32),
+        Type::Float => i64::from(bits),
     }
 }
 
@@ -324,14 +347,16 @@ pub fn to_wire(raw: i64, kind: Type) -> Result<u32, ValueError> {
     check_width(raw, kind, 0)?;
     Ok(match kind {
         Type::Long => raw as i32 as u32,
+        Type::Float => raw as u32,
         _ => raw as u32 & 0xFFFF,
     })
 }
 
 /// A value on the wire as people write it: `1.5 kW`.
 pub fn format_value(param: &Param, bits: u32, long: bool) -> String {
-    let kind = if long { Type::Long } else { param.kind.filter(|kind| kind.bits() == Some(16)).unwrap_or(Type::Word) };
-    let number = format_decimal(from_wire(bits, kind, param.min), param.decimals_or_zero());
+    let (width, usual) = if long { (32, Type::Long) } else { (16, Type::Word) };
+    let kind = param.kind.filter(|kind| kind.bits() == Some(width)).unwrap_or(usual);
+    let number = written(param, from_wire(bits, kind, param.min));
     param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }
 

@@ -72,6 +72,17 @@ impl Reader<'_> {
                 };
                 (meaning, vec![self.address_field(*start), count_field(*count)])
             }
+            Request::ReadInputs { start, count } => {
+                let many =
+                    both!("read {count} input register(s) from {start}", "lesen {count} Eingangsregister ab {start}");
+                (
+                    many,
+                    vec![
+                        field16(*start, both!("input register", "Eingangsregister"), Text::name(start)),
+                        count_field(*count),
+                    ],
+                )
+            }
             Request::WriteRegister { address, value } => {
                 let shown = self.value(*address, (*value).into(), false);
                 (writes(&self.equals(*address, &shown)), self.written(*address, &value.to_be_bytes(), shown))
@@ -96,7 +107,7 @@ impl Reader<'_> {
 
     fn reply(&self, reply: &Reply) -> Said {
         match reply {
-            Reply::Registers(words) | Reply::RegistersExchanged(words) => self.told(words),
+            Reply::Registers(words) | Reply::Inputs(words) | Reply::RegistersExchanged(words) => self.told(words),
             Reply::RegisterWritten { address, value } if self.paired().is_some() => {
                 (written(&self.assigned(*address, &[*value])), self.single(*address, *value))
             }

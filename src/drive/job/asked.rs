@@ -74,7 +74,7 @@ fn consequence(hazard: Hazard) -> Option<Text> {
 fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
-    let new = format_decimal(row.raw, row.value.decimals);
+    let new = format_decimal(row.value.raw, row.value.decimals);
     let text = row.text.as_ref().map_or_else(Text::default, |text| both!(" ({text})", " ({text})", text));
     let who = match row.address {
         0 => both!("every drive", "alle Antriebe"),

@@ -281,8 +281,8 @@ fn unproven(fate: &WriteFate, target: &Target, row: &Written) -> Option<Failure>
     match fate {
         WriteFate::Verified | WriteFate::Written | WriteFate::Broadcast => None,
         WriteFate::Differs(raw) => {
-            let read = format_decimal(*raw, row.value.decimals);
             let param = row.param;
+            let read = value::written(&target.family.param_or_unknown(param), *raw);
             let message = both!(
                 "drive {address} took the telegram, but P.{param} reads back as {read}",
                 "Antrieb {address} hat das Telegramm angenommen, aber P.{param} liest sich als {read} zurück"
@@ -344,7 +344,7 @@ fn way_back(step: &Step, row: &Written, family: &Family, terms: &Terms<'_>) -> O
     };
     let unknown = || both!("its old value", "den alten Wert");
     let old = row.old.map_or_else(unknown, |old| Text::name(format_decimal(old.raw, old.decimals)));
-    let new = row.text.clone().unwrap_or_else(|| Text::name(format_decimal(row.raw, row.value.decimals)));
+    let new = row.text.clone().unwrap_or_else(|| Text::name(format_decimal(row.value.raw, row.value.decimals)));
     let (label, address, line, protocol) = (step.param.label(), row.address, terms.line, terms.speech.protocol.name());
     let message = both!(
         "{label} is {new}: {when} the drive is no longer reached with address {address} at {line} {protocol}; the way \

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::outcome::{Decimal, Difference, ErrorDoc};
 use crate::profile::paramfile::{Setting, Settings, value_text};
-use crate::profile::{Family, Param};
+use crate::profile::{Family, Param, value};
 use crate::text::Text;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -49,7 +49,8 @@ pub fn compare(a: &Settings, b: &Settings, all: bool, failures: &BTreeMap<u32, F
 
 fn difference(param: &Param, set: u8, raws: [Option<i64>; 2], error: Option<ErrorDoc>, family: &Family) -> Difference {
     let value = |raw: Option<i64>| {
-        raw.filter(|_| param.has_scale()).map(|raw| Decimal { raw, decimals: param.decimals_or_zero() })
+        let digits = raw.filter(|_| param.has_scale()).and_then(|raw| value::digits(param, raw));
+        digits.map(|(raw, decimals)| Decimal { raw, decimals })
     };
     let text = |raw: Option<i64>| raw.and_then(|raw| family.text_of(param, raw).cloned());
     let [a, b] = raws;

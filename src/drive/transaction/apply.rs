@@ -156,7 +156,7 @@ async fn prove(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure
 }
 
 fn changed_since(step: &Step, now: i64) -> Failure {
-    let now = format_decimal(now, step.param.decimals_or_zero());
+    let now = value::written(&step.param, now);
     let message = both!(
         "{label} was written and proven, and reads as {now} at the end",
         "{label} wurde geschrieben und geprüft und liest sich am Ende als {now}",
@@ -179,7 +179,7 @@ async fn altered(session: &mut Session<'_>, plan: &mut Plan) -> Vec<Text> {
         if let Ok(now) = stands_at(session, &mut plan.job.target, &param, set).await
             && now != raw
         {
-            let shown = |raw| format_decimal(raw, param.decimals_or_zero());
+            let shown = |raw| value::written(&param, raw);
             notes.push(both!(
                 "the drive changed {label}@{set} by itself: {old} -> {now}",
                 "der Antrieb hat {label}@{set} selbst geändert: {old} -> {now}",

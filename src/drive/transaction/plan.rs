@@ -194,7 +194,7 @@ fn weigh(
     let mut row = Written { node: session.node(), ..row };
     if let Ok(old) = old {
         row.old_raw = Some(old);
-        row.old = Some(Decimal { raw: old, decimals: step.param.decimals_or_zero() });
+        row.old = value::digits(&step.param, old).map(|(raw, decimals)| Decimal { raw, decimals });
     }
     let is_in_force = || in_ram.iter().all(|(_, raw)| *raw == step.raw);
     let kind = target.known_width(step.param.id).or(step.kind);

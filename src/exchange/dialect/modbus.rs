@@ -196,10 +196,13 @@ impl Speech for Modbus {
     }
 
     fn answers_alike(&self, missing: &Question, question: &Question) -> bool {
-        use Request::{Diagnostics, ExchangeRegisters, ReadRegisters, WriteLong, WriteRegister, WriteRegisters};
+        use Request::{
+            Diagnostics, ExchangeRegisters, ReadInputs, ReadRegisters, WriteLong, WriteRegister, WriteRegisters,
+        };
         let (Question::Modbus(missing), Question::Modbus(question)) = (missing, question) else { return true };
         match (missing, question) {
             (ReadRegisters { count: a, .. }, ReadRegisters { count: b, .. })
+            | (ReadInputs { count: a, .. }, ReadInputs { count: b, .. })
             | (ExchangeRegisters { count: a, .. }, ExchangeRegisters { count: b, .. }) => a == b,
             (Diagnostics { sub: a, .. }, Diagnostics { sub: b, .. }) => a == b,
             // These are echoed, so only the same question has the same answer.

@@ -6,7 +6,7 @@ use crate::profile::family::Family;
 use crate::profile::machine::Transition;
 use crate::profile::motion::Mode;
 use crate::profile::names::fold;
-use crate::profile::param::{HazardKind, Param};
+use crate::profile::param::{HazardKind, Param, Type};
 use crate::profile::row::{BitRow, CatalogueRow, EnumRow, FaultRow};
 use crate::profile::value::parse_decimal;
 use crate::text::Text;
@@ -216,6 +216,11 @@ impl Origin {
         let decimals = row.decimals.unwrap_or(0);
         if decimals > MOST_DECIMALS {
             let message = format!("parameter {}: {decimals} decimals; expected at most {MOST_DECIMALS}", row.id);
+            return Err(self.error(at, message));
+        }
+        let numbers = [&row.min, &row.max, &row.default].into_iter().flatten().next();
+        if row.kind == Some(Type::Float) && (row.decimals.is_some() || numbers.is_some()) {
+            let message = format!("parameter {}: a float has no decimals, min, max and default here", row.id);
             return Err(self.error(at, message));
         }
         let raw = |number: &Option<Number>| {

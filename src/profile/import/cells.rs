@@ -104,6 +104,7 @@ pub(super) fn kind(text: &str) -> Kind {
         "word" => Kind::Is(Type::Word),
         "long" | "int32" | "i32" | "s32" | "sint32" | "dint" | "signed32" | "integer32" => Kind::Is(Type::Long),
         "uint32" | "u32" | "udint" | "dword" | "ulong" | "unsigned32" => Kind::Unsigned32,
+        "float" | "float32" | "f32" | "real" | "real32" | "single" | "ieee754" => Kind::Is(Type::Float),
         "string" => Kind::Is(Type::String),
         other => {
             let foreign = ["float", "real", "double", "lreal", "int64", "uint64", "lint", "ulint", "i64", "u64", "bcd"];
@@ -178,8 +179,16 @@ pub(super) fn values(text: &str) -> Vec<(i64, String)> {
 /// Why a type is left out.
 pub(super) fn cannot(kind: &str) -> Text {
     both!(
-        "the type '{kind}' is none that this program shows right (16 and 32 bit integers)",
-        "den Typ '{kind}' kann dieses Programm nicht richtig zeigen (nur ganze Zahlen mit 16 und 32 Bit)"
+        "the type '{kind}' is none that this program shows right (integers of 16 and 32 bit, floats of 32 bit)",
+        "den Typ '{kind}' kann dieses Programm nicht richtig zeigen (nur ganze Zahlen mit 16 und 32 Bit, Gleitkommazahlen mit 32)"
+    )
+}
+
+/// Why a floating point is left out that the list scales.
+pub(super) fn scaled_float() -> Text {
+    both!(
+        "a float that is scaled or shifted: this program shows it as it stands in the register",
+        "eine Gleitkommazahl, die skaliert oder verschoben wird: dieses Programm zeigt sie, wie sie im Register steht"
     )
 }
 

@@ -4,8 +4,9 @@
 use super::cells::{self, Kind};
 use super::draft::{Draft, ImportError, Imported, LeftOut, Own, Wishes};
 use super::sheet;
+use crate::profile::link::INPUTS;
 use crate::profile::names::fold;
-use crate::profile::param::Type;
+use crate::profile::param::{Access, Type};
 use crate::text::{Text, both};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -149,7 +150,7 @@ impl<'a> Device<'a> {
             }
         }
         if let Some(order) =
-            word("word_order").filter(|order| order != self.word_order && draft.kind == Some(Type::Long))
+            word("word_order").filter(|order| order != self.word_order && draft.kind.and_then(Type::bits) == Some(32))
         {
             return Err(both!(
                 "word_order '{order}' is another one than that of the map",
@@ -160,6 +161,9 @@ impl<'a> Device<'a> {
         if let Some(access) = word("access") {
             draft.access = cells::access(&access)
                 .ok_or_else(|| both!("the access '{access}' is not known", "der Zugriff '{access}' ist unbekannt"))?;
+        }
+        if INPUTS.contains(&draft.id) {
+            draft.access = Access::Read;
         }
         draft.enumeration.1 = self.names(register, &kind);
         Ok(draft)
@@ -184,18 +188,11 @@ impl<'a> Device<'a> {
         }
     }
 
-    /// The number on the wire, of a register that function code 3 reads.
+    /// The number of a register that function code 3 or 4 reads.
     fn id(&self, register: &Map<String, Value>) -> Result<u32, Text> {
         let area = register.get("area").and_then(Value::as_str).unwrap_or("?");
         match area {
-            "holding" => {}
-            "input" if self.wishes.input_as_holding => {}
-            "input" => {
-                return Err(both!(
-                    "an input register (code 4); --input-as-holding reads it by code 3, where the maker says that both give the same",
-                    "ein Eingangsregister (Code 4); --input-as-holding liest es mit Code 3, wo der Hersteller sagt, dass beide dasselbe liefern"
-                ));
-            }
+            "holding" | "input" => {}
             other => {
                 let other = tidy(other);
                 return Err(both!("area '{other}' holds no register", "der Bereich '{other}' enthält keine Register"));
@@ -206,8 +203,9 @@ impl<'a> Device<'a> {
             Some(Value::String(text)) => cells::id(text),
             _ => None,
         };
-        let id = address.and_then(|address| address.checked_sub(self.base)).filter(|id| *id <= u16::MAX.into());
-        id.ok_or_else(|| {
+        let cell = address.and_then(|address| address.checked_sub(self.base)).filter(|id| *id <= u16::MAX.into());
+        let first = if area == "input" && !self.wishes.input_as_holding { *INPUTS.start() } else { 0 };
+        cell.map(|cell| first + cell).ok_or_else(|| {
             let (got, base) =
                 (register.get("address").map(|value| tidy(&value.to_string())).unwrap_or_default(), self.base);
             both!(
@@ -247,6 +245,12 @@ fn scale(register: &Map<String, Value>, draft: &mut Draft) -> Result<(), Text> {
         None | Some(Value::Null) => Some(usual),
         Some(value) => value.as_f64(),
     };
+    if draft.kind == Some(Type::Float) {
+        return match (number("scale", 1.0), number("offset", 0.0)) {
+            (Some(1.0), Some(0.0)) => Ok(()),
+            _ => Err(cells::scaled_float()),
+        };
+    }
     let exact = |number: f64| format!("{number:.9}");
     let places = number("scale", 1.0).and_then(|scale| cells::decimals(&exact(scale)));
     draft.decimals = places.filter(|_| number("offset", 0.0) == Some(0.0));

@@ -5,6 +5,7 @@ use super::draft::{Draft, ImportError, Imported, LeftOut, Wishes};
 use super::export::RAW;
 use super::heading::{self, Head};
 use super::sheet::{self, Record};
+use crate::profile::link::INPUTS;
 use crate::profile::param::{Access, Effective, HazardKind, Sets, Type};
 use crate::text::{Text, both};
 
@@ -107,6 +108,7 @@ impl List<'_> {
         self.kind(record, &mut draft)?;
         self.decimals(record, &mut draft);
         self.limits(record, &mut draft);
+        self.float(record, &mut draft)?;
         self.access(record, &mut draft);
         self.words(record, &mut draft);
         draft.enumeration = (self.text(record, "enum"), self.names(record, ["values_en", "values_de"], "values"));
@@ -125,7 +127,8 @@ impl List<'_> {
         })?;
         let base = self.wishes.base.unwrap_or(0);
         let id = number.checked_sub(base);
-        id.filter(|id| !self.wishes.own || *id <= u16::MAX.into()).ok_or_else(|| {
+        let is_register = |id: &u32| *id <= u16::MAX.into() || base == 0 && INPUTS.contains(id);
+        id.filter(|id| !self.wishes.own || is_register(id)).ok_or_else(|| {
             both!(
                 "{number} is no register: {base} is register 0, the last one 65535",
                 "{number} ist kein Register: {base} ist Register 0, das letzte 65535"
@@ -173,7 +176,8 @@ impl List<'_> {
                 self.note(record.line, &what);
             }
         }
-        let Some(cell) = self.text(record, "scale").filter(|_| draft.decimals.is_none()) else { return };
+        let is_open = draft.decimals.is_none() && draft.kind != Some(Type::Float);
+        let Some(cell) = self.text(record, "scale").filter(|_| is_open) else { return };
         draft.decimals = cells::number(&cell, self.commas).and_then(|scale| cells::decimals(&scale));
         if draft.decimals.is_none() {
             let what = both!(
@@ -184,6 +188,27 @@ impl List<'_> {
             // Without a unit a raw number would pass for the value.
             draft.unit.get_or_insert_with(|| format!("× {cell}"));
         }
+    }
+
+    /// A floating point has its decimals in itself, and no limits here.
+    fn float(&mut self, record: &Record, draft: &mut Draft) -> Result<(), Text> {
+        if draft.kind != Some(Type::Float) {
+            return Ok(());
+        }
+        let scale = self.text(record, "scale").filter(|_| self.text(record, "decimals").is_none());
+        let scale = scale.and_then(|cell| cells::number(&cell, self.commas).or(Some(cell)));
+        if scale.is_some_and(|scale| cells::decimals(&scale) != Some(0)) {
+            return Err(cells::scaled_float());
+        }
+        draft.decimals = None;
+        if std::mem::take(&mut draft.limits).iter().any(Option::is_some) {
+            let what = both!(
+                "a float is not held against limits here, so they are not taken",
+                "eine Gleitkommazahl wird hier nicht an Grenzen gemessen; sie werden nicht übernommen"
+            );
+            self.note(record.line, &what);
+        }
+        Ok(())
     }
 
     fn limits(&mut self, record: &Record, draft: &mut Draft) {

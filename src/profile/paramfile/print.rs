@@ -5,7 +5,7 @@ use super::settings::{Setting, Settings};
 use crate::profile::family::Family;
 use crate::profile::param::Param;
 use crate::profile::select::Store;
-use crate::profile::value::{self, format_decimal};
+use crate::profile::value;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -55,8 +55,8 @@ pub fn print_undo(head: &Head, old: &Settings, (new, store): (&Settings, Store),
 pub fn value_text(param: &Param, raw: i64) -> String {
     match &param.unit {
         Some(_) if !param.has_scale() => format!("raw {raw}"),
-        Some(unit) => format!("{} {unit}", format_decimal(raw, param.decimals_or_zero())),
-        None => format_decimal(raw, param.decimals_or_zero()),
+        Some(unit) => format!("{} {unit}", value::written(param, raw)),
+        None => value::written(param, raw),
     }
 }
 

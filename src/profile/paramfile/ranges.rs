@@ -1,5 +1,6 @@
 //! Lists of parameter numbers as people write them: `210-213, 217`.
 
+use crate::profile::link::INPUTS;
 use std::collections::BTreeSet;
 
 /// Writes numbers as ranges: `210-213, 217`.
@@ -25,7 +26,8 @@ pub fn numbers(ranges: &str) -> Option<BTreeSet<u32>> {
     for range in ranges.split(',').map(str::trim).filter(|range| !range.is_empty()) {
         let (first, last) = range.split_once('-').unwrap_or((range, range));
         let (first, last): (u32, u32) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
-        if first > last || last > LAST {
+        let is_number = |number: &u32| *number <= LAST || INPUTS.contains(number);
+        if first > last || ![first, last].iter().all(is_number) || last - first > LAST {
             return None;
         }
         count += last - first + 1;
@@ -44,13 +46,16 @@ mod tests {
 
     #[test]
     fn numbers_are_read_as_they_are_written() {
-        for (list, text) in
-            [(vec![], ""), (vec![7], "7"), (vec![213, 210, 211, 212, 217], "210-213, 217"), (vec![1, 2, 4], "1-2, 4")]
-        {
+        for (list, text) in [
+            (vec![], ""),
+            (vec![7], "7"),
+            (vec![213, 210, 211, 212, 217], "210-213, 217"),
+            (vec![1, 2, 4, 300_001], "1-2, 4, 300001"),
+        ] {
             assert_eq!(ranges(list.clone()), text);
             assert_eq!(numbers(text), Some(list.into_iter().collect()));
         }
-        for text in ["a", "9-3", "1-99999999", "1--2"] {
+        for text in ["a", "9-3", "1-99999999", "1--2", "65536", "1-300001"] {
             assert_eq!(numbers(text), None, "{text}");
         }
         assert_eq!(numbers("0-65535").map(|all| all.len()), Some(65_536));

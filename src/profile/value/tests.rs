@@ -218,3 +218,15 @@ fn a_word_carries_a_sign_only_where_its_range_has_one() {
     }
     assert!(check_type(-5, Type::Int, &plain).is_ok() && check_type(-5, Type::Uint, &plain).is_err());
 }
+
+#[test]
+fn every_float_that_is_shown_is_written_back_as_it_was() {
+    let mut seed = 1_u32;
+    for _ in 0..200_000 {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let Some((raw, places)) = float::decimal(seed) else { continue };
+        let text = format_decimal(raw, places);
+        let back = float::bits(&text, 0).unwrap();
+        assert!(back == seed || (raw, seed) == (0, 0x8000_0000), "{seed:08X} {text}");
+    }
+}

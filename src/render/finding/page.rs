@@ -144,7 +144,7 @@ impl Page {
         }
         if let Some(expected) = &value.expected {
             parts.push(format!("({}: {} {expected})", self.word("raw, implausible"), self.word("expected")));
-        } else if value.value.is_none() && value.raw.is_some() {
+        } else if value.value.is_none() && value.raw.is_some() && value.kind != Some("float") {
             let unit = value.unit.as_ref().map_or_else(String::new, |unit| format!(": {unit}"));
             parts.push(format!("({}{unit})", self.word("raw, decimals unknown")));
         }

@@ -55,6 +55,8 @@ pub(in crate::render) fn find<'s>(column: &Column, sample: &'s Sample) -> Option
 pub(in crate::render) fn number(value: &Value) -> String {
     match (value.value, value.raw) {
         (Some(Decimal { raw, decimals }), _) => format_decimal(raw, decimals),
+        // Its bits are no number at all.
+        (None, Some(_)) if value.kind == Some("float") => "-".to_owned(),
         (None, Some(raw)) => raw.to_string(),
         (None, None) => String::new(),
     }

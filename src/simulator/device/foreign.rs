@@ -1,26 +1,33 @@
 //! A Modbus slave that is no drive of ours: it knows what the norm defines and no vendor code
-//! (MODBUS Application Protocol V1.1b3, 6.3, 6.6, 6.8, 6.12).
+//! (MODBUS Application Protocol V1.1b3, 6.3, 6.4, 6.6, 6.8, 6.12).
 
+use crate::profile::input_register;
 use crate::protocol::modbus::pdu::{Exception, PduError, Reply, Request};
 use crate::simulator::device::contract::{AskedByModbus, Device, Response};
 use crate::simulator::device::counters::Counters;
 use crate::tick::Tick;
 use std::collections::BTreeMap;
 
-/// Registers by address.
+/// Registers by address, and those that are only read (code 4), which are other ones.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Foreign {
     registers: BTreeMap<u16, u16>,
     /// It has no time for anybody.
     busy: bool,
+    inputs: BTreeMap<u16, u16>,
 }
 
 /// Most registers of one request (V1.1b3, 6.3).
 const MOST_REGISTERS: u16 = 125;
 
 impl Foreign {
-    pub(crate) fn new(registers: BTreeMap<u16, u16>, busy: bool) -> Self {
-        Foreign { registers, busy }
+    /// Input registers have the numbers that a catalogue gives them.
+    pub(crate) fn new(cells: &BTreeMap<u32, u16>, busy: bool) -> Self {
+        let of = |which: fn(u32) -> Option<u16>| {
+            cells.iter().filter_map(move |(&number, &value)| Some((which(number)?, value)))
+        };
+        let registers = of(|number| u16::try_from(number).ok()).collect();
+        Foreign { registers, inputs: of(input_register).collect(), busy }
     }
 
     pub(crate) fn register(&self, address: u32) -> Option<i64> {
@@ -45,14 +52,8 @@ impl Foreign {
             }
         })?;
         match request {
-            Request::ReadRegisters { count, .. } if count == 0 || count > MOST_REGISTERS => {
-                Err(Exception::IllegalDataValue)
-            }
-            Request::ReadRegisters { start, count } => {
-                let read = |offset: u16| self.registers.get(&start.checked_add(offset)?).copied();
-                let values: Option<Vec<u16>> = (0..count).map(read).collect();
-                values.map(Reply::Registers).ok_or(Exception::IllegalDataAddress)
-            }
+            Request::ReadRegisters { start, count } => read(&self.registers, start, count).map(Reply::Registers),
+            Request::ReadInputs { start, count } => read(&self.inputs, start, count).map(Reply::Inputs),
             Request::WriteRegister { address, value } => {
                 *self.registers.get_mut(&address).ok_or(Exception::IllegalDataAddress)? = value;
                 Ok(Reply::RegisterWritten { address, value })
@@ -70,6 +71,14 @@ impl Foreign {
             _ => Err(Exception::IllegalFunction),
         }
     }
+}
+
+fn read(cells: &BTreeMap<u16, u16>, start: u16, count: u16) -> Result<Vec<u16>, Exception> {
+    if count == 0 || count > MOST_REGISTERS {
+        return Err(Exception::IllegalDataValue);
+    }
+    let read = |offset: u16| cells.get(&start.checked_add(offset)?).copied();
+    (0..count).map(read).collect::<Option<_>>().ok_or(Exception::IllegalDataAddress)
 }
 
 impl Device for Foreign {
@@ -99,7 +108,9 @@ mod tests {
 
     #[test]
     fn it_speaks_the_norm_and_nothing_else() {
-        let mut foreign = Foreign::new([(0, 17), (1, 42)].into(), false);
+        let mut foreign = Foreign::new(&[(0, 17), (1, 42), (300_002, 5), (300_003, 6)].into(), false);
+        assert_eq!(foreign.answer(&[4, 0, 1, 0, 2]).encode(), [4, 4, 0, 5, 0, 6]);
+        assert_eq!(foreign.answer(&[4, 0, 0, 0, 1]).encode(), [0x84, 2]);
         assert_eq!(foreign.answer(&[3, 0, 0, 0, 2]).encode(), [3, 4, 0, 17, 0, 42]);
         assert_eq!(foreign.answer(&[3, 0, 1, 0, 2]).encode(), [0x83, 2]);
         assert_eq!(foreign.answer(&[3, 0, 0, 0, 0]).encode(), [0x83, 3]);

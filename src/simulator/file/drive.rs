@@ -2,6 +2,7 @@
 
 use super::reader::{BenchError, BenchFile, Model, own_seed};
 use super::tables::DriveTable;
+use crate::profile::INPUTS;
 use crate::protocol::vabus::Address;
 use crate::simulator::device::active;
 use crate::simulator::device::contract::{Device, NodeSetting};
@@ -53,7 +54,7 @@ impl BenchFile<'_> {
             station.script.extend(self.active_events(event, model)?);
         }
         let device: Box<dyn Device> = match model {
-            Model::Foreign => Box::new(Foreign::new(registers, row.busy)),
+            Model::Foreign => Box::new(Foreign::new(&registers, row.busy)),
             _ => Box::new(active::Drive::new(&setup, place, nodes, family.as_deref())),
         };
         Ok(Drive::new(station, device))
@@ -70,12 +71,15 @@ impl BenchFile<'_> {
         Ok(spoken)
     }
 
-    fn registers(&self, row: &DriveTable) -> Result<BTreeMap<u16, u16>, BenchError> {
+    fn registers(&self, row: &DriveTable) -> Result<BTreeMap<u32, u16>, BenchError> {
         let mut registers = BTreeMap::new();
         for (key, value) in &row.registers {
-            let fits = |number: i64| u16::try_from(number).ok();
-            let register = key.parse().ok().and_then(fits).zip(fits(*value.get_ref()));
-            let message = || format!("register \"{key}\" = {}; both expected 0 to 65535", value.get_ref());
+            let known = |number: &u32| *number <= u16::MAX.into() || INPUTS.contains(number);
+            let register = key.parse().ok().filter(known).zip(u16::try_from(*value.get_ref()).ok());
+            let message = || {
+                let value = value.get_ref();
+                format!("register \"{key}\" = {value}; both expected 0 to 65535, an input register is 300001 to 365536")
+            };
             let (number, value) = register.ok_or_else(|| self.error(value.span(), message()))?;
             registers.insert(number, value);
         }

@@ -2,6 +2,8 @@
 
 /// Function code 3: read holding registers (CM-485 manual 6.4.1: one 16-bit parameter).
 pub const READ_REGISTERS: u8 = 3;
+/// Function code 4: read input registers (V1.1b3, 6.4).
+pub const READ_INPUTS: u8 = 4;
 /// Function code 6: write a single register (CM-485 manual 6.4.2: one 16-bit parameter).
 pub const WRITE_REGISTER: u8 = 6;
 /// Function code 8: diagnostics (CM-485 manual 6.4.5).
@@ -21,7 +23,7 @@ pub const WRITE_LONG: u8 = 101;
 /// Bit of the function code that marks an exception reply (CM-485 manual 6.5).
 pub const EXCEPTION_BIT: u8 = 0x80;
 
-/// Most registers that one telegram of code 3 or 23 reads (V1.1b3, 6.3, 6.17).
+/// Most registers that one telegram of code 3, 4 or 23 reads (V1.1b3, 6.3, 6.4, 6.17).
 pub const MOST_READ: u16 = 125;
 /// Most registers that one telegram of code 16 writes (V1.1b3, 6.12).
 pub const MOST_WRITTEN: u16 = 123;

@@ -1,8 +1,8 @@
 //! Replies: what a slave answers.
 
 use super::codes::{
-    DIAGNOSTICS, ENCAPSULATED, EXCEPTION_BIT, EXCHANGE_REGISTERS, IDENTIFICATION, READ_LONG, READ_REGISTERS,
-    WRITE_LONG, WRITE_REGISTER, WRITE_REGISTERS,
+    DIAGNOSTICS, ENCAPSULATED, EXCEPTION_BIT, EXCHANGE_REGISTERS, IDENTIFICATION, READ_INPUTS, READ_LONG,
+    READ_REGISTERS, WRITE_LONG, WRITE_REGISTER, WRITE_REGISTERS,
 };
 use super::exception::Exception;
 use super::fields::{PduError, put_bytes, split, take_bytes, words};
@@ -13,6 +13,8 @@ use super::identification::Identification;
 pub enum Reply {
     /// Code 3.
     Registers(Vec<u16>),
+    /// Code 4.
+    Inputs(Vec<u16>),
     /// Code 6: the echo of the request.
     RegisterWritten {
         /// Register, or address word.
@@ -68,6 +70,7 @@ impl Reply {
     pub fn function(&self) -> u8 {
         match self {
             Reply::Registers(_) => READ_REGISTERS,
+            Reply::Inputs(_) => READ_INPUTS,
             Reply::RegisterWritten { .. } => WRITE_REGISTER,
             Reply::Diagnostics { .. } => DIAGNOSTICS,
             Reply::RegistersWritten { .. } => WRITE_REGISTERS,
@@ -83,7 +86,9 @@ impl Reply {
     pub fn encode(&self) -> Vec<u8> {
         let mut pdu = vec![self.function()];
         match self {
-            Reply::Registers(values) | Reply::RegistersExchanged(values) => put_bytes(&mut pdu, values),
+            Reply::Registers(values) | Reply::Inputs(values) | Reply::RegistersExchanged(values) => {
+                put_bytes(&mut pdu, values)
+            }
             Reply::RegisterWritten { address: a, value: b }
             | Reply::RegistersWritten { start: a, count: b }
             | Reply::Diagnostics { sub: a, data: b } => {
@@ -116,6 +121,7 @@ impl Reply {
         }
         Ok(match function {
             READ_REGISTERS => Reply::Registers(take_bytes(function, data)?),
+            READ_INPUTS => Reply::Inputs(take_bytes(function, data)?),
             WRITE_REGISTER => {
                 let [address, value] = words(function, data)?;
                 Reply::RegisterWritten { address, value }

@@ -1,8 +1,8 @@
 //! Requests: what a master asks.
 
 use super::codes::{
-    CLEAR_COUNTERS, DIAGNOSTICS, ECHO, ENCAPSULATED, EXCHANGE_REGISTERS, IDENTIFICATION, LISTEN_ONLY, READ_LONG,
-    READ_REGISTERS, RESTART_COMMUNICATION, WRITE_LONG, WRITE_REGISTER, WRITE_REGISTERS,
+    CLEAR_COUNTERS, DIAGNOSTICS, ECHO, ENCAPSULATED, EXCHANGE_REGISTERS, IDENTIFICATION, LISTEN_ONLY, READ_INPUTS,
+    READ_LONG, READ_REGISTERS, RESTART_COMMUNICATION, WRITE_LONG, WRITE_REGISTER, WRITE_REGISTERS,
 };
 use super::end::ReplyEnd;
 use super::fields::{PduError, leading, put_values, split, take_values, words};
@@ -17,6 +17,13 @@ pub enum Request {
         /// First register, or address word.
         start: u16,
         /// Number of registers; ACTIVE drives allow only 1.
+        count: u16,
+    },
+    /// Code 4.
+    ReadInputs {
+        /// First input register.
+        start: u16,
+        /// Number of registers.
         count: u16,
     },
     /// Code 6.
@@ -84,6 +91,7 @@ impl Request {
     pub fn function(&self) -> u8 {
         match self {
             Request::ReadRegisters { .. } => READ_REGISTERS,
+            Request::ReadInputs { .. } => READ_INPUTS,
             Request::WriteRegister { .. } => WRITE_REGISTER,
             Request::Diagnostics { .. } => DIAGNOSTICS,
             Request::WriteRegisters { .. } => WRITE_REGISTERS,
@@ -112,6 +120,7 @@ impl Request {
         let mut pdu = vec![self.function()];
         match self {
             Request::ReadRegisters { start: a, count: b }
+            | Request::ReadInputs { start: a, count: b }
             | Request::WriteRegister { address: a, value: b }
             | Request::Diagnostics { sub: a, data: b } => {
                 pdu.extend(a.to_be_bytes());
@@ -143,6 +152,10 @@ impl Request {
             READ_REGISTERS => {
                 let [start, count] = words(function, data)?;
                 Request::ReadRegisters { start, count }
+            }
+            READ_INPUTS => {
+                let [start, count] = words(function, data)?;
+                Request::ReadInputs { start, count }
             }
             WRITE_REGISTER => {
                 let [address, value] = words(function, data)?;
@@ -182,7 +195,9 @@ impl Request {
     /// How the normal reply ends.
     pub fn reply_end(&self) -> ReplyEnd {
         match self {
-            Request::ReadRegisters { .. } | Request::ExchangeRegisters { .. } => ReplyEnd::CountAt(1),
+            Request::ReadRegisters { .. } | Request::ReadInputs { .. } | Request::ExchangeRegisters { .. } => {
+                ReplyEnd::CountAt(1)
+            }
             Request::Diagnostics { sub: LISTEN_ONLY, .. } => ReplyEnd::Never,
             Request::WriteRegister { .. }
             | Request::WriteRegisters { .. }
@@ -199,6 +214,7 @@ impl Request {
         match (self, reply) {
             (request, Reply::Exception { function, .. }) => request.function() == *function,
             (Request::ReadRegisters { count, .. }, Reply::Registers(values)) => values.len() == usize::from(*count),
+            (Request::ReadInputs { count, .. }, Reply::Inputs(values)) => values.len() == usize::from(*count),
             (Request::WriteRegister { address, value }, Reply::RegisterWritten { address: written, value: echoed }) => {
                 address == written && value == echoed
             }
