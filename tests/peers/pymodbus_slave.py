@@ -160,3 +160,15 @@ def _(framing):
         expect("texts", [value["text"] for value in done.data["values"]], ["Switched on", None])
         row = ask(*known, "write", "fault=1.5", "--yes").exits(0).data["values"][0]
         expect("row", (row["raw"], row["result"]), (15, "verified"))
+
+
+@case("{}: a meter known only from an MBMap, its floats read from input registers", each=FRAMINGS)
+def _(framing):
+    given = Path(__file__).resolve().parents[1] / "maps/eastron-sdm630.mbmap.json"
+    with tempfile.TemporaryDirectory() as directory, station(framing, "stock") as ask:
+        catalogue = Path(directory) / "map.toml"
+        ours = [BINARY, "--no-config", "params", "import", given, "--output", catalogue]
+        subprocess.run(ours, check=True, capture_output=True, timeout=30)
+        known = ["-a", slave.STATION, "--catalogue", catalogue, "--drive", "eastron-sdm630"]
+        done = ask(*known, "read", "frequency", "imported-energy").exits(0)
+        expect("values", [(value["value"], value["unit"]) for value in done.data["values"]], [(50.02, "Hz"), (12345.678, "kWh")])

@@ -2,7 +2,7 @@
 
     slave.py PORT rtu|ascii stock|refusing|speaking
 
-`stock` is pymodbus as it comes: codes 3, 6 and 8, and what it makes of codes that it does not know. `refusing` answers
+`stock` is pymodbus as it comes: codes 3, 4, 6 and 8, and what it makes of codes that it does not know. `refusing` answers
 codes 100 and 101 with exception 1, as the norm wants it of any slave. `speaking` knows both, as custom codes.
 Says "ready" on stdout, and ends on SIGTERM.
 """
@@ -34,6 +34,8 @@ WORDS = {
     **{address_word(372, data_set): 1_300 + 10 * data_set for data_set in (1, 2, 3, 4)},
     **{address_word(376, data_set): 8 for data_set in (1, 2, 3, 4)},
 }
+# Floats of a meter, which codes 3 and 4 read alike here: 50.02 Hz, 12345.678 kWh.
+METER = {70: 0x4248, 71: 0x147B, 72: 0x4640, 73: 0xE6B6}
 LONGS = {address_word(480): 500, address_word(481): 1_000}
 
 
@@ -73,7 +75,7 @@ def only_for(station):
 
 
 async def serve(port, framer, codes):
-    registers = [SimData(word, values=[value], datatype=DataType.REGISTERS) for word, value in sorted(WORDS.items())]
+    registers = [SimData(word, values=[value], datatype=DataType.REGISTERS) for word, value in sorted({**WORDS, **METER}.items())]
     server = ModbusSerialServer(
         SimDevice(STATION, registers),
         framer=framer,

@@ -3,7 +3,7 @@
 
 use crate::agreeable::Agreeable;
 use crate::run::antrieb;
-use antrieb::args::{Environment, Globals, Settings};
+use antrieb::args::{Environment, Globals, Settings, below_zero};
 use antrieb::command::{Context, VERBS, sollwert};
 use antrieb::drive::{Button, Interrupt};
 use antrieb::failure::Failure;
@@ -12,7 +12,7 @@ use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use serde_json::Value;
 
 #[derive(Parser)]
@@ -54,7 +54,8 @@ fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMu
     let file = directory.path().join("bench.toml");
     std::fs::write(&file, format!("[[drive]]\nmodel = \"{model}\"\n{keys}\n")).unwrap();
     let line = format!("antrieb -p sim:{} --drive {model} -a 1 --yes {line} {more}", file.display());
-    let cli = Cli::parse_from(line.split_whitespace());
+    let words: Vec<_> = line.split_whitespace().map(Into::into).collect();
+    let cli = Cli::parse_from(below_zero::shielded(&words, &Cli::command()));
     let environment = Environment { directory: directory.path().to_owned(), ..Environment::default() };
     let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
     let interrupt = Interrupt::default();
@@ -197,6 +198,35 @@ fn arrows_change_the_setpoint_by_steps_and_stop_at_what_was_agreed() {
         assert_eq!(seen.stop(), ("key", None, None), "{:?}", seen.failure);
         let refused = seen.notes.iter().any(|note| note.starts_with("agreed are "));
         assert_eq!(refused, times > 6, "{:?}", seen.notes);
+    }
+}
+
+/// Whichever answer is lost, a step is given and shown: a line that loses one is no reason to press again.
+#[test]
+fn a_step_whose_answer_is_lost_is_given_and_shown_all_the_same() {
+    for (model, keys, line) in DRIVES {
+        for nth in 4..12 {
+            for kind in ["lost", "garbled"] {
+                let keys = format!("{keys}\n[[disturb]]\nevery = {nth}\nkind = \"{kind}\"");
+                let seen = run((model, &keys, line), "--view", &mut |telegram, at, hand| match telegram {
+                    300 => hand.button(Button::More, at),
+                    500.. => hand.button(Button::End, at),
+                    _ => {}
+                });
+                let name = format!("{model}, every {nth}. answer {kind}");
+                let steps: Vec<_> = seen
+                    .news
+                    .iter()
+                    .filter(|news| news.phase == "held")
+                    .map(|news| news.setpoint.unwrap().raw)
+                    .collect();
+                let Some(&from) = steps.first() else { panic!("{name}: {:?}", seen.failure) };
+                let to = seen.setpoint();
+                let step = seen.news.iter().find_map(|news| news.keys.as_ref()).unwrap().step.raw;
+                assert_eq!((to, steps.last()), (from + step, Some(&to)), "{name}: {steps:?} {:?}", seen.failure);
+                assert_eq!(seen.turning(), 0, "{name}");
+            }
+        }
     }
 }
 
