@@ -12,7 +12,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
 use crate::profile::DataSets;
-use crate::profile::value::format_decimal;
+use crate::profile::value;
 use crate::text::{Text, both};
 
 /// Writes what is planned. Whatever ends it early, what was written goes back; the rows say what became of each value.
