@@ -40,7 +40,7 @@ pub(super) struct LoadArgs {
     /// Without these groups and parameters
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     except: Vec<String>,
-    /// Only these data sets, 0 for what exists once: 1,3 or 1-3
+    /// Only these data sets, 0 for what exists once: 1-3
     #[arg(long, value_name = "SETS", value_delimiter = ',')]
     sets: Vec<SetRange>,
     /// Write to RAM only, until power-off
