@@ -1651,6 +1651,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s h -l help -
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l interval -d 'Time from round to round' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l duration -d 'End after this time' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l count -d 'End after this many rounds' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l textfile -d 'Keep a file with the last round, as OpenMetrics' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r

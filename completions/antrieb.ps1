@@ -1849,6 +1849,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--interval', '--interval', [CompletionResultType]::ParameterName, 'Time from round to round')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'End after this many rounds')
+            [CompletionResult]::new('--textfile', '--textfile', [CompletionResultType]::ParameterName, 'Keep a file with the last round, as OpenMetrics')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')

@@ -11,12 +11,12 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language};
-use crate::command::{Context, Entry, Flow, Typed};
+use crate::command::{Context, Entry, Flow, Typed, keeper};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
-use crate::render::{self, Console, Format, Manner, Patience, Stream, Streams, Terminal, View};
+use crate::render::{self, Console, Format, Keep, Manner, Patience, Stream, Streams, Terminal, View};
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
@@ -59,9 +59,10 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let width = width.filter(|_| out_is_terminal);
     let manner = Manner { lang, width, full: globals.verbose > 0, color, holds_stderr: err_is_terminal };
     let flow = verb.streams();
+    let settings = settings.and_then(|settings| fits(format, flow.as_ref()).map_or(Ok(settings), Err));
     let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
     let at_terminal = out_is_terminal && input_is_terminal;
-    let view = flow.and_then(|flow| view(flow, format, sends, environment, (out_is_terminal, at_terminal)));
+    let view = flow.as_ref().and_then(|flow| view(flow, format, sends, environment, (out_is_terminal, at_terminal)));
     let is_run = sends && matches!(flow, Some(Flow::Run { .. }));
     // The line of a run is progress; where its records or its view have the terminal there is none.
     let line = is_run && err_is_terminal && !quiet && !globals.no_progress && !(view.is_some() && out_is_terminal);
@@ -86,7 +87,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             stream.into_inner().close();
             whole(outcome, entry, format, manner, out.as_mut(), &console)
         }
-        Some(view) => Stream::open(view, out.as_mut(), manner, &console)
+        Some(view) => kept(flow)
+            .and_then(|keep| Ok(Stream::open(view, out.as_mut(), manner, &console)?.beside(keep)))
             .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
     };
     match printed {
@@ -214,7 +216,7 @@ struct Looks<'s, 'o> {
 
 /// The form of a stream; `None` where everything is printed at the end.
 fn view(
-    flow: Flow,
+    flow: &Flow,
     format: Format,
     sends: bool,
     environment: &Environment,
@@ -232,11 +234,34 @@ fn view(
         (Flow::Samples { .. }, Format::Json) => Some(View::Ndjson),
         _ if !sends => None,
         (Flow::Samples { .. }, Format::Csv) => Some(View::Csv),
-        (Flow::Samples { line: true }, Format::Table) if out_is_terminal => Some(View::Ticker),
+        (Flow::Samples { .. }, Format::Influx) => Some(View::Influx),
+        (Flow::Samples { .. }, Format::OpenMetrics) => Some(View::OpenMetrics),
+        (Flow::Samples { line: true, .. }, Format::Table) if out_is_terminal => Some(View::Ticker),
         (Flow::Samples { .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
         (Flow::Samples { .. }, Format::Table) => Some(View::Lines),
         (Flow::Telegrams, Format::Table) => Some(View::Telegrams),
         _ => None,
+    }
+}
+
+/// Why a form cannot be had of what a verb tells.
+fn fits(format: Format, flow: Option<&Flow>) -> Option<Failure> {
+    if !format.is_for_samples() || matches!(flow, Some(Flow::Samples { .. })) {
+        return None;
+    }
+    let text = both!(
+        "--format influx and openmetrics are forms of samples that come again and again",
+        "--format influx und openmetrics sind Formen von Messpunkten, die immer wieder kommen"
+    );
+    let hint = both!("`monitor` has them; else json, ndjson or csv", "`monitor` hat sie; sonst json, ndjson oder csv");
+    Some(Failure::new(Class::Usage, "usage.format", text).hint(hint))
+}
+
+/// The file that a stream keeps beside it.
+fn kept(flow: Option<Flow>) -> io::Result<Option<Keep>> {
+    match flow {
+        Some(Flow::Samples { textfile: Some(path), .. }) => keeper(path).map(|keep| Some(Box::new(keep) as Keep)),
+        _ => Ok(None),
     }
 }
 

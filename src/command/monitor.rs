@@ -9,16 +9,20 @@ use super::{Context, addresses_to_read, check_number, connect, offline, plan, re
 use crate::args::{Takes, parse_span};
 use crate::drive::{Item, Rounds, Upper, watch};
 use crate::failure::Failure;
+use crate::files::{self, FileError};
 use crate::outcome::{Outcome, Record};
 use crate::profile::{DataSets, Family, Param, Selection, Selector};
 use crate::text::Wrong;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
+use std::io;
+use std::path::{Path, PathBuf};
 
 /// Watches drives: state, setpoint, actual value, current, fault.
 ///
 /// Warnings too, or parameters of your choice. On a terminal a live view with a chart; into a pipe or a file one line a sample. `--format ndjson` (or --json: a
-/// stream has no end to wait for) and `--format csv` are for programs. Nothing is ever written to a drive.
+/// stream has no end to wait for) and `--format csv` are for programs; `--format influx` (InfluxDB line protocol) and
+/// `--format openmetrics` feed Telegraf, Prometheus and their like. Nothing is ever written to a drive.
 ///
 /// A drive that does not answer is a gap in the data, and the watch goes on. Ctrl-C is the usual way to end it, and
 /// ends it with exit code 0, like --count and --duration. If nothing ever answered it is 4; a lost port is 3, unless
@@ -58,6 +62,13 @@ pub struct Args {
     #[arg(long)]
     pub line: bool,
 
+    /// Keep a file with the last round, as OpenMetrics
+    ///
+    /// For node_exporter's textfile collector and whatever reads such files: written anew after each round, whole, and renamed. A file with anything
+    /// else in it is left alone.
+    #[arg(long, value_name = "FILE")]
+    pub textfile: Option<PathBuf>,
+
     /// On the bench: do not follow the wall clock
     ///
     /// Minutes of the bench take milliseconds.
@@ -78,12 +89,28 @@ impl Verb for Args {
     type Prints = Record;
 
     fn streams(&self) -> Option<Flow> {
-        Some(Flow::Samples { line: self.line })
+        Some(Flow::Samples { line: self.line, textfile: self.textfile.clone() })
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         Box::pin(run(self, context))
     }
+}
+
+/// What keeps the last round in a file, as a text that is whole at any time. A file that holds anything else is left alone.
+pub fn keeper(path: PathBuf) -> io::Result<impl FnMut(&str) -> io::Result<()>> {
+    let is_ours = |text: String| text.is_empty() || text.starts_with("# TYPE antrieb_");
+    match files::read(&path, files::TEXT).map(is_ours) {
+        Ok(true) => {}
+        Ok(false) => return Err(told(&path, FileError::Exists)),
+        Err(error) if error.is_missing() => {}
+        Err(error) => return Err(told(&path, error)),
+    }
+    Ok(move |text: &str| files::write_whole(&path, text, true).map_err(|error| told(&path, error)))
+}
+
+fn told(path: &Path, error: FileError) -> io::Error {
+    io::Error::other(format!("{}: {error}", path.display()))
 }
 
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.

@@ -9,6 +9,7 @@ use crate::outcome::Outcome;
 use schemars::{JsonSchema, schema_for};
 use std::fmt::Debug;
 use std::future::Future;
+use std::path::PathBuf;
 use std::pin::Pin;
 
 /// The work of a verb on its way.
@@ -41,12 +42,14 @@ pub trait Verb: clap::Args + Debug + 'static {
 }
 
 /// What comes while a verb works.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Flow {
     /// Values of drives, again and again, without an end to wait for.
     Samples {
         /// On a terminal one line that is refreshed is wanted, and not the whole of it.
         line: bool,
+        /// A file that always holds the last round.
+        textfile: Option<PathBuf>,
     },
     /// Telegrams.
     Telegrams,

@@ -359,6 +359,11 @@ impl<'a> Session<'a> {
         self.link.utc()
     }
 
+    /// The time of day, since the beginning of 1970; the bench has none.
+    pub fn since_1970(&self) -> Option<Span> {
+        self.link.since_1970()
+    }
+
     /// Tells an event to whoever watches.
     pub fn tell(&mut self, event: Event) {
         self.account.tell(event);

@@ -94,6 +94,8 @@ pub struct Tally {
     pub sent: u64,
     /// Answers taken.
     pub replies: u64,
+    /// From the end of each request until its answer was taken, in all.
+    pub waited: Span,
     /// Of these, exceptions.
     pub exceptions: u64,
     /// Requests that nobody answered in time.

@@ -27,8 +27,8 @@ pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Sim
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
-    Column, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary, StreamEnd,
-    StreamStart, StreamSummary, WatchedDrive,
+    Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
+    StreamEnd, StreamStart, StreamSummary, WatchedDrive,
 };
 pub use transfer::{
     Dataset, DatasetRow, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,

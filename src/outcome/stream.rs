@@ -40,6 +40,8 @@ pub struct StreamStart {
     pub command: &'static str,
     /// Port.
     pub port: String,
+    /// When that was, in seconds since the beginning of 1970; null on the bench, which has no time of day.
+    pub begun: Option<Decimal>,
     /// Line setting.
     pub line: String,
     /// Protocol.
@@ -147,6 +149,25 @@ pub struct Sample {
     pub values: Vec<SampleValue>,
     /// Why the whole sample is a gap.
     pub error: Option<ErrorDoc>,
+    /// What came of the line so far; null in the samples of a run.
+    pub line: Option<LineNews>,
+}
+
+/// What came of a line since the port was opened, whichever drive was asked.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct LineNews {
+    /// Telegrams sent, repeats included.
+    pub telegrams: u64,
+    /// Answers taken.
+    pub replies: u64,
+    /// Seconds that these were waited for, in all.
+    pub waited: Decimal,
+    /// Repeats.
+    pub repeats: u64,
+    /// Requests that nobody answered in time.
+    pub silences: u64,
+    /// Requests answered by garbage only.
+    pub garbled: u64,
 }
 
 /// A value with its time.

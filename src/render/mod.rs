@@ -15,7 +15,7 @@ pub use ask::Terminal;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
 pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};
-pub use stream::{Key, Keys, Manner, Stream, View};
+pub use stream::{Keep, Key, Keys, Manner, Stream, View};
 
 use crate::text::{Wrong, both};
 use std::str::FromStr;
@@ -33,12 +33,27 @@ pub enum Format {
     Ndjson,
     /// Comma-separated values with a head line.
     Csv,
+    /// InfluxDB line protocol: streams of samples only.
+    Influx,
+    /// OpenMetrics text: streams of samples only.
+    OpenMetrics,
 }
 
 impl Format {
     /// Every form, with its word.
-    pub const ALL: [(&'static str, Format); 4] =
-        [("table", Format::Table), ("json", Format::Json), ("ndjson", Format::Ndjson), ("csv", Format::Csv)];
+    pub const ALL: [(&'static str, Format); 6] = [
+        ("table", Format::Table),
+        ("json", Format::Json),
+        ("ndjson", Format::Ndjson),
+        ("csv", Format::Csv),
+        ("influx", Format::Influx),
+        ("openmetrics", Format::OpenMetrics),
+    ];
+
+    /// Whether it is only for samples that come again and again.
+    pub fn is_for_samples(self) -> bool {
+        matches!(self, Format::Influx | Format::OpenMetrics)
+    }
 }
 
 impl FromStr for Format {
@@ -47,8 +62,8 @@ impl FromStr for Format {
         let known = Format::ALL.iter().find(|(word, _)| *word == text);
         known.map(|(_, format)| *format).ok_or_else(|| {
             Wrong(both!(
-                "expected table, json, ndjson or csv, got '{text}'",
-                "erwartet: table, json, ndjson oder csv; angegeben: '{text}'"
+                "expected table, json, ndjson, csv, influx or openmetrics, got '{text}'",
+                "erwartet: table, json, ndjson, csv, influx oder openmetrics; angegeben: '{text}'"
             ))
         })
     }

@@ -202,6 +202,7 @@ mod tests {
             tool,
             command,
             port: String::new(),
+            begun: None,
             line: String::new(),
             protocol,
             interval: t,
@@ -218,7 +219,10 @@ mod tests {
         let name = Text::new("Operation enabled", "Betrieb freigegeben");
         let state = Some(State { slug: "operation-enabled".to_owned(), name });
         let t = Decimal { raw: 2_000_000, decimals: 6 };
-        line.line(&Sample { t, n: 0, address: 1, drive: "acu".to_owned(), state, values, error: None }, width)
+        line.line(
+            &Sample { t, n: 0, address: 1, drive: "acu".to_owned(), state, values, error: None, line: None },
+            width,
+        )
     }
 
     #[test]

@@ -76,10 +76,15 @@ impl Clock {
     }
 }
 
-/// The time of day in UTC: `2026-11-22T14:03:07Z`.
+/// The time of day, since the beginning of 1970.
 #[expect(clippy::disallowed_methods, reason = "this is the room's clock")]
-pub(super) fn utc() -> String {
-    date(SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs()))
+pub(super) fn since_1970() -> Span {
+    Span::from(SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default())
+}
+
+/// A time of day in UTC: `2026-11-22T14:03:07Z`.
+pub(super) fn utc(since_1970: Span) -> String {
+    date(since_1970.as_millis() / 1_000)
 }
 
 /// The date and time of so many seconds since the beginning of 1970 (RFC 3339), by the Gregorian calendar.

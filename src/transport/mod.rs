@@ -31,7 +31,7 @@ use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
 use crate::simulator::Bench;
 use crate::text::Text;
-use crate::tick::Tick;
+use crate::tick::{Span, Tick};
 use net::Far;
 use std::path::PathBuf;
 
@@ -295,8 +295,13 @@ impl Link {
 
     /// The time of day in UTC (RFC 3339); the bench and a recording have none.
     pub fn utc(&self) -> Option<String> {
+        self.since_1970().map(clock::utc)
+    }
+
+    /// The same since the beginning of 1970.
+    pub fn since_1970(&self) -> Option<Span> {
         match &self.carrier {
-            Carrier::Serial(_) | Carrier::Net(_) => Some(clock::utc()),
+            Carrier::Serial(_) | Carrier::Net(_) => Some(clock::since_1970()),
             Carrier::Tape(_) | Carrier::Sim(_) => None,
         }
     }

@@ -312,3 +312,60 @@ fn a_dry_run_shows_the_questions() {
     let table = antrieb("-p /dev/antrieb-has-no-such-port -a 1 monitor 210 --dry-run").exits(0).out;
     assert!(table.contains("read P.210"), "{table}");
 }
+
+/// The lines of the line protocol: measurement and tags, fields.
+#[test]
+fn telegraf_and_influx_get_one_line_a_drive_and_round() {
+    let output = antrieb("-p sim -a 1,2 monitor 210 480@2 411 --count 2 --unpaced --format influx").exits(0);
+    let lines: Vec<_> = output.out.lines().collect();
+    let begins = "antrieb,address=1,family=act,port=sim reachable=true,stator_frequency=0.00,fixed_frequency_1_2=";
+    assert!(lines.len() == 4 && lines[0].starts_with(begins), "{}", output.out);
+    assert!(lines[1].starts_with("antrieb,address=2,family=acu,port=sim "), "{}", lines[1]);
+    assert!(
+        lines[1].contains(",status_word=") && lines[1].contains(",state=\"switched-on\",line_telegrams="),
+        "{}",
+        lines[1]
+    );
+    let silent = antrieb("-a 1 monitor 210 --duration 4s --unpaced --format influx").on(FALLS_SILENT).exits(0);
+    assert!(silent.out.contains(" reachable=false,error=\"silence.no_reply\",line_telegrams="), "{}", silent.out);
+}
+
+/// One exposition a round: every family of metrics once, its samples behind its type, and an end.
+#[test]
+fn prometheus_gets_every_round_as_a_text_that_is_whole() {
+    let output = antrieb("-p sim -a 1,2 monitor 210 411 --count 2 --unpaced --format openmetrics").exits(0);
+    let rounds: Vec<_> = output.out.split_inclusive("# EOF\n").collect();
+    assert_eq!(rounds.len(), 2, "{}", output.out);
+    for round in rounds {
+        let mut types: Vec<&str> = Vec::new();
+        for line in round.lines() {
+            match line.strip_prefix("# TYPE ") {
+                Some(told) => types.push(told.split(' ').next().unwrap()),
+                None => assert!(line.starts_with('#') || line.starts_with(types.last().unwrap()), "{line}"),
+            }
+        }
+        let once: std::collections::BTreeSet<_> = types.iter().collect();
+        assert_eq!(types.len(), once.len(), "{types:?}");
+        for row in [
+            "antrieb_reachable{address=\"2\",family=\"acu\",port=\"sim\"} 1\n",
+            "antrieb_state{address=\"1\",family=\"act\",port=\"sim\",state=\"switched-on\"} 1\n",
+            "name=\"stator-frequency\",data_set=\"0\",store=\"ram\",unit=\"Hz\"} 0.00\n",
+            "antrieb_line_silences_total{port=\"sim\"} 0\n",
+        ] {
+            assert!(round.contains(row), "{row} in {round}");
+        }
+    }
+}
+
+#[test]
+fn a_text_file_holds_the_last_round_and_takes_no_other_files_place() {
+    let watch = "-p sim -a 1 monitor 210 --count 2 --unpaced --format csv --textfile {dir}/drives.prom";
+    let run = antrieb(watch).exits(0);
+    let text = run.text_of("drives.prom");
+    assert!(text.starts_with("# TYPE antrieb_") && text.ends_with("# EOF\n"), "{text}");
+    assert_eq!(run.out.lines().count(), 3, "the stream goes on as ever: {}", run.out);
+    let mine = antrieb(watch).file("drives.prom", "something else\n").exits(3);
+    assert_eq!(mine.text_of("drives.prom"), "something else\n");
+    let refused = antrieb("-p sim -a 1 read 210 --format influx").exits(2);
+    assert!(refused.err.contains("monitor"), "{}", refused.err);
+}

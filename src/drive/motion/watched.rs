@@ -105,6 +105,7 @@ impl Watched {
             tool: "antrieb",
             command,
             port: session.port().to_owned(),
+            begun: session.since_1970().map(seconds),
             line: session.line().to_string(),
             protocol: session.protocol().name(),
             interval: seconds(EVERY),
@@ -260,6 +261,7 @@ impl Motor<'_, '_> {
                 .filter_map(|row| row.value.clone().filter(|value| value.t.raw >= oldest))
                 .collect(),
             error: None,
+            line: None,
         };
         (shown.told, shown.samples) = (Some(now), shown.samples + 1);
         self.session.tell(Event::Record(Box::new(Record::Sample(sample))));

@@ -9,10 +9,11 @@ mod station;
 pub use station::Item;
 
 use super::{AccessError, Session, Terms, is_over, summary};
+use crate::exchange::Tally;
 use crate::failure::{Class, Failure};
 use crate::outcome::{
-    Column, Data, Decimal, ErrorDoc, Event, Monitor, Outcome, PortChange, Record, SCHEMA_VERSION, Sample, SampleValue,
-    StreamStart, Value, Warning, WatchedDrive,
+    Column, Data, Decimal, ErrorDoc, Event, LineNews, Monitor, Outcome, PortChange, Record, SCHEMA_VERSION, Sample,
+    SampleValue, StreamStart, Value, Warning, WatchedDrive,
 };
 use crate::profile::Family;
 use crate::text::both;
@@ -178,6 +179,7 @@ impl Watch<'_> {
             drive,
             state: None,
             error: Some(ErrorDoc::from(failure)),
+            line: None,
         }
     }
 
@@ -226,6 +228,7 @@ impl Watch<'_> {
             state: haul.values.iter().find_map(|value| value.value.word.as_ref()?.state.clone()),
             values: haul.values,
             error: failure.as_ref().map(ErrorDoc::from),
+            line: None,
         })
     }
 
@@ -302,7 +305,8 @@ impl Watch<'_> {
     fn emit_sample(&mut self, session: &mut Session<'_>, sample: Sample) {
         self.tally.samples += 1;
         self.tally.gaps += u64::from(sample.error.is_some());
-        self.emit(session, Record::Sample(sample));
+        let line = Some(news(session.tally()));
+        self.emit(session, Record::Sample(Sample { line, ..sample }));
     }
 
     fn emit(&mut self, session: &mut Session<'_>, record: Record) {
@@ -321,6 +325,7 @@ impl Watch<'_> {
             tool: "antrieb",
             command: "monitor",
             port: session.port().to_owned(),
+            begun: session.since_1970().map(|now| decimal(now - session.now().since(self.begin))),
             line: self.terms.line.to_string(),
             protocol: self.terms.speech.protocol.name(),
             interval: decimal(self.rounds.interval),
@@ -372,6 +377,12 @@ impl Watch<'_> {
         let failure = lost.or_else(|| summary(failures, good));
         Outcome { data: Some(Data::Monitor(self.tally)), warnings: self.warnings, failure }
     }
+}
+
+/// What the line has come to.
+fn news(tally: Tally) -> LineNews {
+    let Tally { sent, replies, waited, repeats, silences, garbled, .. } = tally;
+    LineNews { telegrams: sent, replies, waited: decimal(waited), repeats, silences, garbled }
 }
 
 fn decimal(span: Span) -> Decimal {

@@ -9,6 +9,7 @@ impl Master {
     /// The answer has come: to the fence, then the question goes out; or to the question, then it is over.
     pub(super) fn take(&mut self, at: Tick, sent_end: Tick, said: Said) {
         self.tally.replies += 1;
+        self.tally.waited = self.tally.waited + at.since(sent_end);
         self.tally.exceptions += u64::from(said.is_refusal());
         if let Some(job) = self.job.as_ref().filter(|job| job.doubted && !job.is_fenced()) {
             // Two telegrams came: the second may be another's who answered just now.

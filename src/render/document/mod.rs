@@ -28,7 +28,7 @@ pub fn print(
 ) -> io::Result<()> {
     console.finish();
     let form = match format {
-        Format::Table => table::print,
+        Format::Table | Format::Influx | Format::OpenMetrics => table::print,
         Format::Json => json::print,
         Format::Ndjson => ndjson::print,
         Format::Csv => csv::print,

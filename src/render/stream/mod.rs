@@ -5,13 +5,17 @@
 
 pub(super) mod cells;
 mod csv;
+mod influx;
 mod lines;
 mod live;
+mod metrics;
 mod ndjson;
+mod openmetrics;
 mod telegrams;
 mod ticker;
 
 pub use live::{Key, Keys};
+pub use openmetrics::Keep;
 
 use super::{Console, Outlet};
 use crate::outcome::{
@@ -27,6 +31,10 @@ pub enum View {
     Ndjson,
     /// One row a sample, under a head line.
     Csv,
+    /// InfluxDB line protocol.
+    Influx,
+    /// OpenMetrics text.
+    OpenMetrics,
     /// One line a sample, for people.
     Lines,
     /// One line a telegram, for people.
@@ -89,6 +97,8 @@ pub struct Stream<'a> {
     keys: Option<Keys>,
     /// What is written waits here for its reader.
     queue: Option<Outlet>,
+    /// What is written beside it.
+    beside: Option<openmetrics::Beside>,
     broken: Option<io::Error>,
 }
 
@@ -105,6 +115,8 @@ impl<'a> Stream<'a> {
         let form: Box<dyn Form + 'a> = match view {
             View::Ndjson => Box::new(ndjson::Ndjson::new(Box::new(out), manner.lang)),
             View::Csv => Box::new(csv::Csv::new(out)),
+            View::Influx => Box::new(influx::Influx::new(out)),
+            View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
             View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner.lang)),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
@@ -115,6 +127,11 @@ impl<'a> Stream<'a> {
             }
         };
         Ok(Stream::of(form, view, manner, console, None))
+    }
+
+    /// The same, with every round as OpenMetrics text beside it.
+    pub fn beside(self, keep: Option<Keep>) -> Self {
+        Stream { beside: keep.map(openmetrics::Beside::new), ..self }
     }
 
     /// Begins the stream of a run, for which nobody waits: the terminal is taken over with its first record, and given back by
@@ -144,7 +161,7 @@ impl<'a> Stream<'a> {
     }
 
     fn of(form: Box<dyn Form + 'a>, view: View, manner: Manner, console: &Console, keys: Option<Keys>) -> Self {
-        Stream { form, view, manner, console: console.clone(), keys, queue: None, broken: None }
+        Stream { form, view, manner, console: console.clone(), keys, queue: None, beside: None, broken: None }
     }
 
     /// Whether a terminal can be taken over.
@@ -175,7 +192,9 @@ impl<'a> Stream<'a> {
         }
         let written = match event {
             Event::Record(record) => {
-                self.form.record(&record).inspect(|()| self.console.observe(Event::Record(record)))
+                let beside = self.beside.iter_mut().try_for_each(|beside| beside.record(&record));
+                let written = beside.and_then(|()| self.form.record(&record));
+                written.inspect(|()| self.console.observe(Event::Record(record)))
             }
             Event::Sought(news) if self.view == View::Ndjson => {
                 let written = match news.is_told() {
@@ -235,7 +254,7 @@ impl<'a> Stream<'a> {
         // Gives the terminal back.
         drop(self);
         if let Some(summary) = summary
-            && !matches!(view, View::Ndjson | View::Csv)
+            && !matches!(view, View::Ndjson | View::Csv | View::Influx | View::OpenMetrics)
         {
             console.observe(Event::Note(told(&summary)));
         }

@@ -114,7 +114,7 @@ fn values_in_configurations_are_held_to_the_same_rules() {
         assert_eq!((document.exit, &document.error()["code"]), (2, &code.into()), "{text}");
     }
     let run = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"xml\"\n").exits(2);
-    assert!(run.err.contains("expected table, json, ndjson or csv, got 'xml'"), "{}", run.err);
+    assert!(run.err.contains("expected table, json, ndjson, csv, influx or openmetrics, got 'xml'"), "{}", run.err);
     let json = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"json\"\n").exits(0);
     assert!(json.out.starts_with('{'), "{}", json.out);
 }

@@ -68,8 +68,8 @@ const MISTAKES: &[Mistake] = &[
     mistake(
         "read 372 --format xml",
         [
-            "'xml' does not fit '--format <FORMAT>': expected table, json, ndjson or csv, got 'xml'",
-            "'xml' passt nicht für '--format <FORMAT>': erwartet: table, json, ndjson oder csv; angegeben: 'xml'",
+            "'xml' does not fit '--format <FORMAT>': expected table, json, ndjson, csv, influx or openmetrics, got 'xml'",
+            "'xml' passt nicht für '--format <FORMAT>': erwartet: table, json, ndjson, csv, influx oder openmetrics; angegeben: 'xml'",
         ],
         ["`antrieb read -h` shows", "`antrieb read -h` zeigt"],
     ),

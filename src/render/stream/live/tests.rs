@@ -74,6 +74,7 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
         state: raw.map(|_| State { slug: "operation-enabled".to_owned(), name: Text::name("Operation enabled") }),
         values: columns.into_iter().map(|column| SampleValue { t, value: value(column) }).collect(),
         error: error.clone(),
+        line: None,
     })
 }
 
@@ -85,6 +86,7 @@ fn screen(drives: u8, samples: &[Option<i64>]) -> Screen {
         tool: "antrieb",
         command: "monitor",
         port: "sim".to_owned(),
+        begun: None,
         line: "19200 8E1".to_owned(),
         protocol: "rtu",
         interval: at(1),
