@@ -59,6 +59,7 @@ mod motion {
     mod relief;
     mod rig;
     mod runs;
+    mod shown;
     mod stopping;
     mod stops;
     mod taken;

@@ -1,8 +1,10 @@
 //! What was asked for is what is given: the stop, its proof, and what goes back.
 
-use super::rig::{READY, RUNNING, drive, held, held_of, run_at_20_hz, servo};
+use super::rig::{READY, RUNNING, drive, held, held_of, run_at_20_hz, servo, servo_at};
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice};
+use antrieb::failure::Class;
+use antrieb::gate::Relief;
 use antrieb::tick::Span;
 use antrieb::transport::witness;
 use serde_json::json;
@@ -180,4 +182,63 @@ fn a_drive_that_is_no_longer_enabled_is_not_fed_with_its_enable() {
     let last = came.sent.iter().rposition(|hex| hex.starts_with("01 06 01 9A 00 0F")).unwrap();
     let stop = came.sent.iter().position(|hex| hex.starts_with("01 06 01 9A 00 07")).unwrap();
     assert!(last < stop && came.energised == 0, "{:?}", came.sent);
+}
+
+/// What a drive refuses it refuses again; only what was lost is said once more.
+#[test]
+fn what_is_refused_in_a_run_is_not_said_again_and_again() {
+    let bench = drive(READY, "[[drive.event]]\nat = \"1ms\"\nrefuses = 484");
+    let came = held(&bench, &[], StopChoice::Ramp, Span::ZERO, async |motor| run_at_20_hz(motor, None).await);
+    let class = came.ended.result.as_ref().map_err(|failure| failure.class);
+    assert_eq!(class, Err(Class::Refused), "{:?}", came.ended);
+    let said = came.sent.iter().filter(|hex| hex.starts_with("01 65 01 E4 00 00 07 D0")).count();
+    assert_eq!((said, came.energised), (1, 0), "{:?}", came.sent);
+}
+
+/// A line setpoint from before would turn the shaft with the enable. An ACU does not let its setpoint be read back, so that the
+/// refusal of the 0 is all that tells.
+#[test]
+fn a_drive_whose_setpoint_does_not_go_to_0_is_not_enabled() {
+    for model in ["act", "acu"] {
+        let set = "\"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0";
+        let bench = drive(set, "[[drive.event]]\nat = \"1ms\"\nrefuses = 484").replace("acu", model);
+        let line = "-v -b 115200 -a 1 --yes statemachine enable --hold --duration 300ms";
+        let run = antrieb(line).on(&bench).json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.standing_setpoint", "{model}: {}", run.error());
+        assert!(!run.err.contains(&format!("> {CONTROL} 00 0F")), "{model}: {}", run.err);
+    }
+}
+
+/// Without power before it stands, a shaft would coast in place of its quick stop.
+#[test]
+fn a_servo_keeps_its_power_until_its_quick_stop_has_brought_it_to_rest() {
+    let bench = servo("RAMPacc = 3000, RAMPdecel = 3000", "readings = { quick_stop = \"stays\" }");
+    let came = held_of("lxm05", &bench, &[], StopChoice::QuickStop, Span::from_secs(5), async |motor| {
+        servo_at(motor, 900, Some(Span::from_secs(2))).await
+    });
+    let sent = |word: &str, from: usize| {
+        let begins = format!("01 10 1B 02 00 02 04 00 00 00 {word}");
+        came.sent.iter().skip(from).position(|hex| hex.starts_with(&begins)).map(|found| found + from)
+    };
+    let quick = sent("02", 0).unwrap();
+    let off = sent("00", quick).unwrap();
+    let places = came.sent[quick..off].iter().filter(|hex| hex.starts_with("01 03 1E 14")).count();
+    assert!(places >= 2, "{:?}", &came.sent[quick..=off]);
+    assert_eq!((came.stop().acknowledged, came.stop().standing), (true, Some(true)), "{:?}", came.ended);
+}
+
+/// As contacts the words of the state machine would close what the stop has opened.
+#[test]
+fn who_interrupts_the_opening_of_contacts_gets_all_of_them_opened() {
+    let ramps = "ramps = { up_right = 50, down_right = 2, up_left = 50, down_left = 2 }";
+    let contacts = drive("\"410\" = 3, \"412\" = 2, \"434\" = 2, \"484\" = 10, \"418\" = 0", ramps);
+    for turns in ["+1", "+5", "+20", "+60"] {
+        let presses = ["01 06 01 9A 00 01", turns];
+        let came = held(&contacts, &presses, StopChoice::QuickStop, Span::from_secs(30), async |motor| {
+            motor.relieve(Relief::Disable).await
+        });
+        let words: Vec<&str> = came.sent.iter().filter_map(|hex| hex.strip_prefix("01 06 01 9A 00 ")).collect();
+        assert!(words.iter().all(|word| word.starts_with("01") || word.starts_with("00")), "{turns}: {words:?}");
+        assert_eq!((words.last().map(|word| &word[..2]), came.energised), (Some("00"), 0), "{turns}: {words:?}");
+    }
 }

@@ -43,11 +43,16 @@ fn a_standstill_from_before_proves_nothing_of_a_stop() {
 
 #[test]
 fn what_was_set_to_0_before_the_enable_is_no_change_to_give_back() {
-    let bench = servo("PVn_target = 900, RAMPacc = 3000, RAMPdecel = 3000", "");
-    let run = antrieb("-a 1 --drive lxm05 --yes statemachine enable --hold --duration 50ms --on-exit coast");
-    let run = run.on(&bench).json().exits(0);
-    let (bench, _) = witness::left().unwrap();
-    assert_eq!((run.data("/changed"), bench.drive(1).unwrap().ram(6_938, 0)), (&json!([]), Some(0)), "{:#}", run.value);
+    let standing = servo("PVn_target = 900, RAMPacc = 3000, RAMPdecel = 3000", "");
+    // Only an ACT lets its line setpoint be read, so that it could be remembered.
+    let inverter = drive(&format!("{READY}, \"484\" = 10"), "").replace("acu", "act");
+    for (bench, who, setpoint) in [(standing, "--drive lxm05", 6_938), (inverter, "-b 115200 --drive act", 484)] {
+        let line = format!("{who} -a 1 --yes statemachine enable --hold --duration 50ms --on-exit coast");
+        let run = antrieb(&line).on(&bench).json().exits(0);
+        let (bench, _) = witness::left().unwrap();
+        let left = bench.drive(1).unwrap().ram(setpoint, 0);
+        assert_eq!((run.data("/changed"), left), (&json!([]), Some(0)), "{:#}", run.value);
+    }
 }
 
 #[test]

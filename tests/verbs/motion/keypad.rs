@@ -7,7 +7,7 @@ use antrieb::args::{Environment, Globals, Settings, below_zero};
 use antrieb::command::{Context, VERBS, sollwert};
 use antrieb::drive::{Button, Interrupt};
 use antrieb::failure::Failure;
-use antrieb::outcome::{Data, Event, Motion, Outcome, Record, RunNews};
+use antrieb::outcome::{Data, Event, Motion, Outcome, Record, RunNews, Sample};
 use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
@@ -31,24 +31,33 @@ enum Verb {
 const ACTIVE: &str = "set = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }";
 const SERVO: &str = "set = { RAMPacc = 3000, RAMPdecel = 3000, RAMPn_max = 3000 }\nservo = { guide = 16384 }";
 /// A drive, how its bench is set, and a run of it with bounds for the arrows.
-const DRIVES: [(&str, &str, &str); 3] = [
+pub(super) const DRIVES: [(&str, &str, &str); 3] = [
     ("act", ACTIVE, "sollwert 10Hz --enable --hold --step 1Hz --min -3Hz --max 15Hz"),
     ("acu", ACTIVE, "sollwert -10Hz --enable --hold --step 2.5Hz --min -12Hz --max 5Hz"),
     ("lxm05", SERVO, "sollwert 300rpm --mode velocity --enable --hold --step 50rpm --min -100rpm --max 400rpm"),
 ];
 
 /// What came of a run.
-struct Seen {
+pub(super) struct Seen {
     motion: Option<Motion>,
-    failure: Option<Failure>,
+    pub(super) failure: Option<Failure>,
     bench: Bench,
-    at: Tick,
-    news: Vec<RunNews>,
-    notes: Vec<String>,
+    pub(super) at: Tick,
+    pub(super) news: Vec<RunNews>,
+    /// Parameters that are shown.
+    pub(super) columns: Vec<u32>,
+    pub(super) samples: Vec<Sample>,
+    pub(super) notes: Vec<String>,
+    /// When the records began.
+    pub(super) begun: Option<Tick>,
 }
 
 /// Runs a line; `press` is called at every telegram, with its number and its time.
-fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMut(usize, Tick, &Interrupt)) -> Seen {
+pub(super) fn run(
+    (model, keys, line): (&str, &str, &str),
+    more: &str,
+    press: &mut dyn FnMut(usize, Tick, &Interrupt),
+) -> Seen {
     let registry = Registry::open(&[]).unwrap();
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("bench.toml");
@@ -61,21 +70,28 @@ fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMu
     let interrupt = Interrupt::default();
     interrupt.panel().watch(true);
     let hand = interrupt.clone();
-    let (mut telegrams, mut news, mut notes, mut last) = (0, Vec::new(), Vec::new(), Tick::ZERO);
+    let (mut telegrams, mut last, mut begun, mut columns) = (0, Tick::ZERO, None, Vec::new());
+    let (mut news, mut samples, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     let mut observe = |event: Event| match event {
         Event::Telegram { at_us, .. } => {
             (telegrams, last) = (telegrams + 1, Tick::from_micros(at_us));
             hand.look(last);
             press(telegrams, last, &hand);
         }
-        Event::Record(record) => {
-            if let Record::Run(run) = *record {
+        Event::Record(record) => match *record {
+            Record::Run(run) => {
                 if run.phase == "waiting" {
                     hand.button(Button::Hold, last);
                 }
                 news.push(run);
             }
-        }
+            Record::Start(start) => {
+                begun = Some(last);
+                columns = start.drives.iter().flat_map(|drive| &drive.columns).map(|column| column.param).collect();
+            }
+            Record::Sample(sample) => samples.push(sample),
+            _ => {}
+        },
         Event::Note(note) => notes.push(note.en.into_owned()),
         _ => {}
     };
@@ -92,11 +108,11 @@ fn run((model, keys, line): (&str, &str, &str), more: &str, press: &mut dyn FnMu
         Err(failure) => (None, Some(failure)),
     };
     let (bench, at) = witness::left().unwrap();
-    Seen { motion, failure, bench, at, news, notes }
+    Seen { motion, failure, bench, at, news, columns, samples, notes, begun }
 }
 
 impl Seen {
-    fn stop(&self) -> (&str, Option<u8>, Option<&str>) {
+    pub(super) fn stop(&self) -> (&str, Option<u8>, Option<&str>) {
         let stop = self.motion.as_ref().and_then(|motion| motion.stop.as_ref()).unwrap();
         (stop.because, self.failure.as_ref().map(|failure| failure.class.exit()), stop.escalated)
     }

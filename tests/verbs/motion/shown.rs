@@ -1,0 +1,85 @@
+//! What is shown of a run that is held: every value, fresh, and no sooner than anybody can read it; and for how long behind
+//! its end.
+
+use super::keypad::{DRIVES, Seen, run};
+use antrieb::drive::Button;
+use antrieb::tick::{Span, Tick};
+use std::collections::BTreeMap;
+
+/// From when on a phase was shown, in microseconds.
+fn since(seen: &Seen, phase: &str) -> i64 {
+    seen.news.iter().find(|news| news.phase == phase).map(|news| news.t.raw).unwrap()
+}
+
+#[test]
+fn every_value_of_a_held_run_is_shown_and_kept_fresh() {
+    for drive in DRIVES {
+        let seen = run(drive, "--view --duration 8s", &mut |_, _, _| {});
+        assert_eq!(seen.stop(), ("end", None, None), "{}: {:?}", drive.0, seen.failure);
+        let (held, stopping) = (since(&seen, "held"), since(&seen, "stopping"));
+        assert!((7_900_000..8_100_000).contains(&(stopping - held)), "{}: {held} {stopping}", drive.0);
+        assert!(seen.samples.iter().enumerate().all(|(index, sample)| sample.n == index as u64), "{}", drive.0);
+        assert!(seen.samples.windows(2).all(|pair| pair[1].t.raw - pair[0].t.raw >= 200_000), "{}", drive.0);
+        let mut read = BTreeMap::<u32, Vec<i64>>::new();
+        for sample in seen.samples.iter().filter(|sample| (held..stopping).contains(&sample.t.raw)) {
+            for value in &sample.values {
+                read.entry(value.value.param).or_default().push(value.t.raw);
+            }
+        }
+        let mut columns = seen.columns.clone();
+        columns.sort_unstable();
+        assert!(read.keys().eq(&columns), "{}: {:?}", drive.0, read.keys());
+        for (param, mut times) in read {
+            times.dedup();
+            // Twice in a second at least, a cheap line gives it in every round.
+            assert!(times.len() >= 16, "{} {param}: {times:?}", drive.0);
+        }
+    }
+}
+
+/// When the view began to show the end, and when it was closed.
+fn view_closed(seen: &Seen) -> Span {
+    let ended = Tick::from_micros(since(seen, "ended").unsigned_abs());
+    // The records begin with the view, some telegrams behind the session.
+    let begun = seen.begun.unwrap();
+    seen.at.since(begun + ended.since(Tick::ZERO))
+}
+
+#[test]
+fn a_run_that_a_fault_has_ended_is_shown_for_a_minute_more_without_its_setpoint() {
+    let (model, keys, line) = DRIVES[1];
+    let keys = format!("{keys}\n[[drive.event]]\nat = \"4s\"\nfault = \"F0500\"");
+    let seen = run((model, &keys, line), "--view", &mut |_, _, _| {});
+    assert!(seen.failure.as_ref().is_some_and(|failure| failure.code == "forbidden.fault"), "{:?}", seen.failure);
+    let stays = view_closed(&seen).as_millis();
+    assert!((59_500..61_500).contains(&stays), "{stays}");
+    let ended = since(&seen, "ended");
+    assert!(seen.samples.iter().filter(|sample| sample.t.raw > ended).count() > 100, "it is looked at on");
+    for news in &seen.news {
+        let shows = (news.setpoint.map(|setpoint| setpoint.raw), news.unit.as_deref());
+        match news.phase {
+            "held" => assert_eq!(shows, (Some(-1_000), Some("Hz")), "{news:?}"),
+            "stopping" | "ended" => assert_eq!(shows, (None, None), "{news:?}"),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn behind_a_run_that_came_to_its_end_the_view_stays_until_no_key_repeats() {
+    let quiet = run(DRIVES[0], "--view --duration 1s", &mut |_, _, _| {});
+    let mut last = None;
+    let pressed = run(DRIVES[0], "--view --duration 1s", &mut |_, at, hand| {
+        if at < Tick::ZERO + Span::from_secs(6) {
+            hand.button(Button::More, at);
+            last = Some(at);
+        }
+    });
+    let told = quiet.notes.join("\n");
+    assert!(told.contains("the stop was acknowledged, the shaft stands"), "{told}");
+    let stays = view_closed(&quiet).as_millis();
+    assert!((1_100..1_600).contains(&stays), "{stays}");
+    let stays = pressed.at.since(last.unwrap()).as_millis();
+    assert!((900..1_900).contains(&stays), "{stays}");
+    assert_eq!((quiet.failure.is_some(), pressed.failure.is_some()), (false, false));
+}
