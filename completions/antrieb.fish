@@ -61,6 +61,10 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "identify" -d 'Tells
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "read" -d 'Reads parameters'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "write" -d 'Writes parameters'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "dataset" -d 'Shows, selects, copies a drive\'s data sets; saves and compares its settings'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "init" -d 'Writes antrieb.toml from a scan: ports, drives and their names'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plan" -d 'Shows what `apply` would write to the drives of antrieb.toml; 1 if something would change'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "apply" -d 'Writes what antrieb.toml says into its drives: one plan, one question, one report'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "check" -d 'Holds the drives of antrieb.toml against their parameter files; 1 if one differs'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "diag" -d 'Diagnoses a drive and the line to it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "statemachine" -d 'Shows a drive\'s state, and walks it to another'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows a drive\'s state, and walks it to another'
@@ -547,6 +551,143 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l within -d 'End after this time, whatever is left: `90s`, `2m`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l resume -d 'Go on where this result of `scan --json` ends' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l thorough -d 'By the book: every address gets its full time'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l fast -d 'One time around, nothing is asked again'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l until-first -d 'The first drive ends the search'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l all-ports -d 'Search every USB adapter that is plugged in'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l except -d 'Without these groups and parameters' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l sets -d 'Only these data sets, 0 for what exists once: 1,3' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l ram -d 'Write to RAM only, until power-off'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l except -d 'Without these groups and parameters' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l sets -d 'Only these data sets, 0 for what exists once: 1,3' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l ram -d 'Write to RAM only, until power-off'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l atomic -d 'All drives or none: if one fails, those that are done are taken back too'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, or auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l link-test -d 'Ask N harmless questions: error rate, reply times' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r

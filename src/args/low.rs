@@ -1,16 +1,13 @@
 //! What was typed, and where: flags, environment, project file, user configuration, in this order.
 
 use super::address::{Addresses, parse_addresses, parse_node};
-use super::globals::{AUTO, Globals};
+use super::globals::Globals;
+use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, read_config};
 use super::wrong::bad_setting;
-use crate::failure::{Class, Failure};
-use crate::files;
-use crate::profile::place;
-use crate::protocol::modbus::LAST_STATION;
-use crate::text::{Text, both};
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer};
-use std::collections::BTreeMap;
+use crate::failure::Failure;
+use crate::text::{Text, Wrong, both};
+use crate::transport::Port;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// What the process was started in; read once, by `main`, or made up by a test.
@@ -22,6 +19,19 @@ pub struct Environment {
     pub directory: PathBuf,
     /// Directory of the user's configuration, with `config.toml` and `catalogues/`.
     pub user_config: Option<PathBuf>,
+}
+
+/// What was typed and where, kept for what asks for more of it later.
+#[derive(Clone, Debug, Default)]
+pub struct Typed {
+    pub(super) globals: Globals,
+    pub(super) environment: Environment,
+}
+
+impl Typed {
+    pub(super) fn new(globals: &Globals, environment: &Environment) -> Self {
+        Typed { globals: globals.clone(), environment: environment.clone() }
+    }
 }
 
 /// Where a setting comes from.
@@ -58,45 +68,6 @@ impl Origin {
     }
 }
 
-/// `antrieb.toml` and the user's `config.toml`.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct File {
-    pub(super) port: Option<String>,
-    #[serde(default, deserialize_with = "stations")]
-    pub(super) address: Option<String>,
-    pub(super) baud: Option<u32>,
-    pub(super) parity: Option<String>,
-    pub(super) stop_bits: Option<u8>,
-    pub(super) data_bits: Option<u8>,
-    pub(super) rs485: Option<String>,
-    pub(super) rs485_before: Option<String>,
-    pub(super) rs485_after: Option<String>,
-    pub(super) protocol: Option<String>,
-    pub(super) drive: Option<String>,
-    pub(super) timeout: Option<String>,
-    pub(super) retries: Option<u8>,
-    pub(super) lang: Option<String>,
-    pub(super) format: Option<String>,
-    #[serde(default)]
-    pub(super) catalogue: Vec<PathBuf>,
-    #[serde(default, deserialize_with = "named")]
-    pub(super) drives: BTreeMap<String, NamedDrive>,
-}
-
-/// A drive with a name: `[drives.pump]`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct NamedDrive {
-    #[serde(deserialize_with = "station")]
-    pub(super) address: u8,
-    pub(super) port: Option<String>,
-    pub(super) drive: Option<String>,
-    pub(super) protocol: Option<String>,
-    pub(super) baud: Option<u32>,
-    pub(super) parity: Option<String>,
-}
-
 /// Everything that was typed.
 pub(super) struct Low<'a> {
     pub(super) flags: &'a Globals,
@@ -107,13 +78,6 @@ pub(super) struct Low<'a> {
     named: Option<(Origin, NamedDrive)>,
     /// Where each setting comes from that somebody said.
     origins: BTreeMap<&'static str, Origin>,
-}
-
-impl NamedDrive {
-    /// What it says of its line.
-    fn line(&self) -> (Option<&str>, Option<&str>, Option<u32>, Option<&str>) {
-        (self.port.as_deref(), self.protocol.as_deref(), self.baud, self.parity.as_deref())
-    }
 }
 
 impl<'a> Low<'a> {
@@ -181,32 +145,29 @@ impl<'a> Low<'a> {
     /// Takes the drives of a list in which there is a name, and numbers beside them. They share a line, so what the file
     /// says of it must be the same for all; what they are may differ, and is asked then.
     fn call_several(&mut self, text: &str) -> Result<Option<Vec<u8>>, Failure> {
-        let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-        let is_name = |part: &&str| self.files.iter().any(|(_, file)| file.drives.contains_key(*part));
+        let parts = self.meant(text)?;
+        let is_name = |part: &String| self.drive(part).is_some();
         if !parts.iter().any(is_name) {
             return Ok(None);
         }
+        let is_typed = !self.typed_ports()?.is_empty();
         let mut list = Vec::new();
         let mut line: Option<(Origin, NamedDrive)> = None;
-        for part in parts {
+        for part in &parts {
             let Some(address) = self.call(part) else {
                 list.extend(parse_addresses(part, &[])?);
                 continue;
             };
             list.push(address);
-            let Some((origin, drive)) = self.named.take() else { continue };
+            let Some((origin, mut drive)) = self.named.take() else { continue };
+            if is_typed && is_several(text) {
+                // What stands at the typed port has it by another name perhaps.
+                drive.port = None;
+            }
             match &mut line {
                 None => line = Some((origin, drive)),
-                Some((_, first)) if first.line() != drive.line() => {
-                    let message = both!(
-                        "'{text}': antrieb.toml says that {part} is not on the line of the others",
-                        "'{text}': laut antrieb.toml ist {part} nicht an der Leitung der anderen"
-                    );
-                    return Err(bad_setting("address", message)
-                        .hint(both!("one call for each line", "ein Aufruf für jede Leitung")));
-                }
-                Some((_, first)) if first.drive != drive.drive => first.drive = Some(AUTO.to_owned()),
-                Some(_) => {}
+                Some((_, first)) if first.line() != drive.line() => return Err(apart(text, part)),
+                Some((_, first)) => first.is_as(&drive),
             }
         }
         let mut seen = Vec::new();
@@ -218,6 +179,89 @@ impl<'a> Low<'a> {
         });
         self.named = line;
         Ok(Some(list))
+    }
+
+    /// The parts of a list of drives, each once: `all` and `@group` are the drives that the files say, as far as they are at
+    /// the ports that were typed.
+    fn meant(&self, text: &str) -> Result<Vec<String>, Failure> {
+        let ports = self.typed_ports()?;
+        let mut parts: Vec<String> = Vec::new();
+        for part in text.split(',').map(str::trim) {
+            let found = match self.of_word(part)? {
+                None => vec![part.to_owned()],
+                Some(names) => {
+                    let is_there =
+                        |name: &String| ports.is_empty() || self.drive(name).is_some_and(|it| it.is_at(&ports));
+                    let there: Vec<String> = names.into_iter().filter(is_there).collect();
+                    if there.is_empty() {
+                        return Err(none_there(part, &ports));
+                    }
+                    there
+                }
+            };
+            parts.extend(found);
+        }
+        let mut seen = BTreeSet::new();
+        parts.retain(|part| seen.insert(part.clone()));
+        Ok(parts)
+    }
+
+    /// The drives of a word that means several; `None` if it means none of them.
+    fn of_word(&self, word: &str) -> Result<Option<Vec<String>>, Failure> {
+        if word == ALL {
+            let names: BTreeSet<&String> = self.files.iter().flat_map(|(_, file)| file.drives.keys()).collect();
+            return Ok(Some(names.into_iter().cloned().collect()));
+        }
+        let Some(group) = word.strip_prefix(GROUP) else { return Ok(None) };
+        let mut groups = self.files.iter().flat_map(|(_, file)| &file.groups);
+        let found = groups.find(|(name, _)| *name == group).map(|(_, members)| members.clone());
+        found.map(Some).ok_or_else(|| self.no_group(group))
+    }
+
+    fn no_group(&self, group: &str) -> Failure {
+        let known: Vec<&str> = self.files.iter().flat_map(|(_, file)| file.groups.keys()).map(String::as_str).collect();
+        let message = both!(
+            "there is no group '{group}' (expected one of [groups] in {PROJECT}: {known})",
+            "es gibt keine Gruppe '{group}' (erwartet wird eine aus [groups] in {PROJECT}: {known})",
+            known = if known.is_empty() { "-".to_owned() } else { known.join(", ") }
+        );
+        bad_setting("address", message)
+    }
+
+    /// The ports that were typed, or stand in the environment.
+    pub(super) fn typed_ports(&self) -> Result<Vec<Port>, Failure> {
+        if !self.flags.port.is_empty() {
+            return Ok(self.flags.port.clone());
+        }
+        let Some((text, origin)) = self.variable("ANTRIEB_PORT") else { return Ok(Vec::new()) };
+        let port: Port = text.parse().map_err(|why: Wrong| {
+            bad_setting("port", both!("{why} ({whence})", "{why} ({whence})", why = why.0, whence = origin.name()))
+        })?;
+        Ok(vec![port])
+    }
+
+    /// What the files say of the drive with this name.
+    pub(super) fn drive(&self, name: &str) -> Option<&NamedDrive> {
+        self.files.iter().find_map(|(_, file)| file.drives.get(name))
+    }
+
+    /// The names of the drives of a plant that are meant; all of them if nobody said.
+    pub(super) fn plant(&self) -> Result<Vec<String>, Failure> {
+        let text = self.flags.address.as_deref().unwrap_or(ALL);
+        let (ports, names) = (self.typed_ports()?, self.meant(text)?);
+        if let Some(stranger) = names.iter().find(|name| self.drive(name).is_none()) {
+            let known: Vec<&str> =
+                self.files.iter().flat_map(|(_, file)| file.drives.keys()).map(String::as_str).collect();
+            let message = both!(
+                "expected names of drives, @group or all; got '{stranger}' ({PROJECT} has: {known})",
+                "erwartet: Namen von Antrieben, @gruppe oder all; angegeben: '{stranger}' ({PROJECT} hat: {known})",
+                known = known.join(", ")
+            );
+            return Err(bad_setting("address", message));
+        }
+        let is_there = |name: &String| ports.is_empty() || self.drive(name).is_some_and(|drive| drive.is_at(&ports));
+        let there: Vec<String> = names.into_iter().filter(is_there).collect();
+        if there.is_empty() { Err(none_there(text, &ports)) } else { Ok(there) }
     }
 
     /// What an environment variable says, if it is set.
@@ -275,57 +319,37 @@ impl<'a> Low<'a> {
     }
 }
 
-/// The project file.
-const PROJECT: &str = "antrieb.toml";
-
-fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure> {
-    let shown = path.display();
-    let text = match files::read(path, files::TEXT) {
-        Ok(text) => text,
-        Err(error) if error.is_missing() && !must_exist => return Ok(File::default()),
-        Err(error) => {
-            let text = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
-            return Err(Failure::new(Class::Data, "data.config", text));
-        }
-    };
-    toml::from_str(&text).map_err(|error| {
-        let (line, column) = place(&text, error.span().map_or(0, |span| span.start));
-        let message = error.message().replace(|c: char| c.is_control(), " ");
-        let message = Text::quoted(message);
-        let text = both!("{shown}:{line}:{column}: {message}", "{shown}:{line}:{column}: {message}", message);
-        Failure::new(Class::Data, "data.config", text)
-    })
+/// Whether a list means drives by what the file says of them, and not by their own names.
+fn is_several(text: &str) -> bool {
+    text.split(',').map(str::trim).any(|part| part == ALL || part.starts_with(GROUP))
 }
 
-/// The address of a drive in a file. 0 is everybody and only ever typed: what stands in a file for good must not become a
-/// broadcast.
-fn station<'de, D: Deserializer<'de>>(file: D) -> Result<u8, D::Error> {
-    let number = i64::deserialize(file)?;
-    let station = u8::try_from(number).ok().filter(|station| (1..=LAST_STATION).contains(station));
-    station.ok_or_else(|| D::Error::custom(no_station(&number)))
+fn apart(text: &str, part: &str) -> Failure {
+    let message = both!(
+        "'{text}': {PROJECT} says that {part} is not on the line of the others",
+        "'{text}': laut {PROJECT} ist {part} nicht an der Leitung der anderen"
+    );
+    bad_setting("address", message).hint(both!(
+        "this verb works on one line: name its port with -p, or one call for each line; `plan`, `apply` and `check` go over all",
+        "dieser Befehl arbeitet an einer Leitung: den Anschluss mit -p nennen, oder ein Aufruf für jede Leitung; `plan`, `apply` \
+         und `check` gehen über alle"
+    ))
 }
 
-/// The same for a list of addresses; what is no number is a name, which is looked up later.
-fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
-    let text = String::deserialize(file)?;
-    let numbers = text.split([',', '-', '.']).filter_map(|part| part.trim().parse::<u32>().ok());
-    match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
-        Some(number) => Err(D::Error::custom(no_station(&number))),
-        None => Ok(Some(text)),
+fn none_there(text: &str, ports: &[Port]) -> Failure {
+    if ports.is_empty() {
+        let message = both!(
+            "'{text}': no drive has a name; expected a table [drives.NAME] in {PROJECT}",
+            "'{text}': kein Antrieb hat einen Namen; erwartet wird eine Tabelle [drives.NAME] in {PROJECT}"
+        );
+        return bad_setting("address", message)
+            .hint(both!("`antrieb init` writes one from a scan", "`antrieb init` schreibt eine aus einem Scan"));
     }
-}
-
-/// The drives by name. A name that could be a list of addresses would take the place of one, and start another drive.
-fn named<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, NamedDrive>, D::Error> {
-    let drives = BTreeMap::<String, NamedDrive>::deserialize(file)?;
-    match drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
-        Some(name) => Err(D::Error::custom(format!(
-            "drives.\"{name}\" reads as an address; the name of a drive has a letter in it"
-        ))),
-        None => Ok(drives),
-    }
-}
-
-fn no_station(got: &dyn std::fmt::Display) -> String {
-    format!("address: expected 1 to {LAST_STATION}, got {got}; 0 is everybody and goes on the command line only")
+    let ports = ports.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let message = both!(
+        "'{text}': {PROJECT} names no such drive at {ports}",
+        "'{text}': {PROJECT} nennt keinen solchen Antrieb an {ports}"
+    );
+    bad_setting("address", message)
+        .hint(both!("-p without a drive of that port leaves nobody", "mit diesem -p bleibt kein Antrieb übrig"))
 }

@@ -2,7 +2,8 @@
 
 use super::address::Addresses;
 use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
-use super::low::{Environment, File, Low, Origin};
+use super::low::{Environment, Low, Origin, Typed};
+use super::project::File;
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -69,6 +70,8 @@ pub struct Settings {
     pub dry_run: bool,
     /// The safety question is answered.
     pub yes: bool,
+    /// What was typed, for who works on a whole plant.
+    pub typed: Typed,
     /// Where each of them comes from that somebody said, by the name that it has in a file.
     pub origins: BTreeMap<&'static str, Origin>,
 }
@@ -135,6 +138,7 @@ impl Settings {
             color: globals.color.unwrap_or_default(),
             dry_run: globals.dry_run,
             yes: globals.yes,
+            typed: Typed::new(globals, environment),
             origins: low.into_origins(),
         })
     }
@@ -289,9 +293,9 @@ fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
         if BAUD_RATES.contains(&baud) { Ok(baud) } else { Err(expected()) }
     })?;
     let mut line = protocol.line(baud.unwrap_or(19_200), parity); // CM-485 manual 5: factory setting
-    let said = low.said(|_| None, |file| file.data_bits);
+    let said = low.said(|drive| drive.data_bits, |file| file.data_bits);
     let data_bits = low.pick("data_bits", low.flags.data_bits, said, |bits| one_of(7..=8, bits))?;
-    let said = low.said(|_| None, |file| file.stop_bits);
+    let said = low.said(|drive| drive.stop_bits, |file| file.stop_bits);
     let stop_bits = low.pick("stop_bits", low.flags.stop_bits, said, |bits| one_of(1..=2, bits))?;
     line.data_bits = data_bits.unwrap_or(line.data_bits);
     line.stop_bits = stop_bits.unwrap_or(line.stop_bits);

@@ -10,7 +10,7 @@ mod typed;
 mod unfit;
 mod values;
 
-use crate::args::{ColorChoice, Environment, Globals, Settings, language};
+use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
 use crate::command::{Context, Entry, Flow, Typed, keeper};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
@@ -45,7 +45,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Ok(typed::Line { globals, what }) => (globals, what),
         Err(error) => return unfit::explain(&error, arguments, environment, out.as_mut(), err),
     };
-    let settings = what.unkept(&globals).map_or_else(|| Settings::resolve(&globals, environment), Err);
+    let resolve =
+        if matches!(&what, What::Work(entry, _) if entry.of_plant) { settings_of_plant } else { Settings::resolve };
+    let settings = what.unkept(&globals).map_or_else(|| resolve(&globals, environment), Err);
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
     let quiet = globals.quiet;
     let progress = !quiet && !globals.no_progress;

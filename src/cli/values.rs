@@ -1,6 +1,6 @@
 //! What could stand in each place, for completion: from the catalogues, the project file, and the ports of this machine.
 
-use crate::args::{Environment, Globals, Settings, named_drives, ports_there};
+use crate::args::{Environment, Globals, Settings, named_drives, named_groups, ports_there};
 use crate::command::VERBS;
 use crate::profile::{Family, Param, Registry, Sets, fold};
 use crate::text::Lang;
@@ -92,11 +92,12 @@ fn ports() -> Vec<Candidate> {
     there.chain([("sim".to_owned(), "the built-in bench".to_owned())]).collect()
 }
 
-/// The drives of the project file; behind a comma another one.
+/// The drives and groups of the project file; behind a comma another one.
 fn addresses(place: &Place<'_>, globals: &Globals, environment: &Environment) -> Vec<Candidate> {
     let before = place.word.rfind(',').map_or("", |comma| place.word.get(..=comma).unwrap_or_default());
-    let drives = named_drives(globals, environment).into_iter();
-    drives.map(|(name, address)| (format!("{before}{name}"), address.to_string())).collect()
+    let drives = named_drives(globals, environment).into_iter().map(|(name, address)| (name, address.to_string()));
+    let all = drives.chain(named_groups(globals, environment));
+    all.map(|(name, about)| (format!("{before}{name}"), about)).collect()
 }
 
 fn of_catalogues(place: &Place<'_>, globals: &Globals, environment: &Environment) -> Vec<Candidate> {

@@ -9,6 +9,7 @@ pub mod identify;
 pub mod line;
 pub mod monitor;
 pub mod params;
+pub mod plant;
 pub mod protocol;
 pub mod read;
 mod rehearse;
@@ -31,6 +32,10 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<read::Args>(),
     verb::entry::<write::Args>(),
     verb::entry::<dataset::Args>(),
+    verb::entry::<plant::init::Args>(),
+    verb::entry::<plant::plan::Args>(),
+    verb::entry::<plant::apply::Args>(),
+    verb::entry::<plant::check::Args>(),
     verb::entry::<diag::Args>(),
     verb::entry::<statemachine::Args>(),
     verb::entry::<sollwert::Args>(),

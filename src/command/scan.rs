@@ -6,6 +6,7 @@ mod resume;
 use super::Context;
 use super::verb::{Flow, Verb, Working};
 use crate::args::{Addresses, Settings, Takes, parse_span};
+use crate::drive::plant::side_by_side;
 use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Event, OrPlan, OrRecord, Outcome, Plan, Scan, SearchNews};
@@ -16,8 +17,6 @@ use report::report;
 use resume::{asked_before, earlier};
 use std::cell::RefCell;
 use std::path::PathBuf;
-use std::pin::pin;
-use std::task::Poll;
 
 /// Finds every drive on a line, whatever its setting.
 ///
@@ -225,7 +224,7 @@ async fn search_all(
 }
 
 /// What happens on one of several ports, with its name.
-fn of_port(port: &str, event: Event) -> Event {
+pub(super) fn of_port(port: &str, event: Event) -> Event {
     match event {
         Event::Sought(news) => Event::Sought(Box::new(SearchNews { is_named: true, ..*news })),
         Event::Progress { done, total, what } => Event::Search { port: port.to_owned(), done, total, what },
@@ -235,21 +234,4 @@ fn of_port(port: &str, event: Event) -> Event {
         }
         event => event,
     }
-}
-
-/// Runs futures at once on this thread; their results in the same order.
-async fn side_by_side<F: Future>(futures: Vec<F>) -> Vec<F::Output> {
-    let mut running: Vec<_> = futures.into_iter().map(|future| (Box::pin(future), None)).collect();
-    let all = std::future::poll_fn(|context| {
-        let mut is_over = true;
-        for (future, output) in running.iter_mut().filter(|(_, output)| output.is_none()) {
-            match future.as_mut().poll(context) {
-                Poll::Ready(value) => *output = Some(value),
-                Poll::Pending => is_over = false,
-            }
-        }
-        if is_over { Poll::Ready(()) } else { Poll::Pending }
-    });
-    pin!(all).await;
-    running.into_iter().filter_map(|(_, output)| output).collect()
 }

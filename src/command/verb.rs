@@ -23,6 +23,8 @@ pub trait Verb: clap::Args + Debug + 'static {
     const ALIAS: Option<&'static str> = None;
     /// Whether it can turn a shaft. Then it ends when nobody reads its output any more, and says on stderr how.
     const TURNS: bool = false;
+    /// Whether it works on a whole plant, over several lines: then `-a` and `-p` pick of its drives.
+    const OF_PLANT: bool = false;
     /// The longest that it takes, whatever comes over the line.
     const UPPER: Upper = Upper::OFFLINE;
     /// Which of the options of every verb it takes.
@@ -88,6 +90,8 @@ pub struct Entry {
     pub alias: Option<&'static str>,
     /// Whether it can turn a shaft.
     pub turns: bool,
+    /// Whether it works on a whole plant.
+    pub of_plant: bool,
     /// The longest that it takes, whatever comes over the line.
     pub upper: Upper,
     /// Which of the options of every verb it takes.
@@ -108,6 +112,7 @@ pub(super) const fn entry<V: Verb>() -> Entry {
         name: V::NAME,
         alias: V::ALIAS,
         turns: V::TURNS,
+        of_plant: V::OF_PLANT,
         upper: V::UPPER,
         takes: V::TAKES,
         examples: V::EXAMPLES,

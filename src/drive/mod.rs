@@ -17,6 +17,7 @@ pub mod motion;
 mod opening;
 mod panel;
 pub mod paramfile;
+pub mod plant;
 mod probe;
 mod pump;
 mod reader;

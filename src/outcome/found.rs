@@ -116,6 +116,9 @@ pub struct FoundDrive {
     /// Title of the family, or what answered in its place.
     #[serde(deserialize_with = "Text::as_printed")]
     pub title: Text,
+    /// What it calls itself; missing where it does not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub product: Option<String>,
     /// Port that it was found at.
     pub port: String,
     /// Line setting that it was found with.

@@ -10,6 +10,7 @@ mod line;
 mod motion;
 mod offline;
 mod paramfile;
+mod plant;
 mod relocation;
 mod stream;
 mod transfer;
@@ -25,6 +26,7 @@ pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
+pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
     Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
@@ -116,6 +118,12 @@ pub enum Data {
     Saves(Saves),
     /// `dataset check`, `dataset diff` of files
     Comparisons(Comparisons),
+    /// `plan`, `apply`
+    Plant(Plant),
+    /// `check`
+    PlantCheck(PlantCheck),
+    /// `init`
+    Init(Init),
     /// `diag`
     Diag(Diag),
     /// `diag line`

@@ -141,7 +141,7 @@ pub struct DatasetRow {
 }
 
 /// Result of `dataset load` and `dataset undo`.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Load {
     /// Address of the drive.
     pub address: u8,

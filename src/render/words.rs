@@ -189,6 +189,9 @@ const GERMAN: &[(&str, &str)] = &[
     ("skipped", "ausgelassen"),
     ("restored", "zurückgenommen"),
     ("unrestored", "NICHT zurückgenommen"),
+    // A plant.
+    ("done", "fertig"),
+    ("not recognised", "nicht erkannt"),
     // A parameter file in a drive.
     ("files", "Dateien"),
     ("undo file", "Datei zum Zurücknehmen"),

@@ -15,6 +15,8 @@ pub(super) struct SimLink {
     line: LineSetting,
     now: Tick,
     pace: Option<Pace>,
+    /// Its adapter is out, for a test.
+    is_pulled: bool,
 }
 
 /// A moment of the bench, and the same one by the wall clock.
@@ -30,7 +32,7 @@ const AHEAD: Duration = Duration::from_millis(2);
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
         let (bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
-        SimLink { bench, line, now, pace: None }
+        SimLink { bench, line, now, pace: None, is_pulled: false }
     }
 
     pub(super) fn now(&self) -> Tick {
@@ -55,7 +57,7 @@ impl SimLink {
     }
 
     pub(super) fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
-        witness::holds_adapter(true)?;
+        witness::holds_adapter(true, &mut self.is_pulled)?;
         self.bench.master_sends(self.now, self.line, bytes);
         Ok(())
     }
@@ -63,7 +65,7 @@ impl SimLink {
     /// Goes from event to event of the bench until a drive has put bytes on the wire or the time is over. May be
     /// dropped at any time: the bench stands at the last event that was waited for.
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
-        witness::holds_adapter(false)?;
+        witness::holds_adapter(false, &mut self.is_pulled)?;
         loop {
             let next = self.bench.next_event().map_or(until, |event| event.min(until)).max(self.now);
             if let Some(pace) = self.pace {
@@ -104,24 +106,42 @@ pub mod witness {
     thread_local! {
         static CALLED: Cell<bool> = const { Cell::new(false) };
         static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
-        static LEFT: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
+        static ALONE: Cell<bool> = const { Cell::new(false) };
+        static LEFT: RefCell<Vec<(Bench, Tick)>> = const { RefCell::new(Vec::new()) };
         static STANDS: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
     }
 
     /// Calls the witness on this thread, or sends him home. While he is there no bench follows the wall clock.
     pub fn call(attends: bool) {
         CALLED.set(attends);
+        LEFT.take();
     }
 
     /// Pulls the adapter once so many telegrams have gone out on this thread; `None` leaves it in.
     pub fn pull_after(telegrams: Option<u64>) {
         ADAPTER.set(telegrams);
+        ALONE.set(false);
+    }
+
+    /// The same for the adapter that sends the last of them; others on this thread stay in.
+    pub fn pull_one_after(telegrams: u64) {
+        ADAPTER.set(Some(telegrams));
+        ALONE.set(true);
     }
 
     /// An error if the adapter is pulled; counts what goes out.
-    pub(super) fn holds_adapter(sends: bool) -> Result<(), LinkError> {
+    pub(super) fn holds_adapter(sends: bool, is_pulled: &mut bool) -> Result<(), LinkError> {
+        if *is_pulled {
+            return Err(LinkError::Lost("sim".to_owned()));
+        }
         match ADAPTER.get() {
-            Some(0) => Err(LinkError::Lost("sim".to_owned())),
+            Some(0) => {
+                if ALONE.get() {
+                    *is_pulled = true;
+                    ADAPTER.set(None);
+                }
+                Err(LinkError::Lost("sim".to_owned()))
+            }
             Some(left) => {
                 ADAPTER.set(Some(left - u64::from(sends)));
                 Ok(())
@@ -130,8 +150,13 @@ pub mod witness {
         }
     }
 
-    /// The bench that was left behind, and when.
+    /// The bench that was left behind last, and when.
     pub fn left() -> Option<(Bench, Tick)> {
+        LEFT.take().pop()
+    }
+
+    /// Every bench that was left behind since the witness was called, in the order of leaving.
+    pub fn all_left() -> Vec<(Bench, Tick)> {
         LEFT.take()
     }
 
@@ -151,7 +176,7 @@ pub mod witness {
 
     pub(super) fn take(bench: &Bench, now: Tick) {
         if is_called() {
-            LEFT.set(Some((bench.clone(), now)));
+            LEFT.with_borrow_mut(|left| left.push((bench.clone(), now)));
         }
     }
 }

@@ -19,6 +19,7 @@ mod parameters {
     mod comparing;
     mod loading;
     mod own_family;
+    mod plant;
     mod reading;
     mod saving;
     mod transactions;

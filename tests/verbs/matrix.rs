@@ -129,7 +129,7 @@ fn entry(name: &str) -> &'static Entry {
 #[track_caller]
 fn interrupted(after: usize, code: u8, line: &str) {
     let directory = tempfile::tempdir().unwrap();
-    for (name, text) in [("bench.toml", BENCH), ("heard", TAPE), ("held.toml", HELD)] {
+    for (name, text) in FILES.iter().chain(&[("bench.toml", BENCH), ("heard", TAPE), ("held.toml", HELD)]) {
         std::fs::write(directory.path().join(name), text).unwrap();
     }
     let (kind, file) = if line.contains("sniff") { ("tape", "heard") } else { ("sim", "bench.toml") };
@@ -234,6 +234,7 @@ macro_rules! cuts {
 const NEVER: &[(&str, &[&str], &str)] = &[
     ("scan", &["refused"], "a refusal is an answer: somebody is there"),
     ("scan", &["partial"], "only an interrupt leaves addresses out"),
+    ("init", &["refused", "partial"], "it finds what `scan` finds"),
     ("sniff", &["refused", "partial"], "it asks nobody, and hears what there is"),
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
@@ -308,6 +309,30 @@ cases! {
     dataset_refused: 6, "-a 1 dataset show 1600";
     dataset_partial: 9, "-a 1 dataset show 372 1600";
 
+    init_fine: 0, "-a 1-9 init {dir}/new.toml";
+    init_silence: 1, "-a 3-8 init {dir}/new.toml";
+
+    plan_fine: 0, "--config {dir}/same-plant.toml plan";
+    plan_differs: 1, "--config {dir}/plant.toml -a @line plan";
+    plan_dry: 0, "--config {dir}/plant.toml -a fan-2 plan --dry-run";
+    plan_silence: 4, "--config {dir}/plant.toml -a ghost-7 plan";
+    plan_refused: 7, "--config {dir}/wild-plant.toml plan";
+    plan_partial: 9, "--config {dir}/plant.toml plan";
+
+    apply_fine: 0, "--config {dir}/plant.toml -a @line --yes apply";
+    apply_silence: 4, "--config {dir}/plant.toml -a ghost-7 --yes apply";
+    apply_refused: 9, "--config {dir}/torn-plant.toml -a pump-1 --yes apply";
+    apply_partial: 9, "--config {dir}/torn-plant.toml --yes apply";
+    apply_atomic: 9, "--config {dir}/torn-plant.toml --yes apply --atomic";
+    apply_none: 4, "--config {dir}/plant.toml -a pump-1,ghost-7 --yes apply --atomic";
+
+    check_fine: 0, "--config {dir}/same-plant.toml check";
+    check_drift: 1, "--config {dir}/plant.toml -a @line check";
+    check_dry: 0, "--config {dir}/plant.toml -a fan-2 check --dry-run";
+    check_silence: 4, "--config {dir}/plant.toml -a ghost-7 check";
+    check_refused: 7, "--config {dir}/plant.toml -a stranger-9 check";
+    check_partial: 9, "--config {dir}/plant.toml check";
+
     diag_fine: 0, "-a 1 diag";
     diag_fault: 0, "-a 2 diag";
     diag_check: 1, "-a 2 diag --check";
@@ -375,6 +400,10 @@ cuts! {
     dataset_interrupted: 12, 130, "-a 1 dataset show 372 376 480";
     dataset_save_interrupted: 30, 130, "-a 1 dataset save {dir}/saved.toml";
     dataset_check_interrupted: 8, 130, "-a 1 dataset check {dir}/held.toml";
+    init_interrupted: 40, 130, "init {dir}/new.toml";
+    plan_interrupted: 8, 130, "--config {dir}/plant.toml plan";
+    apply_interrupted: 40, 130, "--config {dir}/plant.toml -a @line --yes apply";
+    check_interrupted: 8, 130, "--config {dir}/plant.toml check";
     diag_interrupted: 8, 130, "-a 1,2 diag";
     statemachine_interrupted: 8, 130, "-a 1,2 statemachine";
     sollwert_interrupted: 8, 130, "-a 1,2 sollwert";

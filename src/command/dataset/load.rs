@@ -1,25 +1,23 @@
 //! `dataset load`, `dataset undo`: parameter files into a drive, and back.
 
-use super::loaded::{applied_outcome, blank, dry_run, forbidden, nothing_to_write, outcome, undone_outcome};
+use super::loaded::{applied, blank, dry_run, forbidden, nothing_to_write, undone_outcome, whole};
 use super::only_one;
 use super::opened::Opened;
+use super::scope::Scope;
 use crate::args::Settings;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
 use crate::drive::paramfile::head;
-use crate::drive::transaction::{self, Choice, Plan, UndoFile, fits};
+use crate::drive::transaction::{self, Plan, UndoFile, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
 use crate::outcome::{LoadEnd, Outcome, WriteResult};
-use crate::profile::paramfile::{ParamFile, SavedDrive, Settings as Values};
-use crate::profile::{Family, Registry, Store};
-use crate::text::{Wrong, both};
+use crate::profile::paramfile::{ParamFile, SavedDrive};
+use crate::profile::{Family, Registry};
+use crate::text::both;
 use clap::Args as ClapArgs;
 use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
-use std::str::FromStr;
 
 /// Writes parameter files into a drive: all of it, or nothing.
 ///
@@ -31,21 +29,8 @@ pub(super) struct LoadArgs {
     /// Parameter files; later ones lie over earlier ones
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Only these groups and parameters: motor,ramps,480-483
-    ///
-    /// `params` lists parameters; groups are those of `read @GROUP`. Settings of a bus are written only if they are named here, such as
-    /// by `bus`.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    only: Vec<String>,
-    /// Without these groups and parameters
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    except: Vec<String>,
-    /// Only these data sets, 0 for what exists once: 1-3
-    #[arg(long, value_name = "SETS", value_delimiter = ',')]
-    sets: Vec<SetRange>,
-    /// Write to RAM only, until power-off
-    #[arg(long)]
-    ram: bool,
+    #[command(flatten)]
+    scope: Scope,
     /// Where the undo file goes [default: beside FILE]
     #[arg(long, value_name = "FILE")]
     undo_file: Option<PathBuf>,
@@ -62,35 +47,13 @@ pub(super) struct UndoArgs {
     file: PathBuf,
 }
 
-/// Data sets as they are typed: `2`, `1-3`.
-#[derive(Clone, Debug)]
-struct SetRange(RangeInclusive<u8>);
-
-impl FromStr for SetRange {
-    type Err = Wrong;
-    fn from_str(text: &str) -> Result<Self, Wrong> {
-        let set = |text: &str| text.trim().parse().ok().filter(|set| *set <= 4);
-        let (first, last) = text.split_once('-').unwrap_or((text, text));
-        let range = set(first).zip(set(last)).filter(|(first, last)| first <= last);
-        range.map(|(first, last)| SetRange(first..=last)).ok_or_else(|| {
-            Wrong(both!(
-                "'{text}' is no data set: expected 0 to 4, or a range such as 1-3",
-                "'{text}' ist kein Datensatz: erwartet 0 bis 4 oder ein Bereich wie 1-3"
-            ))
-        })
-    }
-}
-
 /// Loads files.
 pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let address = only_one(&addresses_to_write(context.settings)?)?;
-    let (family, values) = read_all(&args.files, context.settings, context.registry)?;
-    let store = if args.ram { Store::Ram } else { Store::Eeprom };
-    let sets = args.sets.iter().flat_map(|range| range.0.clone()).collect();
-    let choice = Choice { only: args.only.clone(), except: args.except.clone(), sets, store };
-    let (steps, left_out) = choice.steps(&values, &family)?;
+    let Opened { family, settings: values, .. } = read_all(&args.files, context.settings, context.registry)?;
+    let (steps, left_out) = args.scope.choice().steps(&values, &family)?;
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
-    let mut report = blank(address, &family, files, left_out);
+    let mut report = blank(address, &family.drive, files, left_out);
     if steps.is_empty() {
         return Ok(nothing_to_write(report, values.len()));
     }
@@ -106,19 +69,19 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
     report.node = session.node();
     if let Some(failure) = forbidden(&mut plan) {
-        return Ok(outcome(report, plan, Vec::new(), Some(failure)));
+        return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
     let Some(permit) = permit(&mut session, *ask, &plan, Act::Load(&args.files)).await? else {
         report.ended = Some(LoadEnd::Done);
-        return Ok(outcome(report, plan, Vec::new(), None));
+        return Ok(whole(report, plan, Vec::new(), None).into());
     };
     let left = match (&args.undo_file, args.files.first()) {
         (Some(path), _) => UndoFile::leave(path, &head, &plan)?,
         (None, file) => UndoFile::leave_beside(file.map_or(Path::new("load"), PathBuf::as_path), &head, &plan)?,
     };
-    let applied = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
+    let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
     report.undo_file = Some(left.path().display().to_string());
-    Ok(applied_outcome(report, plan, applied, left.path()))
+    Ok(applied(report, plan, done, left.path()).into())
 }
 
 /// Takes a load back.
@@ -127,7 +90,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let opened = Opened::read(&args.file, context.registry, context.settings.drive.as_deref())?;
     let Opened { file, family, .. } = opened;
     same_address(&file, (address, context.settings.node), context.settings.force)?;
-    let mut report = blank(address, &family, vec![args.file.display().to_string()], Vec::new());
+    let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
     let (steps, from) = transaction::steps_back(&file, &family)?;
     if context.settings.dry_run {
         // What stood in the drive is not judged.
@@ -147,7 +110,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     plan.failures = forbidding;
     if let Some(failure) = forbidden(&mut plan) {
         report.ended = Some(LoadEnd::Untouched);
-        return Ok(outcome(report, plan, Vec::new(), Some(failure)));
+        return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
     let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
         Some(permit) => Some(transaction::undo(&mut session, &mut plan, &permit).await),
@@ -205,9 +168,13 @@ async fn permit(
     asking::on_line(session, ask, &Question { hazards, title, details }).await.map(Some)
 }
 
-/// The files, later ones over earlier ones, and the family that all of them are for.
-fn read_all(paths: &[PathBuf], settings: &Settings, registry: &Registry) -> Result<(Rc<Family>, Values), Failure> {
-    let mut laid: Option<(Rc<Family>, Values)> = None;
+/// The files, later ones over earlier ones, as one.
+pub(in crate::command) fn read_all(
+    paths: &[PathBuf],
+    settings: &Settings,
+    registry: &Registry,
+) -> Result<Opened, Failure> {
+    let mut laid: Option<Opened> = None;
     for path in paths {
         let opened = Opened::read(path, registry, settings.drive.as_deref())?;
         if opened.file.undo.is_some() {
@@ -234,11 +201,8 @@ fn read_all(paths: &[PathBuf], settings: &Settings, registry: &Registry) -> Resu
             )));
         }
         match &mut laid {
-            None => laid = Some((opened.family, opened.settings)),
-            Some((first, below)) => {
-                opened.fits(&first.drive)?;
-                below.lay_over(opened.settings);
-            }
+            None => laid = Some(opened),
+            Some(below) => below.lay_over(opened)?,
         }
     }
     laid.ok_or_else(|| Failure::new(Class::Usage, "usage.file", both!("expected a file", "erwartet: eine Datei")))

@@ -1,9 +1,9 @@
 //! What is told of a `dataset load` or `dataset undo`: how it ended, what is left to do.
 
 use crate::command::{Context, terms, write};
-use crate::drive::describe;
 use crate::drive::job::{self, Step};
 use crate::drive::transaction::{Applied, Plan};
+use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult};
 use crate::profile::{Effective, Family, Role, Type};
@@ -12,12 +12,26 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::rc::Rc;
 
+/// A load with all that is told of it.
+#[derive(Debug)]
+pub(in crate::command) struct Told {
+    pub(in crate::command) load: Load,
+    pub(in crate::command) warnings: Vec<Warning>,
+    pub(in crate::command) failure: Option<Failure>,
+}
+
+impl From<Told> for Outcome {
+    fn from(Told { load, warnings, failure }: Told) -> Self {
+        Outcome { data: Some(Data::Load(load)), warnings, failure }
+    }
+}
+
 /// A report that knows nothing yet.
-pub(super) fn blank(address: u8, family: &Family, files: Vec<String>, left_out: Vec<NotLoaded>) -> Load {
+pub(in crate::command) fn blank(address: u8, drive: &str, files: Vec<String>, left_out: Vec<NotLoaded>) -> Load {
     Load {
         address,
         node: 0,
-        drive: family.drive.clone(),
+        drive: drive.to_owned(),
         files,
         dry_run: false,
         ended: None,
@@ -31,7 +45,7 @@ pub(super) fn blank(address: u8, family: &Family, files: Vec<String>, left_out: 
 }
 
 /// Why nothing may be begun, if so: the rows say which values are in the way.
-pub(super) fn forbidden(plan: &mut Plan) -> Option<Failure> {
+pub(in crate::command) fn forbidden(plan: &mut Plan) -> Option<Failure> {
     let failures = std::mem::take(&mut plan.failures);
     let failure = in_the_way(failures, &both!("nothing was written", "es wurde nichts geschrieben"))?;
     for row in plan.job.rows.iter_mut().filter(|row| row.result == WriteResult::Planned) {
@@ -105,12 +119,24 @@ pub(super) fn dry_run(
     steps: &[Step],
     fits: impl Fn(&Step, Option<Type>) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
-    let terms = terms(context.settings, context.registry)?;
+    let failures = describe_steps(&terms(context.settings, context.registry)?, &mut report, family, steps, fits);
+    let failure = would_be_in_the_way(failures);
+    Ok(Outcome { data: Some(Data::Load(report)), warnings: vec![write::dry_run_reads()], failure })
+}
+
+/// The rows of what would be sent; what `fits` refuses of it.
+pub(in crate::command) fn describe_steps(
+    terms: &Terms<'_>,
+    report: &mut Load,
+    family: &Rc<Family>,
+    steps: &[Step],
+    fits: impl Fn(&Step, Option<Type>) -> Result<(), Failure>,
+) -> Vec<Failure> {
     let mut failures = Vec::new();
     for step in steps {
         let mut row = describe::to_write(report.address, family, &step.param, step.set, step.raw);
         row.node = terms.speech.node;
-        job::tell(&mut row, step.kind.and_then(|kind| job::telegram(&terms, family, report.address, step, kind)));
+        job::tell(&mut row, step.kind.and_then(|kind| job::telegram(terms, family, report.address, step, kind)));
         if let Err(failure) = fits(step, step.kind) {
             row.result = WriteResult::Refused;
             row.error = Some(ErrorDoc::from(&failure));
@@ -119,20 +145,29 @@ pub(super) fn dry_run(
         report.values.push(row);
     }
     report.dry_run = true;
-    let failure = in_the_way(failures, &both!("nothing would be written", "es würde nichts geschrieben"));
-    Ok(Outcome { data: Some(Data::Load(report)), warnings: vec![write::dry_run_reads()], failure })
+    failures
+}
+
+/// Why nothing would be written, if so.
+pub(in crate::command) fn would_be_in_the_way(failures: Vec<Failure>) -> Option<Failure> {
+    in_the_way(failures, &both!("nothing would be written", "es würde nichts geschrieben"))
 }
 
 /// The whole of it, with what takes effect later.
-pub(super) fn outcome(mut report: Load, plan: Plan, mut warnings: Vec<Warning>, failure: Option<Failure>) -> Outcome {
+pub(in crate::command) fn whole(
+    mut load: Load,
+    plan: Plan,
+    mut warnings: Vec<Warning>,
+    failure: Option<Failure>,
+) -> Told {
     let family = plan.job.target.family.clone();
     let rows = plan.job.steps.iter().zip(&plan.job.rows);
     let later: Vec<String> = rows
         .filter(|(step, row)| row.result == WriteResult::Verified && step.param.effective == Effective::Reset)
         .map(|(step, _)| step.param.label())
         .collect();
-    report.restart = !later.is_empty();
-    if report.restart {
+    load.restart = !later.is_empty();
+    if load.restart {
         let labels = later.join(", ");
         let how = family.role(Role::Reset).map_or_else(Text::default, |param| {
             both!(" (restarts it: {label})", " (startet ihn neu: {label})", label = param.label())
@@ -144,12 +179,12 @@ pub(super) fn outcome(mut report: Load, plan: Plan, mut warnings: Vec<Warning>, 
         );
         warnings.push(Warning { code: "load.restart".to_owned(), message });
     }
-    report.values = plan.job.rows;
-    Outcome { data: Some(Data::Load(report)), warnings, failure }
+    load.values = plan.job.rows;
+    Told { load, warnings, failure }
 }
 
 /// How a transaction ended, and what to do next.
-pub(super) fn applied_outcome(mut report: Load, plan: Plan, applied: Applied, left: &Path) -> Outcome {
+pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied, left: &Path) -> Told {
     let Applied { ended, failures, notes } = applied;
     report.ended = Some(ended);
     let mut warnings: Vec<Warning> =
@@ -183,7 +218,7 @@ pub(super) fn applied_outcome(mut report: Load, plan: Plan, applied: Applied, le
     });
     let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });
     warnings.extend(more);
-    outcome(report, plan, warnings, failure)
+    whole(report, plan, warnings, failure)
 }
 
 fn partial(first: Failure, code: &str, message: Text, hint: Text) -> Failure {
@@ -208,7 +243,15 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
         }
     });
     warnings.extend(failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message }));
-    outcome(report, plan, warnings, failure)
+    whole(report, plan, warnings, failure).into()
+}
+
+/// Why not everything is as it was.
+pub(in crate::command) fn not_all_back(failures: Vec<Failure>) -> Option<Failure> {
+    let count = failures.len();
+    let first = failures.into_iter().next()?;
+    let message = unlike(&first.message, count);
+    Some(Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first })
 }
 
 fn unchanged(failure: Failure) -> Failure {

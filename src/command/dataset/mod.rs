@@ -2,12 +2,13 @@
 
 mod check;
 mod diff;
-mod load;
-mod loaded;
-mod opened;
+pub(super) mod load;
+pub(super) mod loaded;
+pub(super) mod opened;
 mod save;
+pub(super) mod scope;
 mod sets;
-mod weighing;
+pub(super) mod weighing;
 mod which;
 
 use super::Context;

@@ -11,15 +11,15 @@ use std::rc::Rc;
 
 /// A parameter file.
 #[derive(Debug)]
-pub(super) struct Opened {
-    pub(super) file: ParamFile,
-    pub(super) family: Rc<Family>,
-    pub(super) settings: Settings,
+pub(in crate::command) struct Opened {
+    pub(in crate::command) file: ParamFile,
+    pub(in crate::command) family: Rc<Family>,
+    pub(in crate::command) settings: Settings,
 }
 
 impl Opened {
     /// Reads a file; of another family than `named`, if one was, it is refused.
-    pub(super) fn read(path: &Path, registry: &Registry, named: Option<&str>) -> Result<Self, Failure> {
+    pub(in crate::command) fn read(path: &Path, registry: &Registry, named: Option<&str>) -> Result<Self, Failure> {
         let shown = path.display().to_string();
         let bad = |code: &str, why: Text| Failure::new(Class::Data, code, why);
         let text = files::read(path, files::TEXT).map_err(|error| {
@@ -46,7 +46,7 @@ impl Opened {
     }
 
     /// Refuses a drive of another family.
-    pub(super) fn fits(&self, drive: &str) -> Result<(), Failure> {
+    pub(in crate::command) fn fits(&self, drive: &str) -> Result<(), Failure> {
         let own = &self.file.head.drive.family;
         // As the registry knows them.
         if own.eq_ignore_ascii_case(drive) {
@@ -61,6 +61,16 @@ impl Opened {
             "take a file that was saved from such a drive",
             "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde"
         )))
+    }
+
+    /// Puts another file of the same family over it.
+    pub(super) fn lay_over(&mut self, over: Opened) -> Result<(), Failure> {
+        over.fits(&self.family.drive)?;
+        self.settings.lay_over(over.settings);
+        self.file.path = format!("{}, {}", self.file.path, over.file.path).into();
+        // What two files are together nobody has signed.
+        self.file.head.saved.signature = None;
+        Ok(())
     }
 
     /// Whether it was changed since it was saved; `None` if it carries no signature.

@@ -131,10 +131,10 @@ impl Weight {
 
 /// What came of a comparison.
 #[derive(Debug)]
-pub(super) struct Weighed {
-    comparison: Comparison,
-    pub(super) failure: Option<Failure>,
-    warnings: Vec<Warning>,
+pub(in crate::command) struct Weighed {
+    pub(in crate::command) comparison: Comparison,
+    pub(in crate::command) failure: Option<Failure>,
+    pub(in crate::command) warnings: Vec<Warning>,
 }
 
 impl Weighed {
@@ -181,7 +181,7 @@ impl Weighed {
     }
 
     /// A file whose drive could not be asked at all.
-    pub(super) fn failed(file: &Opened, address: u8, failure: Failure) -> Self {
+    pub(in crate::command) fn failed(file: &Opened, address: u8, failure: Failure) -> Self {
         let side = |kind, name, drive: &str| Side {
             kind,
             name,
@@ -215,6 +215,16 @@ pub(super) async fn against_drive(
     is_unified: bool,
 ) -> Result<Weighed, Failure> {
     let target = terms.target(session, address, false).await?;
+    against_target(session, target, file, is_unified).await
+}
+
+/// Holds a drive that was found against a file.
+pub(in crate::command) async fn against_target(
+    session: &mut Session<'_>,
+    target: Target,
+    file: &Opened,
+    is_unified: bool,
+) -> Result<Weighed, Failure> {
     file.fits(&target.family.drive)?;
     let which = Which::File(file.file.path.as_ref().into());
     let mut a = Weight::of(&which, Some(file), None, &file.family)?;

@@ -64,6 +64,7 @@ async fn describe_drive(
     }
     let mut found = FoundDrive {
         drive: finding.drive.clone().unwrap_or_else(|| "unknown".to_owned()),
+        product: finding.product.clone(),
         evidence: finding.evidence.clone(),
         ..stranger(session, address, both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"))
     };
@@ -93,6 +94,7 @@ fn stranger(session: &Session<'_>, address: u8, title: Text) -> FoundDrive {
         address,
         drive: "unknown".to_owned(),
         title,
+        product: None,
         port: session.port().to_owned(),
         line: session.line().to_string(),
         protocol: session.protocol().name().to_owned(),

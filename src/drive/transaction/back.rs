@@ -258,6 +258,16 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
     Applied { ended, failures, notes: Vec::new() }
 }
 
+/// Takes back at once what a transaction of this run has done, proven: a failure for each value that did not come back. What
+/// fails does not stop the others.
+pub async fn take_back(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Vec<Failure> {
+    if let Err(failure) = standstill(session, &mut plan.job.target).await {
+        return vec![failure];
+    }
+    let order = back_order(plan);
+    restore_all(session, plan, &order, permit).await.failures
+}
+
 fn restoring(done: u64, total: u64, kept: &Kept) -> Event {
     let what = both!("putting back {label}", "{label} wird zurückgenommen", label = kept.param.label());
     Event::Progress { done, total, what }

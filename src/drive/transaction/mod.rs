@@ -16,7 +16,7 @@ mod proof;
 mod undo_file;
 
 pub use apply::apply;
-pub use back::undo;
+pub use back::{take_back, undo};
 pub use choice::Choice;
 pub use ended::Applied;
 pub use plan::{Plan, RUNNING, fits, plan};

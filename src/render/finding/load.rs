@@ -15,7 +15,7 @@ impl Finding for Load {
 }
 
 impl Page {
-    fn load(self, load: &Load) -> String {
+    pub(super) fn load(self, load: &Load) -> String {
         let is_shown =
             |row: &&Written| self.full || row.result != WriteResult::Unchanged || row.old_raw != Some(row.raw);
         let shown: Vec<Written> = load.values.iter().filter(is_shown).cloned().collect();

@@ -12,6 +12,7 @@ mod motion;
 mod page;
 mod paramfile;
 mod params;
+mod plant;
 mod read;
 mod relocation;
 mod scan;
@@ -56,6 +57,9 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Load(found) => found,
         Data::Saves(found) => found,
         Data::Comparisons(found) => found,
+        Data::Plant(found) => found,
+        Data::PlantCheck(found) => found,
+        Data::Init(found) => found,
         Data::Diag(found) => found,
         Data::LineCheck(found) => found,
         Data::Statemachine(found) => found,

@@ -32,7 +32,7 @@ impl Finding for Comparisons {
 }
 
 /// A row has no lists in it.
-fn without_lists(mut row: Row) -> Row {
+pub(super) fn without_lists(mut row: Row) -> Row {
     row.fields.retain(|_, value| !value.is_array());
     row
 }
@@ -58,7 +58,7 @@ impl Page {
         text
     }
 
-    fn comparison(self, comparison: &Comparison) -> String {
+    pub(super) fn comparison(self, comparison: &Comparison) -> String {
         if let Some(unified) = &comparison.unified {
             return self.say(unified).lines().map(|line| format!("{}\n", clean(line))).collect();
         }

@@ -27,7 +27,7 @@ const BAD: [(&str, &str); 13] = [
 ];
 
 /// Verbs, of how many things in all they ask beside what they ask every drive, and an earlier end where one is promised.
-const TYPED: [(&str, u64, Option<u64>); 16] = [
+const TYPED: [(&str, u64, Option<u64>); 20] = [
     ("-a 1 read 372", 1, None),
     ("-a 1 read 372@all 480-483", 5, None),
     ("-a 1 write 372@1=1400 --yes", 1, None),
@@ -45,7 +45,15 @@ const TYPED: [(&str, u64, Option<u64>); 16] = [
     ("-a 1 sollwert 5Hz --yes", 0, None),
     ("-a 1 sollwert 5Hz --yes --enable --hold --duration 1s", 0, None),
     ("scan --address 1-3", 3, None),
+    ("init --address 1-3 {dir}/new.toml", 3, None),
+    ("plan --config {dir}/plant.toml", 2, None),
+    ("apply --yes --config {dir}/plant.toml", 2, None),
+    ("check --config {dir}/plant.toml", 2, None),
 ];
+
+/// What a plant is to have.
+const PLANT: &str = "[drives.pump]\naddress = 1\nfiles = [\"base.toml\"]\n";
+const BASE: &str = "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"372@1\" = 1440\n\"480@2\" = 7\n";
 
 /// Every verb that asks a drive is in the table.
 #[test]
@@ -73,7 +81,8 @@ fn every_verb_ends_within_its_upper_time_whatever_the_line_is_like() {
             for (verb, count, sooner) in TYPED {
                 let upper = VERBS.iter().find(|row| verb.split(' ').any(|word| word == row.name)).unwrap().upper;
                 let most = sooner.map_or(upper.span(price, count), Span::from_secs);
-                let run = antrieb(&format!("--protocol {protocol} {verb}")).on(&bench).run();
+                let run = antrieb(&format!("--protocol {protocol} {verb}")).on(&bench);
+                let run = run.file("plant.toml", PLANT).file("base.toml", BASE).run();
                 let took = witness::left().map_or(Span::ZERO, |(_, now)| now.since(Tick::ZERO));
                 println!("{protocol} {name}: {verb}: exit {}, {took} of {most}", run.exit);
                 assert!(run.exit != 101 && run.exit != 2, "{protocol} {name} {verb}: {}", run.err);

@@ -39,6 +39,19 @@ pub(super) const FILES: &[(&str, &str)] = &[
         "stale.toml",
         "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1400\n480 = 7\n[undo]\nvalues = { \"372@2\" = 1460 }\n",
     ),
+    ("fan.toml", "antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\n\"480@1\" = \"20 Hz\"\n"),
+    (
+        "plant.toml",
+        "[drives.pump-1]\naddress = 1\nfiles = [\"base.toml\", \"pump.toml\"]\n[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n\
+         [drives.ghost-7]\naddress = 7\nfiles = [\"same.toml\"]\n[drives.stranger-9]\naddress = 9\nfiles = [\"same.toml\"]\n\
+         [drives.bare-8]\naddress = 8\n[groups]\nline = [\"pump-1\", \"fan-2\"]\n",
+    ),
+    ("same-plant.toml", "[drives.pump-1]\naddress = 1\nfiles = [\"same.toml\"]\n"),
+    ("wild-plant.toml", "[drives.pump-1]\naddress = 1\nfiles = [\"wild.toml\"]\n"),
+    (
+        "torn-plant.toml",
+        "[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n[drives.pump-1]\naddress = 1\nfiles = [\"refused.toml\"]\n",
+    ),
 ];
 /// What the first of them was to hold.
 pub(super) const HELD: &str = "\

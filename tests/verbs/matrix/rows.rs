@@ -21,6 +21,17 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "read" | "write" => list(&data["values"]),
         "protocol" | "line" if data["values"].is_array() => list(&data["values"]),
         "protocol" | "line" | "simulate" => vec![data.clone()],
+        "init" => {
+            let found = list(&data["drives"]).into_iter().chain(list(&data["unknown"]));
+            let row = |mut found: Value| {
+                found.as_object_mut().unwrap().retain(|_, value| !value.is_array());
+                found
+            };
+            found.map(row).collect()
+        }
+        "plan" | "apply" | "check" if data["telegrams"].is_array() => list(&data["telegrams"]),
+        "plan" | "apply" => of_plant(&list(&data["drives"]), "values"),
+        "check" => of_plant(&list(&data["drives"]), "differences"),
         "sniff" => list(&data["telegrams"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
@@ -56,6 +67,28 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         other => panic!("{other}"),
     };
     rows.into_iter().map(|row| row.as_object().unwrap().clone()).collect()
+}
+
+/// What is told of the drives of a plant: the rows of each, or itself without its lists.
+fn of_plant(drives: &[Value], rows: &str) -> Vec<Value> {
+    let mut told = Vec::new();
+    for drive in drives {
+        let own = drive[rows].as_array().unwrap();
+        for row in own {
+            let mut named = Map::new();
+            for place in ["called", "port", "address"] {
+                named.insert(place.to_owned(), drive[place].clone());
+            }
+            named.extend(row.as_object().unwrap().clone());
+            told.push(named.into());
+        }
+        if own.is_empty() {
+            let mut drive = drive.clone();
+            drive.as_object_mut().unwrap().retain(|name, value| !value.is_array() && name != "a" && name != "b");
+            told.push(drive);
+        }
+    }
+    told
 }
 
 /// A document without its long lists of bits and counters, for snapshots that people read.

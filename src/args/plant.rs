@@ -1,0 +1,124 @@
+//! The plant that a project file tells of: its drives with all that holds for each, looked up when a verb asks for it.
+
+use super::globals::Globals;
+use super::low::{Environment, Low, Typed};
+use super::project::{PROJECT, device, wrong_in};
+use super::settings::Settings;
+use crate::failure::Failure;
+use crate::files;
+use crate::text::both;
+use crate::transport::Port;
+use std::path::{Path, PathBuf};
+
+/// A drive of a plant, and what it shall have.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Its name in the file.
+    pub name: String,
+    /// Its address, 1 to 247.
+    pub address: u8,
+    /// What it calls itself, if the file says so.
+    pub product: Option<String>,
+    /// Its parameter files, later ones over earlier ones; they were there a moment ago.
+    pub files: Vec<PathBuf>,
+    /// What holds for it: port, line, protocol, family.
+    pub settings: Settings,
+}
+
+impl Place {
+    /// What two drives have in common that are on one line: the same port, by whatever name.
+    pub fn line(&self) -> Option<String> {
+        self.settings.port.as_ref().map(|port| device(&port.to_string()))
+    }
+}
+
+/// The project file.
+pub fn project_path(settings: &Settings) -> PathBuf {
+    let project = settings.typed.globals.config.clone().unwrap_or_else(|| PathBuf::from(PROJECT));
+    in_directory(settings, &project)
+}
+
+/// A path as it is typed in the directory that the program was started in.
+pub fn in_directory(settings: &Settings, path: &Path) -> PathBuf {
+    settings.typed.environment.directory.join(path)
+}
+
+/// What holds for a verb that works on a whole plant: which drives and ports are meant is said by [`places`].
+///
+/// # Errors
+/// A setting does not do.
+pub fn settings_of_plant(globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
+    let alone = Globals { address: None, port: Vec::new(), ..globals.clone() };
+    let settings = Settings::resolve(&alone, environment)?;
+    Ok(Settings { typed: Typed::new(globals, environment), ..settings })
+}
+
+/// The drives that were meant (`-a`, `-p`; otherwise all of them), by their names.
+///
+/// # Errors
+/// The file names no such drive; what it says of one does not do, or a file that it names is not there; two drives of one
+/// port want different lines.
+pub fn places(settings: &Settings) -> Result<Vec<Place>, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    let low = Low::read(globals, environment)?;
+    let (typed, project) = (low.typed_ports()?, project_path(settings));
+    let mut places: Vec<Place> = Vec::new();
+    for name in low.plant()? {
+        let Some(drive) = low.drive(&name) else { continue };
+        // A port that was typed is for drives of which no file says one.
+        let port = if drive.port.is_none() { typed.clone() } else { Vec::new() };
+        let globals = Globals { address: Some(name.clone()), port, ..globals.clone() };
+        let mut environment = environment.clone();
+        environment.variables.remove("ANTRIEB_PORT");
+        let settings = Settings::resolve(&globals, &environment)?;
+        let files = files_of(&project, &name, &drive.files)?;
+        let (address, product) = (drive.address, drive.product.clone());
+        places.push(Place { name, address, product, files, settings });
+    }
+    check_lines(&project, &places)?;
+    Ok(places)
+}
+
+/// The files of a drive, from where the project file stands.
+fn files_of(project: &Path, name: &str, named: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let beside = project.parent().unwrap_or(Path::new(""));
+    let paths: Vec<PathBuf> = named.iter().map(|file| beside.join(file)).collect();
+    let missing = paths.iter().position(|path| files::found(path).is_none());
+    let Some((index, path)) = missing.and_then(|index| Some((index, paths.get(index)?))) else { return Ok(paths) };
+    let why = both!(
+        "there is no file {path}; expected a parameter file, such as `antrieb dataset save` writes",
+        "es gibt keine Datei {path}; erwartet wird eine Parameterdatei, wie `antrieb dataset save` sie schreibt",
+        path = path.display()
+    );
+    Err(wrong_in(project, &["drives", name, "files", &index.to_string()], why))
+}
+
+/// One line has one speed, one format, and one protocol.
+fn check_lines(project: &Path, places: &[Place]) -> Result<(), Failure> {
+    let setting = |place: &Place| format!("{} {}", place.settings.line, place.settings.protocol);
+    for (index, place) in places.iter().enumerate() {
+        let mut others = places.iter().take(index);
+        let Some(other) = others.find(|other| other.line() == place.line() && setting(other) != setting(place)) else {
+            continue;
+        };
+        let why = both!(
+            "{name} is at {own}, {first} on the same port at {its}; expected one setting for a line",
+            "{name} hat {own}, {first} am selben Anschluss {its}; erwartet wird eine Einstellung für eine Leitung",
+            name = place.name,
+            own = setting(place),
+            first = other.name,
+            its = setting(other)
+        );
+        return Err(wrong_in(project, &["drives", &place.name], why));
+    }
+    Ok(())
+}
+
+/// The ports that were typed, or stand in the environment: only their drives are meant then.
+///
+/// # Errors
+/// What was typed is no port.
+pub fn typed_ports(settings: &Settings) -> Result<Vec<Port>, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    Low::read(globals, environment)?.typed_ports()
+}

@@ -1,0 +1,128 @@
+//! `check`: do the drives of a plant have what their files say?
+
+use super::lines::{Wanted, on_lines, wanted};
+use super::{project, told};
+use crate::args::Takes;
+use crate::command::dataset::weighing::{Weighed, against_target};
+use crate::command::verb::{Verb, Working};
+use crate::command::{Context, read_question, telegram_reader};
+use crate::drive::paramfile::of_file;
+use crate::drive::plant::{Line, side_by_side};
+use crate::drive::transaction::Choice;
+use crate::drive::{Upper, is_over};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, PlantCheck, PlantComparison};
+use crate::text::{Text, both};
+use clap::Args as ClapArgs;
+
+/// Holds the drives of antrieb.toml against their parameter files; 1 if one differs.
+///
+/// Asked is what the files hold, and nothing else, all ports at once, the drives of a line in turn. A drive that does not answer, or
+/// is another one than antrieb.toml says, is named (exit 9).
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {}
+
+impl Verb for Args {
+    const NAME: &'static str = "check";
+    const OF_PLANT: bool = true;
+    const TAKES: Takes = Takes::READS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim --config plant.toml check",
+        "antrieb --port sim --config plant.toml -a pump check --json",
+    ];
+    const UPPER: Upper = Upper::drive(30).each(48, "parameter");
+    type Prints = Document<OrPlan<PlantCheck>>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(context))
+    }
+}
+
+async fn run(context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let wanted = wanted(context, &Choice::everything())?;
+    let settings = context.settings;
+    if settings.dry_run {
+        return Ok(dry_run(&wanted));
+    }
+    let weighed = on_lines(context, &wanted, async |lines, _| {
+        let mut rest = wanted.as_slice();
+        let mut works = Vec::new();
+        for line in lines {
+            let (own, others) = rest.split_at(line.members.len().min(rest.len()));
+            rest = others;
+            works.push(weigh(line, own));
+        }
+        side_by_side(works).await
+    });
+    let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
+    Ok(report(project(settings), &wanted, weighed))
+}
+
+/// Holds the drives of a line against their files, in turn.
+async fn weigh(line: &mut Line<'_>, wanted: &[Wanted]) -> Vec<Weighed> {
+    let (mut weighed, mut over) = (Vec::new(), None);
+    for (member, one) in line.members.iter_mut().zip(wanted) {
+        let result = match (over.clone().or_else(|| member.left.take()), &mut line.session) {
+            (Some(failure), _) => Err(failure),
+            (None, Some(session)) => {
+                session.allow(session.now(), Args::UPPER.questions(one.opened.settings.len() as u64));
+                match member.identify(session).await {
+                    Ok(drive) => against_target(session, drive.target, &one.opened, false).await,
+                    Err(failure) => Err(failure),
+                }
+            }
+            (None, None) => break,
+        };
+        let result = result.unwrap_or_else(|failure| Weighed::failed(&one.opened, member.address, failure));
+        over = over.or_else(|| result.failure.clone().filter(is_over));
+        weighed.push(result);
+    }
+    weighed
+}
+
+/// What each drive would be asked.
+fn dry_run(wanted: &[Wanted]) -> Outcome {
+    let mut telegrams = Vec::new();
+    for Wanted { place, opened, .. } in wanted {
+        let reader = telegram_reader(&place.settings, &opened.family);
+        for asking in of_file(&opened.settings, &opened.family) {
+            let sets = asking.sets.iter().flat_map(|sets| sets.wire());
+            telegrams.extend(sets.filter_map(|set| reader.question(place.address, read_question(&asking.param, set))));
+        }
+    }
+    Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes: Vec::new() }))
+}
+
+/// Every drive beside its files, and how all of it ended.
+fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome {
+    let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut differing, mut values) = (Vec::new(), 0);
+    for (one, Weighed { comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
+        warnings.extend(more.into_iter().map(|warning| told::of(one, warning)));
+        let called = one.place.name.clone();
+        match failure {
+            Some(failure) if failure.class != Class::No => failures.push((called.clone(), failure)),
+            Some(_) => {
+                differing.push(called.clone());
+                values += comparison.differences.len() as u64;
+            }
+            None => {}
+        }
+        drives.push(PlantComparison { called, port: one.port(), address: one.place.address, comparison });
+    }
+    let failure = told::summary(failures, drives.len(), false).or_else(|| drift(&differing, values));
+    Outcome { data: Some(Data::PlantCheck(PlantCheck { project, drives })), warnings, failure }
+}
+
+fn drift(drives: &[String], values: u64) -> Option<Failure> {
+    if drives.is_empty() {
+        return None;
+    }
+    let some =
+        Text::count(values, ["value differs", "values differ"], ["Wert ist verschieden", "Werte sind verschieden"]);
+    let names = drives.join(", ");
+    Some(Failure::new(Class::No, "no.differences", both!("{some}: {names}", "{some}: {names}", some)).hint(both!(
+        "`antrieb plan` shows what `antrieb apply` would bring back",
+        "`antrieb plan` zeigt, was `antrieb apply` wiederherstellen würde"
+    )))
+}

@@ -1,0 +1,177 @@
+//! From the project file to open lines with their drives.
+
+use crate::args::{Origin, Place, Settings, places, project_path, typed_ports};
+use crate::command::dataset::load::read_all;
+use crate::command::dataset::opened::Opened;
+use crate::command::scan::of_port;
+use crate::command::{Context, open};
+use crate::drive::job::Step;
+use crate::drive::plant::{Line, Member, side_by_side};
+use crate::drive::transaction::Choice;
+use crate::drive::{Interrupt, Port, Terms, open_port};
+use crate::failure::{Class, Failure};
+use crate::gate::Ask;
+use crate::outcome::{Event, NotLoaded};
+use crate::profile::Registry;
+use crate::text::{Text, both};
+use std::cell::RefCell;
+
+/// A drive of the project file, and what its parameter files want.
+#[derive(Debug)]
+pub(super) struct Wanted {
+    pub(super) place: Place,
+    /// What its files say, later ones over earlier ones.
+    pub(super) opened: Opened,
+    pub(super) steps: Vec<Step>,
+    pub(super) left_out: Vec<NotLoaded>,
+}
+
+impl Wanted {
+    pub(super) fn files(&self) -> Vec<String> {
+        self.place.files.iter().map(|file| file.display().to_string()).collect()
+    }
+
+    /// Its port as it is told.
+    pub(super) fn port(&self) -> String {
+        self.place.settings.port.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string)
+    }
+
+    fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {
+        let terms = terms(&self.place.settings, registry)?;
+        let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
+        let plain: String = self.place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
+        Ok(Member {
+            name: self.place.name.clone(),
+            address: self.place.address,
+            family: self.opened.family.clone(),
+            product: self.place.product.clone(),
+            terms,
+            steps: self.steps.clone(),
+            beside: project_path(&self.place.settings).with_file_name(format!("{plain}.toml")),
+            found: None,
+            left: None,
+            applied: None,
+        })
+    }
+}
+
+/// What is known of a drive without asking. What the project file says of its family is asked all the same: it may be another drive.
+pub(super) fn terms<'a>(settings: &Settings, registry: &'a Registry) -> Result<Terms<'a>, Failure> {
+    let drive = settings.drive.clone().filter(|_| settings.origin("drive") == Origin::Flag);
+    crate::command::terms(&Settings { drive, ..settings.clone() }, registry)
+}
+
+/// The drives that are meant, with all that their files say; line by line. Nothing is opened.
+pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<Wanted>, Failure> {
+    let Context { settings, registry, observe, .. } = context;
+    let mut wanted = Vec::new();
+    let (placed, bare): (Vec<Place>, Vec<Place>) =
+        places(settings)?.into_iter().partition(|place| !place.files.is_empty());
+    if let Some(note) = without_files(&bare) {
+        if placed.is_empty() {
+            return Err(no_files(settings, note));
+        }
+        observe(Event::Note(note));
+    }
+    for mut place in placed {
+        if place.settings.port.is_none() {
+            let port = open_port(None, *observe)?;
+            place.settings = Settings { port: Some(port.clone()), ports: vec![port], ..place.settings };
+        }
+        place.settings.check_one_line()?;
+        place.settings.verbose = settings.verbose;
+        let opened = read_all(&place.files, &place.settings, registry)?;
+        let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
+        wanted.push(Wanted { place, opened, steps, left_out });
+    }
+    let mut lines: Vec<Option<String>> = Vec::new();
+    for one in &wanted {
+        let line = one.place.line();
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    if lines.len() > 1 && settings.trace.is_some() {
+        let message = both!(
+            "trace: one file holds one line; expected one port",
+            "trace: eine Datei fasst eine Leitung; erwartet: ein Anschluss"
+        );
+        return Err(Failure::new(Class::Usage, "usage.trace", message)
+            .hint(both!("name the port with -p", "den Anschluss mit -p nennen")));
+    }
+    wanted.sort_by_key(|one| lines.iter().position(|line| *line == one.place.line()));
+    let typed = typed_ports(settings)?;
+    if !typed.is_empty() {
+        let ports = typed.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        observe(Event::Note(both!("only the drives at {ports}", "nur die Antriebe an {ports}")));
+    }
+    Ok(wanted)
+}
+
+/// The drives for which nothing is to be done.
+fn without_files(bare: &[Place]) -> Option<Text> {
+    let names = bare.iter().map(|place| place.name.as_str()).collect::<Vec<_>>().join(", ");
+    (!bare.is_empty()).then(|| {
+        both!("no parameter files, and not looked at: {names}", "ohne Parameterdateien und nicht angesehen: {names}")
+    })
+}
+
+fn no_files(settings: &Settings, note: Text) -> Failure {
+    let project = project_path(settings);
+    let message = both!("{file}: {note}", "{file}: {note}", file = project.display(), note);
+    Failure::new(Class::Data, "data.no_files", message).hint(both!(
+        "say which it shall have: files = [\"pump.toml\"] in its [drives.NAME]; `antrieb dataset save` writes one",
+        "sagen, welche er haben soll: files = [\"pump.toml\"] in [drives.NAME]; `antrieb dataset save` schreibt eine"
+    ))
+}
+
+/// Opens the lines of these drives, all at once, and works on them. The lines stand in the order of the drives.
+pub(super) async fn on_lines<R>(
+    context: &mut Context<'_>,
+    wanted: &[Wanted],
+    work: impl AsyncFnOnce(&mut [Line<'_>], &mut dyn Ask) -> R,
+) -> Result<R, Failure> {
+    let Context { registry, interrupt, observe, ask, .. } = context;
+    let groups: Vec<&[Wanted]> = wanted.chunk_by(|one, other| one.place.line() == other.place.line()).collect();
+    let (several, observe, registry) = (groups.len() > 1, RefCell::new(observe), *registry);
+    let interrupt = &*interrupt;
+    let mut opening = Vec::new();
+    for group in groups {
+        let members = group.iter().map(|one| one.member(registry)).collect::<Result<Vec<_>, _>>()?;
+        let settings = group.first().map(|one| one.place.settings.clone());
+        if let Some((settings, port)) = settings.and_then(|settings| Some((settings.clone(), settings.port?))) {
+            let (name, observe) = (port.to_string(), &observe);
+            let tell = move |event| (observe.borrow_mut())(if several { named(&name, event) } else { event });
+            opening.push((settings, port, members, tell));
+        }
+    }
+    let opened = opening.iter_mut().map(|(settings, port, members, tell)| {
+        let members = std::mem::take(members);
+        async move { line(port, settings, members, (registry, interrupt), tell).await }
+    });
+    let mut lines = side_by_side(opened.collect()).await;
+    Ok(work(&mut lines, *ask).await)
+}
+
+/// A line, open if it can be opened.
+async fn line<'a>(
+    port: &Port,
+    settings: &Settings,
+    mut members: Vec<Member<'a>>,
+    (registry, interrupt): (&'a Registry, &Interrupt),
+    tell: &'a mut dyn FnMut(Event),
+) -> Line<'a> {
+    let session = open(port, settings, registry, interrupt, tell).await;
+    if let Err(failure) = &session {
+        members.iter_mut().for_each(|member| member.left = Some(failure.clone()));
+    }
+    Line { session: session.ok(), members }
+}
+
+/// What happens on one of several ports, with its name.
+fn named(port: &str, event: Event) -> Event {
+    match event {
+        Event::Note(note) => Event::Note(both!("{port}: {note}", "{port}: {note}", note)),
+        event => of_port(port, event),
+    }
+}

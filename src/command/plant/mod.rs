@@ -1,0 +1,50 @@
+//! A plant: what its project file (`antrieb.toml`) says that its drives shall have, over all ports at once.
+
+pub mod apply;
+pub mod check;
+pub mod init;
+mod lines;
+pub mod plan;
+mod told;
+
+use super::Context;
+use super::dataset::loaded::{blank, describe_steps, forbidden, would_be_in_the_way};
+use crate::args::{Settings, project_path};
+use crate::drive::plant::Line;
+use crate::drive::transaction::fits;
+use crate::failure::Failure;
+use crate::outcome::{Data, ErrorDoc, Outcome, Plant, PlantDrive, PlantState};
+use lines::Wanted;
+
+/// What would be sent to each drive, without opening anything.
+fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure> {
+    let (mut drives, mut failures) = (Vec::new(), Vec::new());
+    for one in wanted {
+        let family = &one.opened.family;
+        let mut load = blank(one.place.address, &family.drive, one.files(), one.left_out.clone());
+        let terms = lines::terms(&one.place.settings, context.registry)?;
+        let failure = would_be_in_the_way(describe_steps(&terms, &mut load, family, &one.steps, fits));
+        let state = if failure.is_some() { PlantState::Skipped } else { PlantState::Planned };
+        let (called, port, error) = (one.place.name.clone(), one.port(), failure.as_ref().map(ErrorDoc::from));
+        failures.extend(failure.map(|failure| (called.clone(), failure)));
+        drives.push(PlantDrive { called, port, state, load, error });
+    }
+    let failure = told::summary(failures, drives.len(), false);
+    let mut outcome = Outcome::of(Data::Plant(Plant { project: project(context.settings), dry_run: true, drives }));
+    (outcome.warnings, outcome.failure) = (vec![super::write::dry_run_reads()], failure);
+    Ok(outcome)
+}
+
+/// Leaves out the drives that may not be written to now.
+fn leave_forbidden(lines: &mut [Line<'_>]) {
+    for member in lines.iter_mut().flat_map(|line| &mut line.members) {
+        if let Some(failure) = member.found.as_mut().and_then(|found| forbidden(&mut found.plan)) {
+            member.leave(failure);
+        }
+    }
+}
+
+/// The project file as it is told.
+fn project(settings: &Settings) -> String {
+    project_path(settings).display().to_string()
+}

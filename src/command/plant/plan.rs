@@ -1,0 +1,54 @@
+//! `plan`: what would be written to the drives of a plant.
+
+use super::lines::{on_lines, wanted};
+use super::{dry_run, leave_forbidden, told};
+use crate::args::Takes;
+use crate::command::Context;
+use crate::command::dataset::scope::Scope;
+use crate::command::verb::{Verb, Working};
+use crate::drive::Upper;
+use crate::drive::plant::side_by_side;
+use crate::failure::Failure;
+use crate::outcome::{Document, Outcome, Plant};
+use clap::Args as ClapArgs;
+
+/// Shows what `apply` would write to the drives of antrieb.toml; 1 if something would change.
+///
+/// Reads every drive that antrieb.toml names, all ports at once, and holds it against its parameter files. Nothing is written. A drive
+/// that does not answer, is another one than antrieb.toml says, or may not be written to now is left out and named.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Args {
+    #[command(flatten)]
+    scope: Scope,
+}
+
+impl Verb for Args {
+    const NAME: &'static str = "plan";
+    const OF_PLANT: bool = true;
+    const TAKES: Takes = Takes::READS;
+    const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim --config plant.toml plan",
+        "antrieb --port sim --config plant.toml -a pump plan --only motor,ramps",
+        "antrieb --port sim --config plant.toml -a @water plan --json",
+    ];
+    const UPPER: Upper = Upper::drive(30).each(48, "parameter");
+    type Prints = Document<Plant>;
+
+    fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
+        Box::pin(run(self, context))
+    }
+}
+
+async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let wanted = wanted(context, &args.scope.choice())?;
+    if context.settings.dry_run {
+        return dry_run(context, &wanted);
+    }
+    let settings = context.settings;
+    on_lines(context, &wanted, async |lines, _| {
+        side_by_side(lines.iter_mut().map(|line| line.look(Args::UPPER)).collect()).await;
+        leave_forbidden(lines);
+        told::plant(settings, &wanted, lines)
+    })
+    .await
+}

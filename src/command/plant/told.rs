@@ -1,0 +1,120 @@
+//! What is told of a plant: each drive with what became of it, and how all of it ended.
+
+use super::lines::Wanted;
+use super::project;
+use crate::args::Settings;
+use crate::command::dataset::loaded::{self, blank};
+use crate::drive::plant::{Done, Found, Line, Member};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Data, ErrorDoc, LoadEnd, Outcome, Plant, PlantDrive, PlantState, Warning};
+use crate::text::{Text, both};
+
+/// What became of every drive.
+pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_>]) -> Outcome {
+    let members = lines.iter_mut().flat_map(|line| line.members.drain(..));
+    let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    for (one, member) in wanted.iter().zip(members) {
+        let (state, told) = tell(one, member);
+        warnings.extend(told.warnings.into_iter().map(|warning| of(one, warning)));
+        let (called, port, error) = (one.place.name.clone(), one.port(), told.failure.as_ref().map(ErrorDoc::from));
+        failures.extend(told.failure.map(|failure| (called.clone(), failure)));
+        drives.push(PlantDrive { called, port, state, load: told.load, error });
+    }
+    let is_torn = drives.iter().any(|row| row.state == PlantState::Torn);
+    let failure = summary(failures, drives.len(), is_torn).or_else(|| not_yet(&drives));
+    Outcome { data: Some(Data::Plant(Plant { project: project(settings), dry_run: false, drives })), warnings, failure }
+}
+
+/// A warning with the drive that it is about.
+pub(super) fn of(one: &Wanted, warning: Warning) -> Warning {
+    let Warning { code, message } = warning;
+    Warning { code, message: both!("{name}: {message}", "{name}: {message}", name = one.place.name, message) }
+}
+
+/// How a drive stands, and all that is told of it.
+fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
+    let Member { found, left, applied, .. } = member;
+    let mut load = blank(one.place.address, "unknown", one.files(), one.left_out.clone());
+    let Some(Found { plan, .. }) = found else {
+        return (PlantState::Skipped, loaded::Told { load, warnings: Vec::new(), failure: left });
+    };
+    load.drive = plan.job.target.family.drive.clone();
+    (load.eeprom_writes, load.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
+    let Some(Done { applied, undo_file, taken_back }) = applied else {
+        let state = match (&left, plan.todo()) {
+            (Some(_), _) => PlantState::Skipped,
+            (None, 0) => PlantState::Same,
+            (None, _) => PlantState::Planned,
+        };
+        return (state, loaded::whole(load, plan, Vec::new(), left));
+    };
+    load.undo_file = Some(undo_file.display().to_string());
+    let state = match applied.ended {
+        LoadEnd::Done => PlantState::Done,
+        LoadEnd::Untouched => PlantState::Untouched,
+        LoadEnd::Back => PlantState::Back,
+        LoadEnd::Torn => PlantState::Torn,
+    };
+    let mut told = loaded::applied(load, plan, applied, &undo_file);
+    match taken_back {
+        None => (state, told),
+        Some(back) if back.is_empty() => {
+            told.load.ended = Some(LoadEnd::Back);
+            told.failure = Some(put_back());
+            (PlantState::Back, told)
+        }
+        Some(back) => {
+            told.load.ended = Some(LoadEnd::Torn);
+            told.failure = loaded::not_all_back(back);
+            (PlantState::Torn, told)
+        }
+    }
+}
+
+fn put_back() -> Failure {
+    let message = both!(
+        "taken back because another drive failed (--atomic); all that was written is as it was before",
+        "zurückgenommen, weil ein anderer Antrieb gescheitert ist (--atomic); alles Geschriebene ist wie vorher"
+    );
+    Failure::new(Class::Partial, "partial.taken_back", message)
+}
+
+/// Why not every drive is as it shall be: the names of those that are not, and the first reason.
+pub(super) fn summary(failures: Vec<(String, Failure)>, drives: usize, is_torn: bool) -> Option<Failure> {
+    let count = failures.len();
+    let names: Vec<&str> = failures.iter().map(|(name, _)| name.as_str()).collect();
+    let names = names.join(", ");
+    let end = failures.iter().position(|(_, failure)| failure.class == Class::Interrupted);
+    // What was left out only because of another one is no reason.
+    let is_cause = |failure: &Failure| !["forbidden.atomic", "partial.taken_back"].contains(&failure.code.as_str());
+    let cause = failures.iter().position(|(_, failure)| is_cause(failure));
+    let (name, first) = failures.into_iter().nth(end.or(cause).unwrap_or(0))?;
+    let message = both!(
+        "{count} of {drives} drives are not as they shall be ({names}); {first_name}: {why}",
+        "{count} von {drives} Antrieben sind nicht, wie sie sein sollen ({names}); {first_name}: {why}",
+        first_name = name,
+        why = first.message
+    );
+    let is_partial = end.is_none() && (is_torn || count < drives);
+    Some(match (drives, is_partial) {
+        (1, _) => Failure { message: both!("{name}: {why}", "{name}: {why}", why = first.message), ..first },
+        (_, true) => Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first },
+        (_, false) => Failure { message, ..first },
+    })
+}
+
+/// Nothing is wrong, but something would be written.
+fn not_yet(drives: &[PlantDrive]) -> Option<Failure> {
+    let planned: Vec<&str> =
+        drives.iter().filter(|row| row.state == PlantState::Planned).map(|row| row.called.as_str()).collect();
+    let (count, drives) = (planned.len() as u64, planned.join(", "));
+    (count > 0).then(|| {
+        let some = Text::count(
+            count,
+            ["drive would change", "drives would change"],
+            ["Antrieb würde sich ändern", "Antriebe würden sich ändern"],
+        );
+        Failure::new(Class::No, "no.differences", both!("{some}: {drives}", "{some}: {drives}", some))
+            .hint(both!("`antrieb apply` writes it", "`antrieb apply` schreibt es"))
+    })
+}

@@ -1,0 +1,177 @@
+//! `plan`, `apply`, `check`, `init`: the drives of a plant.
+
+use super::page::Page;
+use super::paramfile::without_lists;
+use super::{Finding, Row, list};
+use crate::outcome::{Init, Load, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+impl Finding for Plant {
+    fn table(&self, page: Page) -> String {
+        page.plant(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let of = |drive: &PlantDrive| in_plant(&drive.called, &drive.port, list("written", &drive.load.values));
+        rows_or_self(&self.drives, of)
+    }
+}
+
+impl Finding for PlantCheck {
+    fn table(&self, page: Page) -> String {
+        page.plant_check(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let of = |one: &PlantComparison| {
+            let rows = list("difference", &one.comparison.differences);
+            let address = |row: Row| Row { fields: first("address", one.address.into(), row.fields), ..row };
+            in_plant(&one.called, &one.port, rows.into_iter().map(address).collect())
+        };
+        rows_or_self(&self.drives, of)
+    }
+}
+
+impl Finding for Init {
+    fn table(&self, page: Page) -> String {
+        let ports: Vec<&str> = self.drives.iter().map(|drive| drive.found.port.as_str()).collect();
+        let rows = self.drives.iter().map(|NamedFind { called, found }| {
+            let family = page.family(&found.drive).to_owned();
+            vec![called.clone(), found.address.to_string(), family, found.line.clone(), found.protocol.clone()]
+        });
+        let file = self.project.clone().unwrap_or_else(|| page.word("none").to_owned());
+        let mut text = page.overview(&file, &ports, &["name", ">addr", "drive", "line", "protocol"], rows.collect());
+        if !self.unknown.is_empty() {
+            text += &format!("\n{}\n", page.word("not recognised"));
+            let rows = self.unknown.iter();
+            let rows = rows.map(|found| vec![found.address.to_string(), page.say(&found.title), found.port.clone()]);
+            text += &page.table(&[">addr", "", "port"], rows.collect());
+        }
+        text
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("drive", &self.drives).into_iter().chain(list("unknown", &self.unknown)).map(without_lists).collect()
+    }
+}
+
+/// The rows of each drive; of one that has none, itself without its lists and its sides.
+fn rows_or_self<D: Serialize>(drives: &[D], of: impl Fn(&D) -> Vec<Row>) -> Vec<Row> {
+    let bare = |row: Row| {
+        let mut row = without_lists(row);
+        row.fields.retain(|name, _| !matches!(name.as_str(), "a" | "b"));
+        row
+    };
+    let each = |drive: &D| match of(drive) {
+        rows if rows.is_empty() => list("drive", std::slice::from_ref(drive)).into_iter().map(bare).collect(),
+        rows => rows,
+    };
+    drives.iter().flat_map(each).collect()
+}
+
+/// The same rows with the drive that they are of.
+fn in_plant(called: &str, port: &str, rows: Vec<Row>) -> Vec<Row> {
+    let named = |Row { kind, fields }: Row| {
+        let fields = first("called", called.into(), first("port", port.into(), fields));
+        Row { kind, fields }
+    };
+    rows.into_iter().map(named).collect()
+}
+
+/// The fields with another one before them.
+fn first(name: &str, value: Value, fields: Map<String, Value>) -> Map<String, Value> {
+    [(name.to_owned(), value)].into_iter().chain(fields).collect()
+}
+
+impl Page {
+    /// First every drive in a line, then those in which something changes or went wrong.
+    fn plant(self, plant: &Plant) -> String {
+        let rows = plant.drives.iter().map(|drive| {
+            let load = &drive.load;
+            let count =
+                |result: &dyn Fn(WriteResult) -> bool| load.values.iter().filter(|row| result(row.result)).count();
+            vec![
+                drive.called.clone(),
+                load.address.to_string(),
+                self.family(&load.drive).to_owned(),
+                self.word(state(drive.state)).to_owned(),
+                count(&|result| result != WriteResult::Unchanged).to_string(),
+                count(&|result| result == WriteResult::Unchanged).to_string(),
+            ]
+        });
+        let head = ["name", ">addr", "drive", "state", ">different", ">equal"];
+        let ports: Vec<&str> = plant.drives.iter().map(|drive| drive.port.as_str()).collect();
+        let mut text = self.overview(&plant.project, &ports, &head, rows.collect());
+        let is_told = |drive: &&PlantDrive| self.full || drive.state != PlantState::Same;
+        for drive in plant.drives.iter().filter(is_told) {
+            text += &format!("\n{}: ", crate::render::clean(&drive.called));
+            text += &self.load(&if self.full || plant.dry_run { drive.load.clone() } else { untold(&drive.load) });
+            if let Some(error) = &drive.error {
+                text += &self.pairs(vec![("error", self.say(&error.message))]);
+            }
+        }
+        text
+    }
+
+    /// Every drive in a line; the port only if there are several.
+    fn overview(self, project: &str, ports: &[&str], head: &[&str], mut rows: Vec<Vec<String>>) -> String {
+        let mut pairs = vec![("file", project.to_owned())];
+        let mut head = head.to_vec();
+        match ports.first().filter(|first| ports.iter().all(|port| port == *first)) {
+            Some(port) => pairs.push(("port", (*port).to_owned())),
+            None => {
+                head.insert(1, "port");
+                rows.iter_mut().zip(ports).for_each(|(row, port)| row.insert(1, (*port).to_owned()));
+            }
+        }
+        self.pairs(pairs) + "\n" + &self.table(&head, rows)
+    }
+
+    fn plant_check(self, check: &PlantCheck) -> String {
+        let rows = check.drives.iter().map(|one| {
+            let stands = match one.comparison.equal {
+                Some(true) => "equal",
+                Some(false) => "different",
+                None => "unknown",
+            };
+            vec![
+                one.called.clone(),
+                one.address.to_string(),
+                self.family(&one.comparison.b.drive).to_owned(),
+                self.word(stands).to_owned(),
+                one.comparison.compared.to_string(),
+                one.comparison.differences.len().to_string(),
+            ]
+        });
+        let head = ["name", ">addr", "drive", "state", ">compared", ">different"];
+        let ports: Vec<&str> = check.drives.iter().map(|one| one.port.as_str()).collect();
+        let mut text = self.overview(&check.project, &ports, &head, rows.collect());
+        for one in check.drives.iter().filter(|one| self.full || one.comparison.equal != Some(true)) {
+            text += &format!("\n{}:\n", crate::render::clean(&one.called));
+            text += &self.comparison(&one.comparison);
+        }
+        text
+    }
+}
+
+/// Without its telegrams: what is written is told, not how.
+fn untold(load: &Load) -> Load {
+    let mut load = load.clone();
+    for row in &mut load.values {
+        (row.telegram, row.meaning) = (None, None);
+    }
+    load
+}
+
+fn state(state: PlantState) -> &'static str {
+    match state {
+        PlantState::Same => "equal",
+        PlantState::Planned => "planned",
+        PlantState::Done => "done",
+        PlantState::Skipped => "skipped",
+        PlantState::Untouched => "nothing was changed",
+        PlantState::Back => "as before, proven",
+        PlantState::Torn => "NOT as before",
+    }
+}

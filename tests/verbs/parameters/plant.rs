@@ -1,0 +1,410 @@
+//! `init`, `plan`, `apply`, `check`: a plant of several lines, and whatever goes wrong on one of them.
+
+use crate::agreeable::Agreeable;
+use crate::run::{Document, Run, antrieb};
+use antrieb::args::{Environment, Globals, settings_of_plant};
+use antrieb::command::{Context, VERBS};
+use antrieb::drive::Interrupt;
+use antrieb::failure::Class;
+use antrieb::outcome::{Data, Event, Outcome, Plant, PlantState};
+use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
+use antrieb::transport::witness;
+use clap::{Args, FromArgMatches};
+use std::path::Path;
+
+const ACT: &str = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@1\" = 1440\n\"480@2\" = \"20 Hz\"\n";
+const ACU: &str = "antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\n\"480@1\" = \"20 Hz\"\n";
+const SERVO: &str = "antrieb = 1\n[drive]\nfamily = \"lxm05\"\n[values]\nRAMPacc = 3000\n";
+
+/// Three ports: two drives, two, and one.
+const PLANT: &str = "\
+[ports.left]
+path = \"sim:{dir}/left.bench\"
+[ports.middle]
+path = \"sim:{dir}/middle.bench\"
+[ports.right]
+path = \"sim:{dir}/right.bench\"
+[drives.a1]
+port = \"left\"
+address = 1
+files = [\"act.toml\"]
+[drives.a2]
+port = \"left\"
+address = 2
+files = [\"acu.toml\"]
+[drives.b1]
+port = \"middle\"
+address = 1
+files = [\"act.toml\"]
+[drives.b2]
+port = \"middle\"
+address = 2
+files = [\"acu.toml\"]
+[drives.c3]
+port = \"right\"
+address = 3
+files = [\"servo.toml\"]
+[groups]
+ones = [\"a1\", \"b1\"]
+";
+
+const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
+const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+
+fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
+    let config = config.replace("{dir}", &run.directory().display().to_string());
+    let files = [
+        ("antrieb.toml", config.as_str()),
+        ("left.bench", left),
+        ("middle.bench", middle),
+        ("right.bench", right),
+        ("act.toml", ACT),
+        ("acu.toml", ACU),
+        ("servo.toml", SERVO),
+    ];
+    files.into_iter().fold(run, |run, (name, text)| run.file(name, text))
+}
+
+/// The plant, with these benches.
+fn plant(line: &str, benches: [&str; 3]) -> Run {
+    with(antrieb(line), PLANT, benches)
+}
+
+/// How each drive stands: `a1 done, a2 skipped`.
+fn states(document: &Document) -> String {
+    let drives = document.data("/drives").as_array().unwrap().iter();
+    let told = drives.map(|row| format!("{} {}", row["called"].as_str().unwrap(), row["state"].as_str().unwrap()));
+    told.collect::<Vec<_>>().join(", ")
+}
+
+/// What a drive's error says.
+fn error<'d>(document: &'d Document, name: &str) -> &'d str {
+    let drives = document.data("/drives").as_array().unwrap();
+    drives.iter().find(|row| row["called"] == name).unwrap()["error"]["code"].as_str().unwrap()
+}
+
+/// What stands at `372@1` of the ACT and `480@1` of the ACU of each bench that was left.
+fn stored() -> Vec<[Option<i64>; 2]> {
+    let of = |bench: &Bench| [(1, 372), (2, 480)].map(|(address, id)| bench.drive(address)?.eeprom(id, 1));
+    witness::all_left().iter().map(|(bench, _)| of(bench)).collect()
+}
+
+const BEFORE: [Option<i64>; 2] = [Some(1390), Some(500)];
+const AFTER: [Option<i64>; 2] = [Some(1440), Some(2000)];
+
+#[test]
+fn three_ports_have_one_plan_one_question_and_one_report() {
+    let planned = plant("plan", [TWO, TWO, ONE]).json().exits(1);
+    assert_eq!(states(&planned), "a1 planned, a2 planned, b1 planned, b2 planned, c3 planned");
+    assert_eq!(planned.error()["code"], "no.differences");
+    assert_eq!(stored()[..2], [BEFORE, BEFORE], "a plan writes nothing");
+
+    let asked = plant("apply", [TWO, TWO, ONE]).answered("y").exits(0);
+    assert_eq!(asked.err.matches("[y/N]").count(), 1, "{}", asked.err);
+    assert!(asked.err.contains("5 drives: write 7 values"), "{}", asked.err);
+    assert_eq!(stored()[..2], [AFTER, AFTER]);
+    for name in ["a1", "a2", "b1", "b2", "c3"] {
+        assert!(asked.text_of(&format!("{name}.undo.toml")).contains("[undo]"));
+    }
+    plant("apply", [TWO, TWO, ONE]).answered("n").exits(8);
+    assert_eq!(stored()[..2], [BEFORE, BEFORE]);
+}
+
+#[test]
+fn what_is_equal_is_no_difference_and_asks_nobody() {
+    let act = "[[drive]]\nmodel = \"act\"\naddress = 1\nset = { \"372@1\" = 1440, \"480@2\" = 20 }\n";
+    for verb in ["plan", "apply", "check"] {
+        plant(&format!("-a a1 {verb}"), [act, TWO, ONE]).json().exits(0);
+    }
+    let drifted = plant("check", [act, TWO, ONE]).json().exits(1);
+    assert_eq!(drifted.data("/drives/0/equal"), true);
+    assert_eq!(drifted.data("/drives/1/differences/0/b_raw"), 500);
+}
+
+#[test]
+fn who_is_silent_or_another_one_is_left_out_and_named() {
+    let family = "[[drive]]\nmodel = \"acu\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
+    let alone = "[[drive]]\nmodel = \"act\"\naddress = 1\n";
+    for verb in ["plan", "apply --yes"] {
+        let done = if verb == "plan" { "planned" } else { "done" };
+        let ended = plant(verb, [family, alone, ONE]).json().exits(9);
+        assert_eq!(states(&ended), format!("a1 skipped, a2 {done}, b1 {done}, b2 skipped, c3 {done}"));
+        assert_eq!(error(&ended, "a1"), "data.other_family");
+        assert_eq!(error(&ended, "b2"), "silence.no_reply");
+        let message = ended.error()["message"].as_str().unwrap();
+        assert!(message.contains("2 of 5 drives are not as they shall be (a1, b2)"), "{message}");
+    }
+    let checked = plant("check", [family, alone, ONE]).json().exits(9);
+    assert_eq!(error(&checked, "a1"), "data.other_family");
+    // All or none: nothing is begun.
+    let none = plant("apply --yes --atomic", [family, alone, ONE]).json().exits(7);
+    assert_eq!(states(&none), "a1 skipped, a2 skipped, b1 skipped, b2 skipped, c3 skipped");
+    assert_eq!(stored()[1], [Some(1390), None]);
+}
+
+#[test]
+fn who_calls_himself_otherwise_is_not_written_to() {
+    for (product, exit) in [("LXM05AD10M2", 9), ("0", 9)] {
+        let config = format!(
+            "{PLANT}[drives.other]\naddress = 4\nport = \"right\"\nproduct = \"{product}\"\nfiles = [\"servo.toml\"]\n"
+        );
+        let servos = format!("{ONE}[[drive]]\nmodel = \"lxm05\"\naddress = 4\nservo = {{ product = \"another\" }}\n");
+        let ended = with(antrieb("-a c3,other apply --yes"), &config, [TWO, TWO, &servos]).json().exits(exit);
+        assert_eq!(states(&ended), "c3 done, other skipped");
+        assert_eq!(error(&ended, "other"), "data.other_drive");
+    }
+}
+
+#[test]
+fn a_drive_that_fails_goes_back_and_stops_the_others_only_if_that_is_wanted() {
+    // It refuses 480@2, behind 372@1.
+    let failing =
+        format!("{TWO}").replacen("address = 1\n", "address = 1\n[[drive.event]]\nat = \"0s\"\nrefuses = 8672\n", 1);
+    let ended = plant("apply --yes", [TWO, &failing, ONE]).json().exits(9);
+    assert_eq!(states(&ended), "a1 done, a2 done, b1 back, b2 done, c3 done");
+    assert_eq!(stored()[..2], [AFTER, [Some(1390), Some(2000)]]);
+    let atomic = plant("apply --yes --atomic", [TWO, &failing, ONE]).json().exits(9);
+    assert_eq!(states(&atomic), "a1 back, a2 back, b1 back, b2 skipped, c3 skipped");
+    assert_eq!(stored()[..2], [BEFORE, BEFORE]);
+    assert!(atomic.error()["message"].as_str().unwrap().contains("b1: P.480@2"), "{}", atomic.error());
+}
+
+#[test]
+fn a_drive_that_runs_is_left_out() {
+    let running = TWO.replacen("address = 1\n", "address = 1\nstart_right = true\n", 1);
+    let ended = plant("-a @ones apply --yes", [&running, TWO, ONE]).json();
+    assert_eq!(ended.exit, 9, "{:#}", ended.value);
+    assert_eq!(states(&ended), "a1 skipped, b1 done");
+    assert_eq!(error(&ended, "a1"), "forbidden.running");
+}
+
+/// Runs with a wish to end behind so many telegrams.
+fn wished(directory: &Path, words: &str, after: usize) -> (usize, Outcome) {
+    let tree = VERBS.iter().map(|verb| (verb.command)());
+    let tree = Globals::augment_args(clap::Command::new("antrieb")).subcommands(tree);
+    let matches = tree.get_matches_from(["antrieb"].into_iter().chain(words.split(' ')));
+    let (name, own) = matches.subcommand().unwrap();
+    let verb = (VERBS.iter().find(|verb| verb.name == name).unwrap().typed)(own).unwrap();
+    let globals = Globals { verbose: 1, ..Globals::from_arg_matches(&matches).unwrap() };
+    let environment = Environment { directory: directory.to_owned(), ..Environment::default() };
+    let settings = settings_of_plant(&globals, &environment).unwrap();
+    let (registry, interrupt) = (Registry::open(&[]).unwrap(), Interrupt::default());
+    let (pressed, mut heard) = (interrupt.clone(), 0);
+    let mut observe = |event: Event| {
+        heard += usize::from(matches!(event, Event::Telegram { .. }));
+        if heard == after {
+            heard += 1;
+            pressed.press();
+        }
+    };
+    let mut ask = Agreeable;
+    let mut context =
+        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    witness::call(true);
+    let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
+    (heard, outcome)
+}
+
+/// Ctrl-C behind every telegram: what is said of each drive is true.
+#[test]
+fn a_wish_to_end_takes_back_what_is_under_way_and_begins_nothing_else() {
+    let run = plant("plan", [TWO, TWO, ONE]);
+    let (telegrams, whole) = wished(run.directory(), "-a a1,a2,b1 apply", usize::MAX);
+    assert!(whole.failure.is_none(), "{:?}", whole.failure);
+    let mut seen = [false; 2];
+    for atomic in ["", " --atomic"] {
+        for after in (1..telegrams).step_by(3) {
+            let (_, ended) = wished(run.directory(), &format!("-a a1,a2,b1 apply{atomic}"), after);
+            let left = stored();
+            let Some(Data::Plant(Plant { drives, .. })) = ended.data else { continue };
+            assert_eq!(ended.failure.map(|failure| failure.class), Some(Class::Interrupted), "{after}");
+            let stands = [left[0][0] == AFTER[0], left[0][1] == AFTER[1], left[1][0] == AFTER[0]];
+            for (drive, stands) in drives.iter().zip(stands) {
+                assert_eq!(drive.state == PlantState::Done, stands, "{after}{atomic}: {drive:?}");
+                assert_ne!(drive.state, PlantState::Torn, "{after}{atomic}: {drive:?}");
+                seen[0] |= stands;
+                seen[1] |= drive.state == PlantState::Back;
+            }
+            assert!(atomic.is_empty() || stands == [false; 3], "{after}: {drives:?}");
+        }
+    }
+    assert_eq!(seen, [true; 2], "some were done, some were put back");
+}
+
+/// The adapter of one port is pulled, behind every telegram: the others are done all the same.
+#[test]
+fn a_line_that_is_cut_is_named_and_the_others_go_on() {
+    let run = plant("plan", [TWO, TWO, ONE]);
+    let mut torn = 0;
+    for after in (4..60).step_by(5) {
+        witness::call(true);
+        witness::pull_one_after(after);
+        let (_, ended) = wished(run.directory(), "apply", usize::MAX);
+        witness::pull_after(None);
+        let left = stored();
+        let Some(Data::Plant(Plant { drives, .. })) = ended.data else { panic!("{after}: {:?}", ended.failure) };
+        let failed: Vec<&str> =
+            drives.iter().filter(|row| row.error.is_some()).map(|row| row.called.as_str()).collect();
+        let Some(failure) = ended.failure else {
+            assert!(failed.is_empty());
+            continue;
+        };
+        assert_eq!(failure.class, Class::Partial, "{after}: {failure:?}");
+        let port = drives.iter().find(|row| row.error.is_some()).unwrap().port.clone();
+        for row in drives.iter().filter(|row| row.port != port) {
+            assert_eq!(row.state, PlantState::Done, "{after}: {row:?}");
+        }
+        torn += usize::from(drives.iter().any(|row| row.state == PlantState::Torn));
+        let cells = [("a1", 0, 0), ("a2", 0, 1), ("b1", 1, 0), ("b2", 1, 1)];
+        for (name, bench, cell) in cells {
+            let row = drives.iter().find(|row| row.called == name).unwrap();
+            let (now, is_torn) = (left[bench][cell], row.state == PlantState::Torn);
+            assert!(
+                is_torn || (row.state == PlantState::Done) == (now == AFTER[cell]),
+                "{after} {name}: {now:?} {row:?}"
+            );
+        }
+    }
+    assert!(torn > 0, "no line was cut in the middle of a transaction");
+}
+
+/// The power of a drive fails for a moment: what went into its RAM is lost, and nobody calls that done.
+#[test]
+fn power_that_fails_in_one_drive_is_noticed() {
+    for after in (2..40).step_by(3) {
+        let event = format!("address = 1\n[[drive.event]]\nafter_telegrams = {after}\npower_cycle = true\n");
+        let failing = TWO.replacen("address = 1\n", &event, 1);
+        let ended = plant("-a @ones apply --yes --ram", [&failing, TWO, ONE]).json();
+        let left = witness::all_left();
+        let ram = |bench: &Bench| bench.drive(1).unwrap().ram(372, 1);
+        let state = ended.data("/drives/0/state").as_str().unwrap();
+        let is_there = ram(&left[0].0) == Some(1440);
+        assert!(state != "done" || is_there, "{after}: {state}");
+        assert_eq!(ended.data("/drives/1/state"), "done", "{after}");
+        assert_eq!(ended.exit == 0, state == "done", "{after}");
+    }
+}
+
+#[test]
+fn a_file_that_does_not_do_is_told_before_anything_is_opened() {
+    let broken = |run: Run, name: &str, text: &str| run.file(name, text).json().exits(7).error()["message"].to_string();
+    let told = broken(
+        plant("apply --yes", [TWO, TWO, ONE]),
+        "acu.toml",
+        "antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\nnone = 1\n",
+    );
+    assert!(told.contains("acu.toml:5:1"), "{told}");
+    let told = broken(plant("plan", [TWO, TWO, ONE]), "act.toml", "antrieb = 1\n[drive\n");
+    assert!(told.contains("act.toml:2:"), "{told}");
+    assert!(stored().is_empty(), "nothing was opened");
+    for (text, told) in [
+        ("[drives.a]\naddress = 1\nfiles = [\"act.toml\", \"none.toml\"]\n", "antrieb.toml:3:22: there is no file"),
+        ("[drives.a]\naddress = 1\nfile = \"act.toml\"\n", "antrieb.toml:3:1: unknown field `file`"),
+        (
+            "[drives.a]\naddress = 1\n[drives.b]\naddress = 1\n",
+            "antrieb.toml:4:1: drives a and b have the same address 1",
+        ),
+        ("[drives.a]\naddress = 1\n[groups]\nnobody = []\n", "antrieb.toml:4:1: the group nobody has no drives"),
+        ("[drives.a]\naddress = 1\n[groups]\nall3 = [\"a\", \"c\"]\n", "antrieb.toml:4:14: there is no drive 'c'"),
+        (
+            "[ports.x]\npath = \"sim\"\n[drives.a]\naddress = 1\nport = \"y\"\n",
+            "antrieb.toml:5:1: there is no port 'y'",
+        ),
+        ("[drives.all]\naddress = 1\n", "antrieb.toml:1:2: drives.\"all\""),
+        ("[drives.a]\naddress = 1\n", "no parameter files, and not looked at: a"),
+        (
+            "port = \"sim\"\n[drives.a]\naddress = 1\nfiles = [\"act.toml\"]\n[drives.b]\naddress = 2\nbaud = 9600\nfiles = [\"acu.toml\"]\n",
+            "antrieb.toml:5:9: b is at 9600 8E1 rtu, a on the same port at 19200 8E1 rtu",
+        ),
+    ] {
+        let failure =
+            with(antrieb("-p sim plan"), text, [TWO, TWO, ONE]).json().exits(7).error()["message"].to_string();
+        assert!(failure.replace("\\\"", "\"").contains(told), "{told}: {failure}");
+        let german = with(antrieb("--lang de -p sim plan"), text, [TWO, TWO, ONE]);
+        german.exits(7);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn two_names_of_one_port_are_one_port() {
+    let run = antrieb("plan");
+    let dir = run.directory().to_owned();
+    std::fs::write(dir.join("tty"), "").unwrap();
+    std::os::unix::fs::symlink(dir.join("tty"), dir.join("by-id")).unwrap();
+    let config = "[ports.one]\npath = \"{dir}/tty\"\n[ports.other]\npath = \"{dir}/by-id\"\n\
+                  [drives.a]\nport = \"one\"\naddress = 1\n[drives.b]\nport = \"other\"\naddress = 1\n";
+    let told = with(run, config, [TWO, TWO, ONE]).json().exits(7).error()["message"].to_string();
+    assert!(told.contains("antrieb.toml:10:1: drives a and b have the same address 1"), "{told}");
+    // At two addresses they are two drives of one line: opened once, and it is no serial port.
+    let run = antrieb("plan");
+    let dir = run.directory().to_owned();
+    std::fs::write(dir.join("tty"), "").unwrap();
+    std::os::unix::fs::symlink(dir.join("tty"), dir.join("by-id")).unwrap();
+    let config =
+        config.replace("address = 1\n[", "address = 2\nfiles = [\"act.toml\"]\n[") + "files = [\"act.toml\"]\n";
+    let told = with(run, &config, [TWO, TWO, ONE]).json().exits(3);
+    assert_eq!(told.error()["code"].as_str().unwrap().split('.').next(), Some("port"));
+}
+
+#[test]
+fn all_and_groups_go_with_every_verb_of_one_line() {
+    let rows = |line: &str| {
+        let read = plant(line, [TWO, TWO, ONE]).json().exits(0);
+        let rows = read.data("/values").as_array().unwrap().clone();
+        rows.iter().map(|row| row["address"].as_u64().unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(rows("-a all -p sim:{dir}/left.bench read 372@1"), [1, 2]);
+    assert_eq!(rows("-a @ones -p sim:{dir}/middle.bench read 372@1"), [1]);
+    assert_eq!(rows("-a a2,a1,@ones -p sim:{dir}/left.bench read 372@1"), [2, 1]);
+    for line in ["-a all read 372", "-a @ones identify", "-a all statemachine enable --yes"] {
+        let refused = plant(line, [TWO, TWO, ONE]).exits(2).err;
+        assert!(refused.contains("is not on the line of the others"), "{refused}");
+        assert!(refused.contains("`plan`, `apply` and `check` go over all"), "{refused}");
+    }
+    let several = plant("-a all -p sim:{dir}/left.bench statemachine enable --yes", [TWO, TWO, ONE]).exits(2).err;
+    assert!(several.contains("one drive"), "{several}");
+    for (line, told) in [
+        ("-a @none plan", "there is no group 'none'"),
+        ("-a a1,7 plan", "got '7'"),
+        ("-a all -p sim plan", "names no such drive at sim"),
+        ("-a @ones -p sim read 372", "names no such drive at sim"),
+    ] {
+        let refused = plant(line, [TWO, TWO, ONE]).exits(2).err;
+        assert!(refused.contains(told), "{line}: {refused}");
+    }
+    let refused = antrieb("-a all -p sim read 372").exits(2).err;
+    assert!(refused.contains("no drive has a name"), "{refused}");
+}
+
+#[test]
+fn init_writes_what_it_found_and_replaces_nothing_unasked() {
+    let bench = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"lxm05\"\naddress = 3\n\
+                 [[drive]]\nmodel = \"foreign\"\naddress = 9\nregisters = { \"0\" = 17 }\n";
+    for lang in ["en", "de"] {
+        let written = antrieb(&format!("-a 1-9 --lang {lang} init")).on(bench).exits(0);
+        let text = written.text_of("antrieb.toml");
+        for part in [
+            "[ports.bench]",
+            "[drives.act-1]",
+            "address = 3\ndrive = \"lxm05\"",
+            "# files = [\"base.toml\", \"act-1.toml\"]",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        let unknown = if lang == "en" { "# address 9 at" } else { "# Adresse 9 an" };
+        assert!(text.contains(unknown), "{text}");
+        let again = written.then("-a 1 -p sim:{dir}/bench.toml init").exits(7);
+        assert!(again.err.contains("--force replaces it"), "{}", again.err);
+        assert_eq!(again.text_of("antrieb.toml"), text);
+        let forced = again.then("-a 1 -p sim:{dir}/bench.toml --force init").exits(0);
+        assert!(!forced.text_of("antrieb.toml").contains("lxm05"));
+        let read = forced.then("-a act-1 read 372@1").exits(0);
+        let none = read.then("plan").exits(7);
+        assert!(none.err.contains("no parameter files, and not looked at: act-1"), "{}", none.err);
+    }
+    let nobody = antrieb("-a 3-5 init").on(TWO).exits(1);
+    assert!(!nobody.directory().join("antrieb.toml").exists());
+}
