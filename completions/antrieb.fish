@@ -62,9 +62,9 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "read" -d 'Reads par
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "write" -d 'Writes parameters'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "dataset" -d 'Shows, selects, copies a drive\'s data sets; saves and compares its settings'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "init" -d 'Writes antrieb.toml from a scan: ports, drives and their names'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plan" -d 'Shows what `apply` would write to the drives of antrieb.toml; 1 if something would change'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "apply" -d 'Writes what antrieb.toml says into its drives: one plan, one question, one report'
-complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "check" -d 'Holds the drives of antrieb.toml against their parameter files; 1 if one differs'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plan" -d 'Shows what `apply` would write; 1 if something would change'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "apply" -d 'Writes what antrieb.toml says into its drives, with one question'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "check" -d 'Holds the drives of antrieb.toml against their files; 1 if one differs'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "diag" -d 'Diagnoses a drive and the line to it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "statemachine" -d 'Shows a drive\'s state, and walks it to another'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows a drive\'s state, and walks it to another'
@@ -647,7 +647,7 @@ never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l ram -d 'Write to RAM only, until power-off'
-complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l atomic -d 'All drives or none: if one fails, those that are done are taken back too'
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l atomic -d 'All drives or none: if one fails, all go back'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s v -l verbose -d 'Show settings and telegrams, on stderr'

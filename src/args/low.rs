@@ -2,7 +2,7 @@
 
 use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
-use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, read_config};
+use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_config};
 use super::wrong::bad_setting;
 use crate::failure::Failure;
 use crate::text::{Text, Wrong, both};
@@ -160,7 +160,7 @@ impl<'a> Low<'a> {
             };
             list.push(address);
             let Some((origin, mut drive)) = self.named.take() else { continue };
-            if is_typed && is_several(text) {
+            if is_typed && text.split(',').any(|part| is_several(part.trim())) {
                 // What stands at the typed port has it by another name perhaps.
                 drive.port = None;
             }
@@ -194,7 +194,7 @@ impl<'a> Low<'a> {
                         |name: &String| ports.is_empty() || self.drive(name).is_some_and(|it| it.is_at(&ports));
                     let there: Vec<String> = names.into_iter().filter(is_there).collect();
                     if there.is_empty() {
-                        return Err(none_there(part, &ports));
+                        return Err(none_there(part, &ports, self.has_drives()));
                     }
                     there
                 }
@@ -221,8 +221,8 @@ impl<'a> Low<'a> {
     fn no_group(&self, group: &str) -> Failure {
         let known: Vec<&str> = self.files.iter().flat_map(|(_, file)| file.groups.keys()).map(String::as_str).collect();
         let message = both!(
-            "there is no group '{group}' (expected one of [groups] in {PROJECT}: {known})",
-            "es gibt keine Gruppe '{group}' (erwartet wird eine aus [groups] in {PROJECT}: {known})",
+            "there is no group '{group}' (expected one of `[groups]` in {PROJECT}: {known})",
+            "es gibt keine Gruppe '{group}' (erwartet wird eine aus `[groups]` in {PROJECT}: {known})",
             known = if known.is_empty() { "-".to_owned() } else { known.join(", ") }
         );
         bad_setting("address", message)
@@ -238,6 +238,10 @@ impl<'a> Low<'a> {
             bad_setting("port", both!("{why} ({whence})", "{why} ({whence})", why = why.0, whence = origin.name()))
         })?;
         Ok(vec![port])
+    }
+
+    fn has_drives(&self) -> bool {
+        self.files.iter().any(|(_, file)| !file.drives.is_empty())
     }
 
     /// What the files say of the drive with this name.
@@ -261,7 +265,7 @@ impl<'a> Low<'a> {
         }
         let is_there = |name: &String| ports.is_empty() || self.drive(name).is_some_and(|drive| drive.is_at(&ports));
         let there: Vec<String> = names.into_iter().filter(is_there).collect();
-        if there.is_empty() { Err(none_there(text, &ports)) } else { Ok(there) }
+        if there.is_empty() { Err(none_there(text, &ports, self.has_drives())) } else { Ok(there) }
     }
 
     /// What an environment variable says, if it is set.
@@ -319,11 +323,6 @@ impl<'a> Low<'a> {
     }
 }
 
-/// Whether a list means drives by what the file says of them, and not by their own names.
-fn is_several(text: &str) -> bool {
-    text.split(',').map(str::trim).any(|part| part == ALL || part.starts_with(GROUP))
-}
-
 fn apart(text: &str, part: &str) -> Failure {
     let message = both!(
         "'{text}': {PROJECT} says that {part} is not on the line of the others",
@@ -336,11 +335,11 @@ fn apart(text: &str, part: &str) -> Failure {
     ))
 }
 
-fn none_there(text: &str, ports: &[Port]) -> Failure {
-    if ports.is_empty() {
+fn none_there(text: &str, ports: &[Port], has_drives: bool) -> Failure {
+    if !has_drives {
         let message = both!(
-            "'{text}': no drive has a name; expected a table [drives.NAME] in {PROJECT}",
-            "'{text}': kein Antrieb hat einen Namen; erwartet wird eine Tabelle [drives.NAME] in {PROJECT}"
+            "'{text}': no drive has a name; expected a table `[drives.NAME]` in {PROJECT}",
+            "'{text}': kein Antrieb hat einen Namen; erwartet wird eine Tabelle `[drives.NAME]` in {PROJECT}"
         );
         return bad_setting("address", message)
             .hint(both!("`antrieb init` writes one from a scan", "`antrieb init` schreibt eine aus einem Scan"));

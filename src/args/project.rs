@@ -187,6 +187,13 @@ fn fault(keys: Keys<'_>, why: Text) -> Fault {
 impl File {
     /// Puts in each drive what its port says, and looks whether everything fits together.
     fn settle(&mut self) -> Result<(), Fault> {
+        if let Some(name) = self.drives.keys().find(|name| is_several(name)) {
+            let why = both!(
+                "`all`, `@group` and lists with commas mean several drives; expected another name for this one",
+                "`all`, `@gruppe` und Listen mit Kommas meinen mehrere Antriebe; erwartet wird ein anderer Name für diesen"
+            );
+            return Err(fault(&["drives", name], why));
+        }
         for (name, drive) in &mut self.drives {
             let Some(port) = drive.port.clone() else { continue };
             match self.ports.get(&port) {
@@ -203,8 +210,8 @@ impl File {
         for (name, members) in &self.groups {
             if members.is_empty() {
                 let why = both!(
-                    "the group {name} has no drives; expected names of [drives]",
-                    "die Gruppe {name} hat keine Antriebe; erwartet werden Namen aus [drives]"
+                    "the group {name} has no drives; expected names of `[drives]`",
+                    "die Gruppe {name} hat keine Antriebe; erwartet werden Namen aus `[drives]`"
                 );
                 return Err(fault(&["groups", name], why));
             }
@@ -240,6 +247,11 @@ impl File {
     }
 }
 
+/// Whether a word means drives by what the file says of them, and not one by its name.
+pub(super) fn is_several(word: &str) -> bool {
+    word == ALL || word.starts_with(GROUP) || word.contains(',')
+}
+
 /// Whether it reads like a name, and not like a port of some kind.
 fn is_word(port: &str) -> bool {
     let com = port.get(..3).is_some_and(|start| start.eq_ignore_ascii_case("com"));
@@ -249,8 +261,8 @@ fn is_word(port: &str) -> bool {
 fn no_port<'n>(drive: &str, port: &str, known: impl Iterator<Item = &'n String>) -> Fault {
     let known = known.cloned().collect::<Vec<_>>().join(", ");
     let why = both!(
-        "there is no port '{port}'; expected one of [ports] ({known}), or a path such as /dev/ttyUSB0",
-        "es gibt keinen Anschluss '{port}'; erwartet wird einer aus [ports] ({known}) oder ein Pfad wie /dev/ttyUSB0"
+        "there is no port '{port}'; expected one of `[ports]` ({known}), or a path such as /dev/ttyUSB0",
+        "es gibt keinen Anschluss '{port}'; erwartet wird einer aus `[ports]` ({known}) oder ein Pfad wie /dev/ttyUSB0"
     );
     fault(&["drives", drive, "port"], why)
 }
@@ -276,16 +288,11 @@ fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Err
 /// The drives by name. A name that could be a list of addresses would take the place of one, and start another drive.
 fn named<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, NamedDrive>, D::Error> {
     let drives = BTreeMap::<String, NamedDrive>::deserialize(file)?;
-    let reads_as_list = |name: &&String| !name.contains(char::is_alphabetic);
-    let is_taken = |name: &&String| *name == ALL || name.starts_with(GROUP) || name.contains(',');
-    match (drives.keys().find(reads_as_list), drives.keys().find(is_taken)) {
-        (Some(name), _) => Err(D::Error::custom(format!(
+    match drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
+        Some(name) => Err(D::Error::custom(format!(
             "drives.\"{name}\" reads as an address; the name of a drive has a letter in it"
         ))),
-        (_, Some(name)) => Err(D::Error::custom(format!(
-            "drives.\"{name}\": `all`, `@group` and lists with commas mean several drives; expected another name"
-        ))),
-        _ => Ok(drives),
+        None => Ok(drives),
     }
 }
 

@@ -15,7 +15,7 @@ use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 use std::cell::Cell;
 
-/// Writes what antrieb.toml says into its drives: one plan, one question, one report.
+/// Writes what antrieb.toml says into its drives, with one question.
 ///
 /// Every drive is read and checked first, all ports at once, the drives of a line in turn; nothing that is equal is written. You are
 /// asked once. Each drive is a transaction with an undo file of its own, beside antrieb.toml: every value is proven, and whatever
@@ -25,7 +25,9 @@ use std::cell::Cell;
 pub struct Args {
     #[command(flatten)]
     scope: Scope,
-    /// All drives or none: if one fails, those that are done are taken back too
+    /// All drives or none: if one fails, all go back
+    ///
+    /// Nothing is begun if one of them cannot be written to, and what is done already is taken back, each value proven.
     #[arg(long)]
     atomic: bool,
 }
@@ -67,7 +69,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
                 side_by_side(lines.iter_mut().map(|line| line.take_back(&permit)).collect()).await;
             }
         }
-        Ok(told::plant(settings, &wanted, lines))
+        Ok(told::plant(settings, &wanted, lines, together.interrupt.is_raised()))
     })
     .await?
 }

@@ -15,7 +15,7 @@ use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, PlantCheck, PlantCom
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
-/// Holds the drives of antrieb.toml against their parameter files; 1 if one differs.
+/// Holds the drives of antrieb.toml against their files; 1 if one differs.
 ///
 /// Asked is what the files hold, and nothing else, all ports at once, the drives of a line in turn. A drive that does not answer, or
 /// is another one than antrieb.toml says, is named (exit 9).

@@ -34,7 +34,7 @@ impl Verb for Args {
     const NAME: &'static str = "init";
     const TAKES: Takes = Takes::SEARCHES;
     const EXAMPLES: &'static [&'static str] =
-        &["antrieb --port sim --config new.toml init", "antrieb --port sim -a 1-10 --config new.toml init --fast"];
+        &["antrieb --port sim init new.toml", "antrieb --port sim -a 1-10 init new.toml --fast"];
     const UPPER: Upper = <scan::Args as Verb>::UPPER;
     type Prints = OrRecord<Document<OrPlan<Init>>>;
 

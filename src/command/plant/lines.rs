@@ -120,8 +120,8 @@ fn no_files(settings: &Settings, note: Text) -> Failure {
     let project = project_path(settings);
     let message = both!("{file}: {note}", "{file}: {note}", file = project.display(), note);
     Failure::new(Class::Data, "data.no_files", message).hint(both!(
-        "say which it shall have: files = [\"pump.toml\"] in its [drives.NAME]; `antrieb dataset save` writes one",
-        "sagen, welche er haben soll: files = [\"pump.toml\"] in [drives.NAME]; `antrieb dataset save` schreibt eine"
+        "say which it shall have: `files = [\"pump.toml\"]` in its `[drives.NAME]`; `antrieb dataset save` writes one",
+        "sagen, welche er haben soll: `files = [\"pump.toml\"]` in `[drives.NAME]`; `antrieb dataset save` schreibt eine"
     ))
 }
 

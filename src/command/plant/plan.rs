@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::outcome::{Document, Outcome, Plant};
 use clap::Args as ClapArgs;
 
-/// Shows what `apply` would write to the drives of antrieb.toml; 1 if something would change.
+/// Shows what `apply` would write; 1 if something would change.
 ///
 /// Reads every drive that antrieb.toml names, all ports at once, and holds it against its parameter files. Nothing is written. A drive
 /// that does not answer, is another one than antrieb.toml says, or may not be written to now is left out and named.
@@ -48,7 +48,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     on_lines(context, &wanted, async |lines, _| {
         side_by_side(lines.iter_mut().map(|line| line.look(Args::UPPER)).collect()).await;
         leave_forbidden(lines);
-        told::plant(settings, &wanted, lines)
+        told::plant(settings, &wanted, lines, false)
     })
     .await
 }

@@ -10,7 +10,7 @@ use crate::outcome::{Data, ErrorDoc, LoadEnd, Outcome, Plant, PlantDrive, PlantS
 use crate::text::{Text, both};
 
 /// What became of every drive.
-pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_>]) -> Outcome {
+pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_>], is_over: bool) -> Outcome {
     let members = lines.iter_mut().flat_map(|line| line.members.drain(..));
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for (one, member) in wanted.iter().zip(members) {
@@ -21,7 +21,9 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
         drives.push(PlantDrive { called, port, state, load: told.load, error });
     }
     let is_torn = drives.iter().any(|row| row.state == PlantState::Torn);
-    let failure = summary(failures, drives.len(), is_torn).or_else(|| not_yet(&drives));
+    let failure =
+        summary(failures, drives.len(), is_torn).map(|failure| if is_over { interrupted(failure) } else { failure });
+    let failure = failure.or_else(|| not_yet(&drives));
     Outcome { data: Some(Data::Plant(Plant { project: project(settings), dry_run: false, drives })), warnings, failure }
 }
 
@@ -101,6 +103,19 @@ pub(super) fn summary(failures: Vec<(String, Failure)>, drives: usize, is_torn: 
         (_, true) => Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first },
         (_, false) => Failure { message, ..first },
     })
+}
+
+/// What somebody wanted to end is no failure of the drives.
+fn interrupted(failure: Failure) -> Failure {
+    match failure.class {
+        Class::Interrupted => failure,
+        _ => Failure {
+            class: Class::Interrupted,
+            code: "interrupted".to_owned(),
+            message: both!("interrupted; {why}", "unterbrochen; {why}", why = failure.message),
+            ..failure
+        },
+    }
 }
 
 /// Nothing is wrong, but something would be written.

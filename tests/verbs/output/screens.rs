@@ -58,13 +58,29 @@ const TYPED: &[(&str, &[&str])] = &[
     ),
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),
+    ("init", &["init {dir}/new.toml -a 1-9"]),
+    ("plan", &["plan --config {dir}/plant.toml"]),
+    ("apply", &["apply --config {dir}/plant.toml --yes"]),
+    ("check", &["check --config {dir}/plant.toml"]),
+];
+
+/// Files that are there besides.
+const FILES: &[(&str, &str)] = &[
+    ("heard", HEARD),
+    (
+        "plant.toml",
+        "[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n[drives.pump-1]\naddress = 1\nfiles = [\"pump.toml\"]\n",
+    ),
+    ("fan.toml", "antrieb = 1\ndrive.family = \"acu\"\n[values]\n\"480@1\" = \"20 Hz\"\n\"412\" = 1\n"),
+    ("pump.toml", "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"372@2\" = 1450\n"),
 ];
 
 /// One screen after the other, as they were typed.
 fn screens(lines: &[&str], lang: &str) -> String {
     let mut text = String::new();
     for line in lines {
-        let run = antrieb(&format!("{line} --lang {lang}")).file("heard", HEARD).columns(80);
+        let run = antrieb(&format!("{line} --lang {lang}")).columns(80);
+        let run = FILES.iter().fold(run, |run, (name, text)| run.file(name, text));
         let run = if line.contains(" -p ") { run } else { run.on(PLANT) };
         let output = run.run();
         let place = output.directory().display().to_string();

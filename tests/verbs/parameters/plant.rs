@@ -113,7 +113,8 @@ fn three_ports_have_one_plan_one_question_and_one_report() {
 
 #[test]
 fn what_is_equal_is_no_difference_and_asks_nobody() {
-    let act = "[[drive]]\nmodel = \"act\"\naddress = 1\nset = { \"372@1\" = 1440, \"480@2\" = 20 }\n";
+    let act = "[[drive]]\nmodel = \"act\"\naddress = 1\nset = { \"372@1\" = 1440, \"480@2\" = 20 }\n\
+               [[drive]]\nmodel = \"acu\"\naddress = 2\n";
     for verb in ["plan", "apply", "check"] {
         plant(&format!("-a a1 {verb}"), [act, TWO, ONE]).json().exits(0);
     }
@@ -165,14 +166,16 @@ fn a_drive_that_fails_goes_back_and_stops_the_others_only_if_that_is_wanted() {
     assert_eq!(states(&ended), "a1 done, a2 done, b1 back, b2 done, c3 done");
     assert_eq!(stored()[..2], [AFTER, [Some(1390), Some(2000)]]);
     let atomic = plant("apply --yes --atomic", [TWO, &failing, ONE]).json().exits(9);
-    assert_eq!(states(&atomic), "a1 back, a2 back, b1 back, b2 skipped, c3 skipped");
+    assert!(states(&atomic).starts_with("a1 back, a2 back, b1 back, b2 skipped, c3 "), "{}", states(&atomic));
+    assert!(!states(&atomic).contains("done"), "{}", states(&atomic));
     assert_eq!(stored()[..2], [BEFORE, BEFORE]);
     assert!(atomic.error()["message"].as_str().unwrap().contains("b1: P.480@2"), "{}", atomic.error());
 }
 
 #[test]
 fn a_drive_that_runs_is_left_out() {
-    let running = TWO.replacen("address = 1\n", "address = 1\nstart_right = true\n", 1);
+    let runs = "address = 1\nset = { \"412\" = 1, \"410\" = 15, \"484\" = 10 }\n";
+    let running = TWO.replacen("address = 1\n", runs, 1);
     let ended = plant("-a @ones apply --yes", [&running, TWO, ONE]).json();
     assert_eq!(ended.exit, 9, "{:#}", ended.value);
     assert_eq!(states(&ended), "a1 skipped, b1 done");
@@ -306,13 +309,13 @@ fn a_file_that_does_not_do_is_told_before_anything_is_opened() {
             "[drives.a]\naddress = 1\n[drives.b]\naddress = 1\n",
             "antrieb.toml:4:1: drives a and b have the same address 1",
         ),
-        ("[drives.a]\naddress = 1\n[groups]\nnobody = []\n", "antrieb.toml:4:1: the group nobody has no drives"),
+        ("[drives.a]\naddress = 1\n[groups]\ng1 = []\n", "antrieb.toml:4:1: the group g1 has no drives"),
         ("[drives.a]\naddress = 1\n[groups]\nall3 = [\"a\", \"c\"]\n", "antrieb.toml:4:14: there is no drive 'c'"),
         (
             "[ports.x]\npath = \"sim\"\n[drives.a]\naddress = 1\nport = \"y\"\n",
             "antrieb.toml:5:1: there is no port 'y'",
         ),
-        ("[drives.all]\naddress = 1\n", "antrieb.toml:1:2: drives.\"all\""),
+        ("[drives.all]\naddress = 1\n", "antrieb.toml:1:9: `all`, `@group` and lists"),
         ("[drives.a]\naddress = 1\n", "no parameter files, and not looked at: a"),
         (
             "port = \"sim\"\n[drives.a]\naddress = 1\nfiles = [\"act.toml\"]\n[drives.b]\naddress = 2\nbaud = 9600\nfiles = [\"acu.toml\"]\n",
@@ -407,4 +410,29 @@ fn init_writes_what_it_found_and_replaces_nothing_unasked() {
     }
     let nobody = antrieb("-a 3-5 init").on(TWO).exits(1);
     assert!(!nobody.directory().join("antrieb.toml").exists());
+}
+
+/// Every command of docs/plant.md, each in a directory of its own.
+#[test]
+fn the_commands_of_the_page_work() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/plant.md")).unwrap();
+    let commands: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("    antrieb ")).collect();
+    assert!(commands.len() > 7, "{commands:?}");
+    let config = "port = \"sim\"\n[drives.act-1]\naddress = 1\nfiles = [\"act.toml\"]\n[drives.pump]\nport = \"sim:{dir}/left.bench\"\n\
+                  address = 1\nfiles = [\"act.toml\"]\n[groups]\nwater = [\"pump\"]\n";
+    let undo = "antrieb = 1\ndrive.family = \"act\"\nvalues.372 = 1390\n[undo]\nvalues = { 372 = 1440 }\n";
+    for command in commands {
+        let words = command
+            .split(' ')
+            .map(|word| if word.ends_with(".toml") { format!("{{dir}}/{word}") } else { word.to_owned() });
+        let run = antrieb(&words.collect::<Vec<_>>().join(" "));
+        let run = if command.contains("init") { run } else { with(run, config, [TWO, TWO, ONE]) };
+        let ended = run.file("pump.undo.toml", undo).run();
+        assert!(ended.exit < 2, "{command}: exit {}\n{}\n{}", ended.exit, ended.out, ended.err);
+    }
+    // And the example of a project file is one.
+    let example = page.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let run = antrieb("-a @water plan --dry-run").file("antrieb.toml", example);
+    let base = ["base.toml", "pump.toml", "fan.toml"];
+    base.into_iter().fold(run, |run, name| run.file(name, ACT)).exits(0);
 }
