@@ -1,7 +1,7 @@
 //! `apply`: the parameter files of a plant into its drives.
 
 use super::lines::{Wanted, on_lines, wanted};
-use super::{dry_run, leave_forbidden, told};
+use super::{dry_run, leave_forbidden, must_choose, told};
 use crate::args::Takes;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
@@ -51,6 +51,7 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = wanted(context, &args.scope.choice())?;
+    must_choose(&wanted)?;
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
@@ -126,7 +127,8 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         ));
     }
     let drives = Text::count(drives, ["drive", "drives"], ["Antrieb", "Antriebe"]);
-    let title = both!("{drives}: write {values} values", "{drives}: {values} Werte schreiben", drives);
+    let values = Text::count(values as u64, ["value", "values"], ["Wert", "Werte"]);
+    let title = both!("{drives}: write {values}", "{drives}: {values} schreiben", drives, values);
     Some(Question { hazards, title, details })
 }
 

@@ -12,8 +12,9 @@ use super::dataset::loaded::{blank, describe_steps, forbidden, would_be_in_the_w
 use crate::args::{Settings, project_path};
 use crate::drive::plant::Line;
 use crate::drive::transaction::fits;
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Outcome, Plant, PlantDrive, PlantState};
+use crate::text::both;
 use lines::Wanted;
 
 /// What would be sent to each drive, without opening anything.
@@ -33,6 +34,21 @@ fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure>
     let mut outcome = Outcome::of(Data::Plant(Plant { project: project(context.settings), dry_run: true, drives }));
     (outcome.warnings, outcome.failure) = (vec![super::write::dry_run_reads()], failure);
     Ok(outcome)
+}
+
+/// Refuses a choice that leaves nothing of any file: nothing would be as it was wanted, so that is no success.
+fn must_choose(wanted: &[Wanted]) -> Result<(), Failure> {
+    if wanted.iter().any(|one| !one.steps.is_empty()) {
+        return Ok(());
+    }
+    let message = both!(
+        "nothing is left to write: none of the values of the files was asked for",
+        "es bleibt nichts zu schreiben: keiner der Werte der Dateien war verlangt"
+    );
+    Err(Failure::new(Class::No, "no.values", message).hint(both!(
+        "--only, --except and --sets pick what is written; settings of a bus only if --only names them",
+        "--only, --except und --sets wählen aus, was geschrieben wird; Einstellungen eines Busses nur, wenn --only sie nennt"
+    )))
 }
 
 /// Leaves out the drives that may not be written to now.

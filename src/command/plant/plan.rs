@@ -1,7 +1,7 @@
 //! `plan`: what would be written to the drives of a plant.
 
 use super::lines::{on_lines, wanted};
-use super::{dry_run, leave_forbidden, told};
+use super::{dry_run, leave_forbidden, must_choose, told};
 use crate::args::Takes;
 use crate::command::Context;
 use crate::command::dataset::scope::Scope;
@@ -41,6 +41,7 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = wanted(context, &args.scope.choice())?;
+    must_choose(&wanted)?;
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }

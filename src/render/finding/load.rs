@@ -16,10 +16,22 @@ impl Finding for Load {
 
 impl Page {
     pub(super) fn load(self, load: &Load) -> String {
-        let is_shown =
-            |row: &&Written| self.full || row.result != WriteResult::Unchanged || row.old_raw != Some(row.raw);
-        let shown: Vec<Written> = load.values.iter().filter(is_shown).cloned().collect();
-        let unchanged = load.values.len() - load.values.iter().filter(|row| is_shown(row)).count();
+        let shown: Vec<Written> = load.values.iter().filter(|row| self.is_told(row)).cloned().collect();
+        let mut text = self.load_head(load);
+        if !shown.is_empty() {
+            text += "\n";
+            text += &self.written(&shown);
+        }
+        text
+    }
+
+    fn is_told(self, row: &Written) -> bool {
+        self.full || row.result != WriteResult::Unchanged || row.old_raw != Some(row.raw)
+    }
+
+    /// What is told of a load but its values.
+    pub(super) fn load_head(self, load: &Load) -> String {
+        let unchanged = load.values.iter().filter(|row| !self.is_told(row)).count();
         let mut pairs = vec![("files", load.files.join(", "))];
         pairs.extend(load.ended.map(|ended| ("result", self.word(self::ended(ended)).to_owned())));
         pairs.extend((unchanged > 0).then(|| ("unchanged", unchanged.to_string())));
@@ -28,12 +40,7 @@ impl Page {
             pairs.extend((!left.is_empty()).then(|| (*word, left.join(", "))));
         }
         pairs.extend(load.undo_file.iter().map(|file| ("undo file", file.clone())));
-        let mut text = self.heading(load.address, &load.drive) + &self.pairs(pairs);
-        if !shown.is_empty() {
-            text += "\n";
-            text += &self.written(&shown);
-        }
-        text
+        self.heading(load.address, &load.drive) + &self.pairs(pairs)
     }
 }
 

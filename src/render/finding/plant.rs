@@ -1,9 +1,13 @@
 //! `plan`, `apply`, `check`, `init`: the drives of a plant.
 
-use super::page::Page;
+use super::page::{Page, set_name, shown};
 use super::paramfile::without_lists;
+use super::write::result;
 use super::{Finding, Row, list};
-use crate::outcome::{Init, Load, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult};
+use crate::outcome::{
+    Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult, Written,
+};
+use crate::render::clean;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -105,13 +109,44 @@ impl Page {
         let mut text = self.overview(&plant.project, &ports, &head, rows.collect());
         let is_told = |drive: &&PlantDrive| self.full || drive.state != PlantState::Same;
         for drive in plant.drives.iter().filter(is_told) {
-            text += &format!("\n{}: ", crate::render::clean(&drive.called));
-            text += &self.load(&if self.full || plant.dry_run { drive.load.clone() } else { untold(&drive.load) });
+            text += &format!("\n{}: ", clean(&drive.called));
+            text += &match self.full || plant.dry_run {
+                true => self.load(&drive.load),
+                false => self.load_head(&drive.load) + &self.changes(&drive.load.values),
+            };
             if let Some(error) = &drive.error {
                 text += &self.pairs(vec![("error", self.say(&error.message))]);
             }
         }
         text
+    }
+
+    /// What changes, on 80 columns; what is odd about a value stands in a line of its own.
+    fn changes(self, values: &[Written]) -> String {
+        let shown = values.iter().filter(|row| row.result != WriteResult::Unchanged);
+        let rows: Vec<Vec<String>> = shown.clone().map(|row| self.change(row)).collect();
+        if rows.is_empty() {
+            return String::new();
+        }
+        let odd = shown.filter_map(|row| Some(format!("{}\n", clean(&self.say(&row.error.as_ref()?.message)))));
+        format!(
+            "\n{}{}",
+            self.table(&[">param", "set", "name", ">old", ">new", "unit", "result"], rows),
+            odd.collect::<String>()
+        )
+    }
+
+    fn change(self, row: &Written) -> Vec<String> {
+        let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
+        vec![
+            row.param.to_string(),
+            set_name(row.data_set, row.store),
+            self.say(&row.name),
+            row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false)),
+            shown(row.value, false) + &text.unwrap_or_default(),
+            row.unit.clone().unwrap_or_default(),
+            self.word(result(row.result)).to_owned(),
+        ]
     }
 
     /// Every drive in a line; the port only if there are several.
@@ -148,20 +183,11 @@ impl Page {
         let ports: Vec<&str> = check.drives.iter().map(|one| one.port.as_str()).collect();
         let mut text = self.overview(&check.project, &ports, &head, rows.collect());
         for one in check.drives.iter().filter(|one| self.full || one.comparison.equal != Some(true)) {
-            text += &format!("\n{}:\n", crate::render::clean(&one.called));
+            text += &format!("\n{}:\n", clean(&one.called));
             text += &self.comparison(&one.comparison);
         }
         text
     }
-}
-
-/// Without its telegrams: what is written is told, not how.
-fn untold(load: &Load) -> Load {
-    let mut load = load.clone();
-    for row in &mut load.values {
-        (row.telegram, row.meaning) = (None, None);
-    }
-    load
 }
 
 fn state(state: PlantState) -> &'static str {

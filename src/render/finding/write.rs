@@ -50,7 +50,7 @@ impl Page {
     }
 }
 
-fn result(result: WriteResult) -> &'static str {
+pub(super) fn result(result: WriteResult) -> &'static str {
     match result {
         WriteResult::Verified => "verified",
         WriteResult::Written => "written",
