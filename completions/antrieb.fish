@@ -587,7 +587,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l force -d 'Repla
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l except -d 'Without these groups and parameters' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l sets -d 'Only these data sets, 0 for what exists once: 1,3 or 1-3' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l sets -d 'Only these data sets, 0 for what exists once: 1-3' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -622,7 +622,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l force -d 'Repla
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l except -d 'Without these groups and parameters' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l sets -d 'Only these data sets, 0 for what exists once: 1,3 or 1-3' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l sets -d 'Only these data sets, 0 for what exists once: 1-3' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
