@@ -160,8 +160,7 @@ fn who_calls_himself_otherwise_is_not_written_to() {
 #[test]
 fn a_drive_that_fails_goes_back_and_stops_the_others_only_if_that_is_wanted() {
     // It refuses 480@2, behind 372@1.
-    let failing =
-        format!("{TWO}").replacen("address = 1\n", "address = 1\n[[drive.event]]\nat = \"0s\"\nrefuses = 8672\n", 1);
+    let failing = TWO.replacen("address = 1\n", "address = 1\n[[drive.event]]\nat = \"0s\"\nrefuses = 8672\n", 1);
     let ended = plant("apply --yes", [TWO, &failing, ONE]).json().exits(9);
     assert_eq!(states(&ended), "a1 done, a2 done, b1 back, b2 done, c3 done");
     assert_eq!(stored()[..2], [AFTER, [Some(1390), Some(2000)]]);
