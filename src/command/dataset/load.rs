@@ -55,7 +55,7 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
     let mut report = blank(address, &family.drive, files, left_out);
     if steps.is_empty() {
-        return Ok(nothing_to_write(report, values.len()));
+        return Ok(nothing_to_write(report, &values));
     }
     if context.settings.dry_run {
         return dry_run(context, report, &family, &steps, fits);

@@ -6,6 +6,7 @@ use crate::drive::transaction::{Applied, Plan};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult};
+use crate::profile::paramfile::{Settings, ranges};
 use crate::profile::{Effective, Family, Role, Type};
 use crate::text::{Text, both};
 use std::collections::BTreeSet;
@@ -73,7 +74,8 @@ fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
 }
 
 /// The scope leaves out all that the files hold: nothing is as it was wanted, so that is no success.
-pub(super) fn nothing_to_write(mut report: Load, held: usize) -> Outcome {
+pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
+    let held = values.len();
     report.ended = Some(LoadEnd::Untouched);
     let asked: Vec<String> =
         report.left_out.iter().filter(|row| row.why == NotLoadedWhy::NotAskedFor).map(number).collect();
@@ -89,14 +91,15 @@ pub(super) fn nothing_to_write(mut report: Load, held: usize) -> Outcome {
             "es bleibt nichts zu schreiben: von den {held} Werten der Dateien war keiner verlangt"
         ),
     };
+    let numbers = ranges(values.params().map(|param| param.id));
     let hint = match (held, asked.is_empty()) {
         (0, _) => both!(
             "`antrieb dataset save` writes files with values",
             "`antrieb dataset save` schreibt Dateien mit Werten"
         ),
         (_, true) => both!(
-            "--only, --except and --sets pick what is written; `antrieb dataset check` shows what the files hold",
-            "--only, --except und --sets wählen aus, was geschrieben wird; `antrieb dataset check` zeigt, was die Dateien enthalten"
+            "--only, --except and --sets pick what is written; the files hold {numbers}",
+            "--only, --except und --sets wählen aus, was geschrieben wird; die Dateien enthalten {numbers}"
         ),
         _ => both!(
             "settings of a bus, and what hangs on an index, are written only if they are named: --only {asked}",

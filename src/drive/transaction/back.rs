@@ -95,7 +95,9 @@ async fn restore_all(session: &mut Session<'_>, plan: &mut Plan, order: &[Kept],
             !way.is_lost()
         });
         if let Err(failure) = looked.await {
-            seen.iter_mut().for_each(|seen| *seen = Err(failure.clone()));
+            // What is stored does not go with the power.
+            let in_ram = back.iter().zip(&mut seen).filter(|(kept, _)| kept.set >= DataSets::RAM_OFFSET);
+            in_ram.for_each(|(_, seen)| *seen = Err(failure.clone()));
         }
     }
     let wrong = back.iter().zip(seen).filter_map(|(kept, seen)| told(plan, kept, Err(seen.err()?)));
