@@ -54,6 +54,46 @@ fn every_key_of_the_view_does_what_it_says() {
 }
 
 #[test]
+fn a_profile_is_led_in_the_view_and_its_keys_work_at_its_end() {
+    let _alone = alone();
+    let (directory, port) = bench();
+    let profile = directory.path().join("profile.csv");
+    std::fs::write(&profile, "0s, 2Hz\n4s, 4Hz\n").unwrap();
+    let line = format!("--profile {} --enable --hold --view --step 0.5Hz --max 6Hz", profile.display());
+    let mut run = AtTerminal::whole(&format!("-p {port} -a 1 --yes sollwert {line}"));
+    run.draws("led");
+    run.types("\u{1b}[A");
+    run.draws("the arrows work when the way is at its end");
+    run.draws("held");
+    run.types("\u{1b}[A");
+    run.draws("setpoint 4.50 Hz");
+    run.types("q");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows(GIVEN_BACK);
+    run.shows("ramp (key), acknowledged");
+    assert!(run.is_cooked());
+}
+
+#[test]
+fn contacts_that_are_held_are_shown_and_opened_by_a_key() {
+    let _alone = alone();
+    let (directory, _) = bench();
+    let file = directory.path().join("contacts.toml");
+    std::fs::write(&file, "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 2 }\n").unwrap();
+    let line = "statemachine contacts S1IND S2IND --hold --view";
+    let mut run = AtTerminal::whole(&format!("-p sim:{} -a 1 --yes {line}", file.display()));
+    run.draws("held");
+    run.types("d");
+    run.draws("status word: 0x");
+    run.types(" ");
+    run.draws("q ends");
+    run.types("q");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    run.shows(GIVEN_BACK);
+    assert!(run.is_cooked());
+}
+
+#[test]
 fn ctrl_c_twice_in_the_view_escalates_and_gives_the_terminal_back() {
     let _alone = alone();
     let (directory, port) = bench();

@@ -246,6 +246,29 @@ fn a_step_whose_answer_is_lost_is_given_and_shown_all_the_same() {
     }
 }
 
+/// Whatever a mistake of ours breaks while the view is on, the run ends as any other: by its stop, and the view is closed.
+#[test]
+fn a_panic_while_the_view_is_on_stops_the_shaft_and_is_told() {
+    for drive in DRIVES {
+        for broken in [100, 120, 151, 200] {
+            let mut is_broken = false;
+            let seen = run(drive, "--view", &mut |telegram, at, hand| match telegram {
+                _ if telegram >= broken && !is_broken => {
+                    is_broken = true;
+                    std::panic::resume_unwind(Box::new("a mistake of ours"));
+                }
+                // Behind the stop nobody looks any more.
+                600.. => hand.button(Button::End, at),
+                _ => {}
+            });
+            let failure = seen.failure.as_ref().unwrap();
+            assert_eq!((failure.code.as_str(), failure.class.exit()), ("bug.panic", 70), "{} {broken}", drive.0);
+            assert_eq!((seen.stop().0, seen.turning()), ("error", 0), "{} {broken}", drive.0);
+            assert_eq!(seen.news.last().map(|news| news.phase), Some("ended"), "{} {broken}", drive.0);
+        }
+    }
+}
+
 #[test]
 fn who_lets_go_is_obeyed_at_once_and_a_later_key_starts_nothing() {
     let mut released = None;

@@ -138,7 +138,9 @@ fn arrived(input: rustix::fd::BorrowedFd<'_>) -> io::Result<Option<Vec<u8>>> {
     let mut watched = [PollFd::new(&input, PollFlags::IN)];
     let look = Timespec { tv_sec: 0, tv_nsec: i64::from(LOOK.subsec_nanos()) };
     match poll(&mut watched, Some(&look)) {
-        Ok(0) | Err(rustix::io::Errno::INTR) => return Ok(None),
+        Ok(0) => return Ok(None),
+        // A signal is no pause: an ESC that has come may be the beginning of an arrow.
+        Err(rustix::io::Errno::INTR) => return Ok(Some(Vec::new())),
         Ok(_) => {}
         Err(error) => return Err(error.into()),
     }
@@ -147,7 +149,7 @@ fn arrived(input: rustix::fd::BorrowedFd<'_>) -> io::Result<Option<Vec<u8>>> {
     match rustix::io::read(input, &mut bytes) {
         Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
         Ok(count) => Ok(Some(bytes.get(..count).unwrap_or_default().to_vec())),
-        Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => Ok(None),
+        Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => Ok(Some(Vec::new())),
         Err(error) => Err(error.into()),
     }
 }

@@ -10,13 +10,13 @@ use crate::profile::Lang;
 use crate::text::Text;
 use ratatui::backend::TestBackend;
 
-fn column(param: u32, name: &str, unit: Option<&str>, role: &'static str) -> Column {
+fn column(param: u32, name: Text, unit: Option<&str>, role: &'static str) -> Column {
     Column {
         param,
         data_set: 0,
         store: "ram",
         slug: role.to_owned(),
-        name: Text::name(name),
+        name,
         unit: unit.map(str::to_owned),
         role: Some(role),
         scaled: true,
@@ -25,10 +25,10 @@ fn column(param: u32, name: &str, unit: Option<&str>, role: &'static str) -> Col
 
 fn watched(address: u8) -> WatchedDrive {
     let columns = vec![
-        column(411, "State word", None, "status-word"),
-        column(283, "Ramp reference frequency", Some("Hz"), "setpoint-ramp"),
-        column(210, "Stator frequency", Some("Hz"), "stator-frequency"),
-        column(260, "Current\u{1b} error", None, "fault"),
+        column(411, Text::new("Status word", "Statuswort"), None, "status-word"),
+        column(283, Text::new("Ramp reference frequency", "Rampensollwert Frequenz"), Some("Hz"), "setpoint-ramp"),
+        column(210, Text::new("Stator frequency", "Ständerfrequenz"), Some("Hz"), "stator-frequency"),
+        column(260, Text::new("Current error", "Aktueller Fehler"), None, "fault"),
     ];
     WatchedDrive { address, drive: "act".to_owned(), title: None, columns }
 }
@@ -71,7 +71,10 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
         n,
         address,
         drive: "act".to_owned(),
-        state: raw.map(|_| State { slug: "operation-enabled".to_owned(), name: Text::name("Operation enabled") }),
+        state: raw.map(|_| State {
+            slug: "operation-enabled".to_owned(),
+            name: Text::new("Operation enabled", "Betrieb freigegeben"),
+        }),
         values: columns.into_iter().map(|column| SampleValue { t, value: value(column) }).collect(),
         error: error.clone(),
         line: None,
@@ -79,18 +82,31 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
 }
 
 fn screen(drives: u8, samples: &[Option<i64>]) -> Screen {
-    let mut screen = Screen::new(Lang::En, false);
+    screen_in(Lang::En, "monitor", drives, samples)
+}
+
+fn screen_in(lang: Lang, command: &'static str, drives: u8, samples: &[Option<i64>]) -> Screen {
+    let mut screen = Screen::new(lang, false);
     screen.record(&Record::Start(StreamStart {
         t: at(0),
         schema: 1,
         tool: "antrieb",
-        command: "monitor",
+        command,
         port: "sim".to_owned(),
         begun: None,
         line: "19200 8E1".to_owned(),
         protocol: "rtu",
         interval: at(1),
-        drives: (1..=drives).map(watched).collect(),
+        drives: (1..=drives)
+            .map(watched)
+            .map(|mut drive| {
+                // What a catalogue calls a parameter may be no text for a terminal.
+                drive.columns.iter_mut().filter(|row| row.param == 260 && command == "monitor").for_each(|row| {
+                    row.name = Text::name("Current\u{1b} error");
+                });
+                drive
+            })
+            .collect(),
     }));
     for (n, raw) in (0..).zip(samples) {
         (1..=drives).for_each(|address| screen.record(&sample(address, n, *raw)));
@@ -191,6 +207,32 @@ fn a_run_shows_where_it_is_and_what_the_keys_do() {
     assert_eq!(drawn(&screen, 80, 24)[23], "", "what was said before is over");
     screen.record(&course("ended"));
     assert_eq!(drawn(&screen, 80, 24)[21], " q ends  d diagnosis");
+}
+
+/// `docs/screens/run.*.txt`: what a run shows on a terminal of 80 x 24 (`UPDATE=1` writes them anew).
+#[test]
+#[expect(clippy::disallowed_methods, reason = "UPDATE=1 is how a test is told to write")]
+fn the_screens_of_a_run_in_the_documentation_are_those_of_the_program() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/screens");
+    for (lang, name) in [(Lang::En, "en"), (Lang::De, "de")] {
+        let mut screen =
+            screen_in(lang, "sollwert", 1, &[Some(0), Some(500), Some(1_250), Some(2_000), Some(2_500), Some(2_500)]);
+        let mut text = String::new();
+        for (phase, diagnoses) in
+            [("starting", false), ("held", false), ("held", true), ("stopping", false), ("ended", false)]
+        {
+            screen.record(&course(phase));
+            screen.diagnoses = diagnoses;
+            let page = drawn(&screen, 80, 24);
+            assert!(page.iter().all(|line| line.chars().count() <= 80));
+            text += &format!("{}\n{}\n", "-".repeat(80), page.join("\n"));
+        }
+        let file = folder.join(format!("run.{name}.txt"));
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(&file, &text).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(&file).unwrap_or_default(), text, "UPDATE=1 writes it anew");
+    }
 }
 
 #[test]
