@@ -1,9 +1,10 @@
 //! What stops goes out before anything is asked, also where nothing, or little, or the wrong thing comes back.
 
+use super::rig::{RUNNING, drive, held};
 use super::runs::with_motor;
 use super::to_the_letter::zeros;
 use crate::run::antrieb;
-use antrieb::drive::motion::{Meant, Motor, shout, shout_zero};
+use antrieb::drive::motion::{Meant, Motor, StopChoice, shout, shout_zero};
 use antrieb::gate::Relief;
 use antrieb::profile::Registry;
 use antrieb::tick::Span;
@@ -302,4 +303,49 @@ fn a_quick_stop_in_place_of_a_ramp_is_told() {
     }
     let prompt = antrieb("-b 115200 -a 1 --drive act statemachine disable").on(&active("act", 1, "")).run();
     assert!(!prompt.err.contains("in place of"), "{}", prompt.err);
+}
+
+/// Whoever takes the power waits for no shaft that coasts; whoever asks for a ramp or a quick stop is told when it stands.
+#[test]
+fn what_takes_the_power_waits_for_no_coasting_shaft() {
+    let ramps = "ramps = { up_right = 999, down_right = 100, up_left = 999, down_left = 100 }";
+    let bench = active("acu", 1, ramps).replace("baud = 19200", "baud = 19200\nreply_delay = \"1ms\"").replace(
+        "\"484\" = 20",
+        "\"484\" = 300, \"419\" = 400, \"549\" = 5, \"30\" = 210, \"424\" = 100, \"425\" = 100",
+    );
+    for (act, turning) in [(Relief::DisableVoltage, 1), (Relief::QuickStop, 0), (Relief::Disable, 0)] {
+        with_motor(
+            "acu",
+            &bench,
+            async |session, target, permit| {
+                session.rest(Span::from_secs(2)).await.unwrap();
+                let begun = session.now();
+                let mut motor = Motor::new(session, target, permit, None);
+                motor.relieve(act).await.unwrap();
+                let took = session.now().since(begun);
+                assert_eq!(act == Relief::DisableVoltage, took < Span::from_secs(1), "{act:?}: {took}");
+                assert_eq!(session.bench().unwrap().totals().turning, turning, "{act:?}: {took}");
+            },
+            |bench| assert_eq!(bench.totals().energised, 0, "{act:?}"),
+        );
+    }
+}
+
+/// Where no look tells anything the stop is said again, whatever went out before.
+#[test]
+fn what_stops_is_said_again_to_a_drive_that_says_nothing() {
+    for (act, word) in [(Relief::QuickStop, "00 02"), (Relief::DisableVoltage, "00 00")] {
+        let silent = drive(RUNNING, "[[drive.event]]\nat = \"300ms\"\nsilent = \"600s\"");
+        let came = held(&silent, &[], StopChoice::Keep, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+            motor.look().await?;
+            while motor.look().await.is_ok() {}
+            motor.relieve(act).await
+        });
+        assert!(came.ended.result.is_err(), "{act:?}");
+        assert!(
+            came.sent.iter().any(|hex| hex.starts_with(&format!("01 06 01 9A {word}"))),
+            "{act:?}: {:?}",
+            came.sent
+        );
+    }
 }

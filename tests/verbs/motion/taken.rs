@@ -1,7 +1,10 @@
 //! Control that is taken from others: what ran before must not run again when it goes back, and is not stopped in name only.
 
-use super::rig::{READY, drive};
+use super::rig::{READY, drive, held};
 use crate::run::antrieb;
+use antrieb::drive::motion::{Motor, StopChoice};
+use antrieb::profile::Registry;
+use antrieb::tick::Span;
 use antrieb::transport::witness;
 use serde_json::json;
 
@@ -70,10 +73,19 @@ fn a_zero_is_judged_by_the_shaft_whatever_stands_beside_it() {
 
 #[test]
 fn the_question_names_every_place_at_which_a_profile_turns() {
-    let profile = "0s, 5Hz\n1s, 15Hz\n2s, -5Hz\n3s, 0Hz\n";
     let line = "-b 115200 -a 1 sollwert --profile {dir}/way.csv --enable --hold";
-    let run = antrieb(line).file("way.csv", profile).on(&drive(READY, "")).answered("n").run();
-    assert!(run.err.contains("5.00 Hz … 15.00 Hz … -5.00 Hz … 0.00 Hz"), "{}", run.err);
+    for (hertz, told) in [
+        (&[5, 15, -5, 0][..], "5.00 Hz … 15.00 Hz … -5.00 Hz … 0.00 Hz"),
+        // Not where it only goes on, or stays.
+        (&[5, 10, 15, 15, 3, -5, 0], "5.00 Hz … 15.00 Hz … -5.00 Hz … 0.00 Hz"),
+        (&[5, 10, 4, 9, 3, 8], "5.00 Hz … 10.00 Hz … 4.00 Hz … 9.00 Hz … 3.00 Hz … 8.00 Hz"),
+        // A long one by its ends, and by the least and the greatest between them.
+        (&[5, 10, 4, 9, 3, 8, 6], "5.00 Hz … 3.00 Hz … 10.00 Hz … 6.00 Hz"),
+    ] {
+        let profile: String = hertz.iter().enumerate().map(|(at, hertz)| format!("{at}s, {hertz}Hz\n")).collect();
+        let run = antrieb(line).file("way.csv", &profile).on(&drive(READY, "")).answered("n").run();
+        assert!(run.err.contains(told), "{told}: {}", run.err);
+    }
     let percent = antrieb("-b 115200 -a 1 sollwert 30% --enable --hold")
         .on(&drive("\"412\" = 1, \"434\" = 2, \"418\" = \"3.5\"", ""));
     let percent = percent.answered("n").run();
@@ -106,5 +118,34 @@ fn a_stop_is_not_held_and_a_zero_goes_out_before_anybody_is_asked_about_the_rest
         let message = run.error()["message"].as_str().unwrap();
         assert!(message.starts_with("the stop was sent"), "{more}: {message}");
         assert!(!turns_later(), "{more}");
+    }
+}
+
+/// Remote falls at the next look; who has control is asked only now and then.
+#[test]
+fn that_control_was_taken_is_seen_at_the_next_look() {
+    let setpoint = Registry::open(&[]).unwrap().family("acu").unwrap().role("setpoint-frequency").unwrap().clone();
+    let data_set = Registry::open(&[]).unwrap().family("acu").unwrap().param(414).unwrap().clone();
+    // It was seen in a look before. As many rounds later the data set in which somebody else has control is selected.
+    for round in 2..=4 {
+        let bench = drive(&format!("{READY}, \"412@2\" = 0"), "");
+        let (mut rounds, setpoint, data_set) = (0, &setpoint, &data_set);
+        let came = held(&bench, &[], StopChoice::Ramp, Span::ZERO, async |motor: &mut Motor<'_, '_>| {
+            motor.walk("operation-enabled").await?;
+            motor.give(setpoint, 2_000, "Hz").await?;
+            motor
+                .hold(Some(Span::from_secs(5)), async |motor: &mut Motor<'_, '_>, _| {
+                    rounds += 1;
+                    if rounds == round {
+                        motor.set(data_set, 2).await?;
+                    }
+                    motor.refresh(setpoint, 2_000).await
+                })
+                .await
+        });
+        let selected = came.sent.iter().position(|hex| hex.starts_with("01 06 01 9E 00 02")).unwrap();
+        let refreshed =
+            came.sent.iter().skip(selected).filter(|hex| hex.starts_with("01 65 01 E4 00 00 07 D0")).count();
+        assert!(came.ended.result.is_err() && refreshed == 1, "{round}: {refreshed} {:?}", came.sent);
     }
 }
