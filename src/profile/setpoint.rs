@@ -47,7 +47,7 @@ pub fn parse(family: &Family, mode: &Mode, text: &str) -> Result<Said, ValueErro
     }
     if is_speed(mode, text) {
         let (number, _) = value::split_unit(text);
-        return Ok(Said { by_speed: true, ..said(parse_decimal(number, SPEED_DECIMALS)?) });
+        return Ok(Said { by_speed: true, ..said(value::typed(number, SPEED_DECIMALS, 0)?) });
     }
     raw(mode.setpoint, text).map(said)
 }

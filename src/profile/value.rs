@@ -37,6 +37,16 @@ pub enum ValueError {
         /// Decimals of the parameter.
         decimals: u8,
     },
+    /// A point or comma before three digits, which some write between thousands.
+    #[error("{}", self.text().en)]
+    Thousands {
+        /// What came.
+        text: String,
+        /// The number if it is a decimal point.
+        fraction: String,
+        /// The number if it parts thousands.
+        whole: String,
+    },
     /// The lower number of a ratio is 0.
     #[error("{}", self.text().en)]
     Denominator {
@@ -87,6 +97,10 @@ impl ValueError {
             ValueError::Decimals { text, decimals } => both!(
                 "'{text}' has more decimals than the {decimals} of this parameter",
                 "'{text}' hat mehr Nachkommastellen als die {decimals} dieses Parameters"
+            ),
+            ValueError::Thousands { text, fraction, whole } => both!(
+                "'{text}' may mean {fraction} or {whole}: write it without a separator of thousands, and without zeros at its end",
+                "'{text}' kann {fraction} oder {whole} heißen: ohne Tausendertrennzeichen und ohne Nullen am Ende schreiben"
             ),
             ValueError::Denominator { text } => both!(
                 "'{text}': the lower number of a ratio is never 0",
@@ -195,6 +209,18 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
+/// A number as somebody types it: `1.450` is refused where the parameter has no third decimal, because it is one thousand to some.
+pub(super) fn typed(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
+    let raw = shifted(text, decimals, power)?;
+    let (whole, places) = text.trim_start_matches(['-', '−', '+']).split_once(['.', ',']).unwrap_or((text, ""));
+    let parts_thousands = places.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
+    if parts_thousands && i32::from(decimals) + power < 3 {
+        let fraction = format!("{whole}.{places}").trim_end_matches('0').trim_end_matches('.').to_owned();
+        return Err(ValueError::Thousands { text: text.to_owned(), fraction, whole: format!("{whole}{places}") });
+    }
+    Ok(raw)
+}
+
 /// Splits `10,3 A` into number and unit.
 pub(super) fn split_unit(text: &str) -> (&str, &str) {
     let text = text.trim();
@@ -269,7 +295,7 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
-    shifted(number, param.decimals_or_zero(), power)
+    typed(number, param.decimals_or_zero(), power)
 }
 
 /// Whether a parameter may take a value that its table does not name: within its range, or, if no source tells that, up to the

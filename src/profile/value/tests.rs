@@ -44,6 +44,28 @@ fn what_does_not_fit_is_named() {
     }
 }
 
+/// `1.450` is one thousand to a German, and `1,450` to an Englishman.
+#[test]
+fn a_separator_before_three_digits_is_a_decimal_point_only_where_there_are_so_many_decimals() {
+    for (text, unit, decimals) in
+        [("3.000", "1/min", 0), ("3,000rpm", "1/min", 0), ("-1.450", "Hz", 2), ("1.500 kW", "kW", 1)]
+    {
+        let refused = parse(text, &param(unit, decimals), &[]);
+        assert!(matches!(refused, Err(ValueError::Thousands { .. })), "{text}: {refused:?}");
+    }
+    for (text, unit, decimals, raw) in [
+        ("1.450", "s", 3, 1_450),
+        ("1.500 s", "ms", 0, 1_500),
+        ("0.500", "Hz", 2, 50),
+        ("3000.000", "Hz", 2, 300_000),
+        ("1.50", "Hz", 2, 150),
+    ] {
+        assert_eq!(parse(text, &param(unit, decimals), &[]), Ok(raw), "{text}");
+    }
+    let told = parse("1.450", &param("Hz", 2), &[]).unwrap_err().text().en;
+    assert!(told.starts_with("'1.450' may mean 1.45 or 1450"), "{told}");
+}
+
 #[test]
 fn texts_of_the_table_are_values() {
     let choices = [(0, ["Even", "Gerade"]), (1, ["Odd", "Ungerade"]), (10, ["19200 Bd", "19200 Bd"])];
