@@ -363,6 +363,8 @@ pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
         Type::Int => i64::from(bits as u16 as i16),
         Type::Word if min.is_some_and(|min| min < 0) => i64::from(bits as u16 as i16),
         Type::Word => i64::from(bits & 0xFFFF),
+        // What is never below 0 has no sign.
+        Type::Long if min.is_some_and(|min| min >= 0) => i64::from(bits),
         Type::Long => i64::from(bits as i32),
         Type::Float => i64::from(bits),
     }

@@ -13,7 +13,7 @@ pub(super) fn dense(text: &str) -> String {
 }
 
 /// A number with a point from what people type: `0,5`, `1.234,5`, `−3 000`, `0x1F`; a unit behind it is none of it.
-/// In a list with decimal commas a point before three digits parts thousands.
+/// In a list with decimal commas a point before three digits parts thousands, in any other a comma does.
 pub(super) fn number(text: &str, commas: bool) -> Option<String> {
     let text = text.trim().replace(['−', '–'], "-").replace([' ', '\u{A0}', '\u{202F}', '\''], "");
     if let Some(hex) = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
@@ -37,6 +37,7 @@ pub(super) fn number(text: &str, commas: bool) -> Option<String> {
         (Some(point), Some(comma)) if point < comma => digits.replace('.', "").replace(',', "."),
         (Some(_), Some(_)) => digits.replace(',', ""),
         (Some(_), None) if commas && thousands('.') => digits.replace('.', ""),
+        (None, Some(_)) if !commas && thousands(',') => digits.replace(',', ""),
         (None, Some(_)) => digits.replace(',', "."),
         _ => digits.to_owned(),
     };
@@ -204,6 +205,9 @@ mod tests {
             ("1.234", true, Some("1234")),
             ("1.234", false, Some("1.234")),
             ("0.125", true, Some("0.125")),
+            ("1,500", false, Some("1500")),
+            ("1,500", true, Some("1.500")),
+            ("0,125", false, Some("0.125")),
             ("1,234.5", false, Some("1234.5")),
             ("−3 000", true, Some("-3000")),
             ("0x1F", false, Some("31")),

@@ -158,6 +158,7 @@ impl<'a> Device<'a> {
             ));
         }
         scale(register, &mut draft)?;
+        limits(register, &mut draft);
         if let Some(access) = word("access") {
             draft.access = cells::access(&access)
                 .ok_or_else(|| both!("the access '{access}' is not known", "der Zugriff '{access}' ist unbekannt"))?;
@@ -226,9 +227,7 @@ impl<'a> Device<'a> {
         let tables = [own, absent].into_iter().flatten().filter_map(Value::as_object).flatten();
         let signed = |raw: i64| match cells::kind(kind) {
             Kind::Is(Type::Int) if (0x8000..=0xFFFF).contains(&raw) => raw - 0x1_0000,
-            Kind::Is(Type::Long) | Kind::Unsigned32 if (0x8000_0000..=0xFFFF_FFFF).contains(&raw) => {
-                raw - 0x1_0000_0000
-            }
+            Kind::Is(Type::Long) if (0x8000_0000..=0xFFFF_FFFF).contains(&raw) => raw - 0x1_0000_0000,
             _ => raw,
         };
         let rows = tables.filter_map(|(raw, name)| {
@@ -267,6 +266,17 @@ fn scale(register: &Map<String, Value>, draft: &mut Draft) -> Result<(), Text> {
         draft.note.get_or_insert(why);
     }
     Ok(())
+}
+
+/// Both ends of the range, where it is the same raw and scaled: whether a map means the one or the other no source tells.
+fn limits(register: &Map<String, Value>, draft: &mut Draft) {
+    if draft.decimals != Some(0) || draft.kind == Some(Type::Float) {
+        return;
+    }
+    for (limit, key) in draft.limits.iter_mut().zip(["min", "max"]) {
+        let told = register.get(key).and_then(Value::as_i64).map(|number| number.to_string());
+        *limit = told.or_else(|| limit.take());
+    }
 }
 
 fn line_note(map: &Map<String, Value>) -> Option<Text> {

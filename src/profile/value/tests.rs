@@ -171,6 +171,7 @@ fn a_value_on_the_wire_is_shown_in_its_type_and_unit() {
 #[test]
 fn wire_width_and_sign() {
     assert_eq!(from_wire(0xFFFF_D120, Type::Long, None), -12_000);
+    assert_eq!(from_wire(3_000_000_000, Type::Long, Some(0)), 3_000_000_000, "what is never below 0 has no sign");
     assert_eq!(to_wire(-12_000, Type::Long), Ok(0xFFFF_D120));
     assert_eq!(from_wire(0xFFFF, Type::Word, None), 65_535);
     assert_eq!(from_wire(0xFFFF, Type::Word, Some(-100)), -1);

@@ -260,6 +260,7 @@ const DRIVE: &str = r#"{
     {"name": "Mode", "area": "holding", "address": 15, "type": "uint16", "enum": "modes", "access": "R/W"},
     {"name": "Temperature", "area": "holding", "address": 23, "type": "int16", "scale": 0.1, "unit": "°C", "access": "R"},
     {"name": "Counter", "area": "holding", "address": 31, "type": "uint32", "access": "R"},
+    {"name": "Limit", "area": "holding", "address": 44, "type": "uint16", "min": 5, "max": 20, "access": "RW"},
     {"name": "Ramp", "area": "holding", "address": 41, "type": "uint16", "scale": 0.01, "unit": "s", "access": "RW"},
     {"name": "Torque", "area": "holding", "address": 42, "type": "int16", "scale_register": 43, "unit": "%", "access": "R"}
   ]
@@ -292,6 +293,8 @@ fn maps_of_other_makers_are_read_watched_saved_and_written_but_never_moved() {
     let written = by_map(DRIVE, "acme-vsd-7", "-v write ramp=2,5 mode=local --yes").exits(0);
     assert!(written.telegrams('>').iter().any(|sent| sent.starts_with("05 06 00 28 00 FA")), "{}", written.err);
     by_map(DRIVE, "acme-vsd-7", "write ramp=2,5").exits(8);
+    let beyond = by_map(DRIVE, "acme-vsd-7", "write limit=21 --yes").exits(7);
+    assert!(beyond.err.contains("5 … 20"), "{}", beyond.err);
     by_map(DRIVE, "acme-vsd-7", "monitor speed --duration 300ms").exits(0);
     let moved = by_map(DRIVE, "acme-vsd-7", "sollwert 10rpm --yes").exits(7);
     assert!(moved.sent().is_empty() && moved.err.contains("no catalogue tells how"), "{}", moved.err);
