@@ -14,7 +14,7 @@ use crate::text::{Text, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use report::report;
-use resume::{asked_before, earlier};
+use resume::{asked_before, earlier, goes_on};
 use std::cell::RefCell;
 use std::path::PathBuf;
 
@@ -98,6 +98,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     let ports = ports(context)?;
     let before = args.resume.as_deref().map(|path| earlier(path, &ports)).transpose()?;
+    before.as_ref().map_or(Ok(()), |before| goes_on(before, settings))?;
     let plan = ScanPlan {
         unknown: unknown(settings),
         manner: match (args.fast, args.thorough) {

@@ -1,6 +1,6 @@
 //! What a search has asked, as it is written, and going on from there.
 
-use crate::args::parse_addresses;
+use crate::args::{Settings, parse_addresses};
 use crate::drive::{Asked, Port};
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -61,6 +61,37 @@ pub(super) fn earlier(path: &Path, ports: &[Port]) -> Result<Scan, Failure> {
         asked_at(search).map_err(|failure| bad(failure.message))?;
     }
     Ok(scan)
+}
+
+/// What an earlier search has left open at other settings must be sought again, or this one would call it done.
+pub(super) fn goes_on(before: &Scan, settings: &Settings) -> Result<(), Failure> {
+    let (now, spoken) = (settings.line.to_string(), settings.protocol.name());
+    let (baud, parity) = halves(&now);
+    let open = before.searches.iter().filter(|search| !search.complete);
+    let of_open = |is_another: &dyn Fn(&Search) -> bool| open.clone().any(is_another);
+    let other_baud = of_open(&|search| halves(&search.line).0 != baud);
+    let other_parity = of_open(&|search| halves(&search.line).1 != parity);
+    let missing = [
+        (other_baud && !settings.unknown.baud, "--baud auto"),
+        (other_parity && !settings.unknown.parity, "--parity auto"),
+        (of_open(&|search| search.protocol != spoken) && !settings.unknown.protocol, "--protocol auto"),
+    ];
+    let missing: Vec<_> = missing.iter().filter(|row| row.0).map(|row| row.1).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let text = both!(
+        "that search has left open what is at other settings, and only {now}, {spoken} is to be asked now",
+        "jene Suche hat offen gelassen, was mit anderen Einstellungen da ist, und jetzt soll nur {now}, {spoken} gefragt werden"
+    );
+    let hint = both!("repeat {missing}", "{missing} wiederholen", missing = missing.join(" "));
+    Err(Failure::new(Class::Usage, "usage.resume", text).hint(hint))
+}
+
+/// Baud rate and parity of a line such as `19200 8E1`; how many bits there are follows from the protocol.
+fn halves(line: &str) -> (&str, Option<char>) {
+    let (baud, form) = line.split_once(' ').unwrap_or((line, ""));
+    (baud, form.chars().nth(1))
 }
 
 /// What was asked of a port before.

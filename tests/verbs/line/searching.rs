@@ -264,6 +264,19 @@ fn who_answers_at_the_end_of_a_time_is_told_as_left_open() {
     antrieb("--lang de -a 1-3 scan --within 500ms").on(&bench).exits(0);
 }
 
+/// What another search has left open at settings that are not sought now is not done.
+#[test]
+fn who_goes_on_seeks_what_was_sought() {
+    let auto = "--baud auto --parity auto --protocol auto";
+    let bench = drives(&[(60, "baud = 2400")]);
+    let begun = antrieb(&format!("{auto} scan --within 5s --json")).on(&bench).run();
+    let before = begun.out.clone();
+    let refused = begun.then("-p sim:{dir}/bench.toml scan --resume {dir}/o.json").file("o.json", &before).exits(2);
+    assert!(refused.err.contains(&format!("repeat {auto}")), "{}", refused.err);
+    let in_part = "-p sim:{dir}/bench.toml --baud auto --protocol auto scan --resume {dir}/o.json";
+    assert!(refused.then(in_part).file("o.json", &before).exits(2).err.contains("repeat --parity auto"));
+}
+
 #[test]
 fn in_a_pipe_every_setting_is_a_line_and_with_ndjson_a_record() {
     let run = |more: &str| antrieb(&format!("--baud auto -a 1-40 {more} scan")).on(&slow_pair());

@@ -448,7 +448,7 @@ fn what_a_map_says_that_cannot_be_shown_right_is_left_out_with_its_line() {
     assert!(told(METER, "--input-as-holding").contains("id = 40, slug = \"voltage-40\""));
     let drive = told(DRIVE, "--own vsd --title 'My drive'");
     assert!(
-        drive.contains("left out, line 10: the key 'scale_register' is not known and may change the value"),
+        drive.contains("left out, line 11: the key 'scale_register' is not known and may change the value"),
         "{drive}"
     );
     assert!(drive.contains("drives = [{ id = \"vsd\", en = \"My drive\""), "{drive}");
