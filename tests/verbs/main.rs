@@ -54,6 +54,7 @@ mod motion {
     mod kept;
     mod keypad;
     mod leftovers;
+    mod moments;
     mod proofs;
     mod question;
     mod refused;

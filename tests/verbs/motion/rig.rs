@@ -29,6 +29,8 @@ pub(super) fn alone(verb: &str, bench: &str) -> Document {
 pub(super) struct Came {
     pub(super) ended: Ended<()>,
     pub(super) notes: Vec<String>,
+    /// What was said while it went on.
+    pub(super) told: Vec<String>,
     /// When the run had ended.
     pub(super) took: Tick,
     pub(super) turning: u64,
@@ -46,8 +48,8 @@ impl Came {
     }
 }
 
-/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out (`+7`: seven turns of the loop after the one before),
-/// and then lets `rest` pass.
+/// Holds a run, presses Ctrl-C whenever one of `presses` has gone out (`+7`: seven turns of the loop after the one before;
+/// `-01 03`: it lets one of them pass), and then lets `rest` pass.
 pub(super) fn held(
     bench: &str,
     presses: &[&str],
@@ -72,16 +74,21 @@ pub(super) fn held_of(
     let registry = Registry::open(&[]).unwrap();
     let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
     let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
-    let (at, heard) = (RefCell::new(Vec::new()), Cell::new(Tick::ZERO));
+    let (at, heard, told) = (RefCell::new(Vec::new()), Cell::new(Tick::ZERO), RefCell::new(Vec::new()));
     let mut left: Vec<&str> = presses.to_vec();
     let yields = |next: &&str| next.strip_prefix('+').and_then(|count| count.parse::<usize>().ok());
     let mut observe = |event: Event| {
+        if let Event::Note(note) = &event {
+            told.borrow_mut().push(note.en.to_string());
+        }
         if let Event::Telegram { at_us, direction: '<', .. } = event {
             heard.set(Tick::ZERO + Span::from_micros(at_us));
         }
         if let Event::Telegram { at_us, direction: '>', hex, .. } = event {
             at.borrow_mut().push(Tick::ZERO + Span::from_micros(at_us));
-            if left.first().is_some_and(|next| hex.starts_with(next)) {
+            if left.first().and_then(|next| next.strip_prefix('-')).is_some_and(|next| hex.starts_with(next)) {
+                left.remove(0);
+            } else if left.first().is_some_and(|next| hex.starts_with(next)) {
                 left.remove(0);
                 signals.press();
                 // Once more, so many turns of the loop later, whatever is under way then.
@@ -121,8 +128,8 @@ pub(super) fn held_of(
     });
     let totals = session.bench().map(|bench: &mut Bench| bench.totals()).unwrap();
     drop(session);
-    let (sent, at, heard) = (sent.into_inner(), at.into_inner(), heard.get());
-    Came { ended, notes, took, turning: totals.turning, energised: totals.energised, sent, at, heard }
+    let (sent, at, heard, told) = (sent.into_inner(), at.into_inner(), heard.get(), told.into_inner());
+    Came { ended, notes, told, took, turning: totals.turning, energised: totals.energised, sent, at, heard }
 }
 
 pub(super) const READY: &str = "\"412\" = 1, \"434\" = 2, \"418\" = 0";
