@@ -271,6 +271,12 @@ impl<'r> Rehearsal<'r> {
         }
     }
 
+    /// The same run on another drive, behind this one.
+    pub(super) fn then(mut self, other: Self) -> Self {
+        self.plan.telegrams.extend(other.plan.telegrams);
+        self
+    }
+
     pub(super) fn told(self) -> Outcome {
         Outcome::of(Data::Plan(self.plan))
     }

@@ -6,7 +6,7 @@ use crate::drive::motion::{
     FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
     watchdog_words,
 };
-use crate::drive::{Session, Target, describe};
+use crate::drive::{Interrupt, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
 use crate::outcome::{Decimal, Event, Outcome, RunKeys};
@@ -16,10 +16,12 @@ use crate::text::{Text, both};
 mod done;
 mod keypad;
 mod report;
+mod several;
 mod verdict;
 
 use done::Seen;
 use report::{aftermath, report};
+pub(super) use several::stop_each;
 
 /// The modes of a family in which something is meant.
 pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
@@ -84,6 +86,11 @@ impl<'p> Plan<'p> {
         !(before.obeys(family) || self.args.take_control && self.needs_control || self.action == "contacts")
     }
 
+    /// What goes out before anything is asked, whatever else somebody must agree to.
+    fn goes_first(&self) -> Option<Relief> {
+        self.relief.or(self.aim).or(self.zero.map(|_| Relief::Zero))
+    }
+
     fn choice(&self) -> StopChoice {
         self.relief.map_or_else(|| choice(self.args.on_exit), StopChoice::beyond)
     }
@@ -103,6 +110,10 @@ pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
         _ => Err(usage(both!(
             "expected the address of one drive, got several; motion is one drive at a time",
             "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
+        ))
+        .hint(both!(
+            "`statemachine quick-stop`, `disable` and `disable-voltage` stop several",
+            "`statemachine quick-stop`, `disable` und `disable-voltage` halten mehrere an"
         ))),
     }
 }
@@ -141,39 +152,70 @@ pub(super) async fn run<'p, C>(
     let address = single_address(context)?;
     let Context { settings, registry, interrupt, observe, ask } = context;
     keypad::is_there(plan.args, interrupt.panel())?;
-    let act = plan.relief;
     // Whatever else somebody must agree to, a command that stops goes out before.
-    let goes_first = act.or(plan.aim).or(plan.zero.map(|_| Relief::Zero));
+    let goes_first = plan.goes_first();
     if goes_first.is_some() {
         // A stop goes out and is proven whether or not somebody reads what comes of it.
         interrupt.hear_only_keys();
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let first_word = match goes_first {
-        Some(act) => relieve_first(&mut session, settings, registry, address, act, &mut plan).await?,
+        Some(act) => {
+            let (said, first_word) = stop_first(&mut session, settings, registry, address, act, plan.zero).await?;
+            plan.said = said;
+            first_word
+        }
         None => FirstWord::default(),
     };
+    let mut around = Around { settings, registry, interrupt, ask: *ask };
+    on_drive(&mut session, &mut around, (address, first_word), plan, check, work).await
+}
+
+/// What a run on an open line needs besides.
+struct Around<'w> {
+    settings: &'w Settings,
+    registry: &'w Registry,
+    interrupt: &'w Interrupt,
+    ask: &'w mut dyn Ask,
+}
+
+/// A run on one drive of an open line, behind the first word that takes motion away, if there is one.
+async fn on_drive<'p, C>(
+    session: &mut Session<'_>,
+    around: &mut Around<'_>,
+    (address, first_word): (u8, FirstWord),
+    mut plan: Plan<'p>,
+    check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
+    work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
+) -> Result<Outcome, Failure> {
+    let Around { settings, registry, interrupt, ask } = around;
+    let (act, goes_first) = (plan.relief, plan.goes_first());
+    if goes_first.is_some() {
+        // From now on the end of the proof counts.
+        session.insist(true);
+        session.end_at(Some(session.now() + PROOF));
+    }
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
-    let mut target = target(&mut session, settings, registry, address, false).await.map_err(unstopped)?;
+    let mut target = target(session, settings, registry, address, false).await.map_err(unstopped)?;
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
-    let before = first_look(&mut session, &mut target, act).await.map_err(unstopped)?;
+    let before = first_look(session, &mut target, act).await.map_err(unstopped)?;
     let blind = Situation::default();
-    let checked = check(&mut session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
+    let checked = check(session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
     let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
-        None => agreed(&mut session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
+        None => agreed(session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
             .await
             .map_err(|failure| if plan.said { but_said(unstopped(failure)) } else { failure })?,
     };
     if plan.args.hold {
         session.pace();
     }
-    let (watched, before) = keypad::open(&mut session, &mut target, &plan, interrupt.panel(), before).await?;
+    let (watched, before) = keypad::open(session, &mut target, &plan, interrupt.panel(), before).await?;
     let family = target.family.clone();
-    let mut motor = Motor::new(&mut session, &mut target, &permit, plan.args.wait);
+    let mut motor = Motor::new(session, &mut target, &permit, plan.args.wait);
     if let Some(before) = &before {
         motor.controls(before);
     }
@@ -190,22 +232,6 @@ pub(super) async fn run<'p, C>(
     keypad::close(&mut motor, &mut ended, &plan, interrupt).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
     Ok(report(&plan, &target, seen, done, ended))
-}
-
-/// What can only take motion away goes out before anything is asked; from then on the end of the proof counts.
-async fn relieve_first(
-    session: &mut Session<'_>,
-    settings: &Settings,
-    registry: &Registry,
-    address: u8,
-    act: Relief,
-    plan: &mut Plan<'_>,
-) -> Result<FirstWord, Failure> {
-    let (said, first_word) = stop_first(session, settings, registry, address, act, plan.zero).await?;
-    plan.said = said;
-    session.insist(true);
-    session.end_at(Some(session.now() + PROOF));
-    Ok(first_word)
 }
 
 /// Nobody agreed to the rest.

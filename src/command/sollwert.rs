@@ -81,13 +81,13 @@ pub struct Args {
 
     /// Lead the setpoint, such as 0Hz:50Hz:20s
     ///
-    /// On a straight line: FROM:TO:TIME.
+    /// On a straight line: FROM:TO:TIME. Its last setpoint is held until --duration is over, or until Ctrl-C.
     #[arg(long, value_name = "FROM:TO:TIME", allow_hyphen_values = true, value_parser = below_zero::word, conflicts_with_all = ["value", "profile"])]
     pub ramp: Option<String>,
 
     /// Lead the setpoint by lines such as `5s, 25Hz`
     ///
-    /// TIME, SETPOINT: at this time this setpoint.
+    /// TIME, SETPOINT: at this time this setpoint. The last one is held until --duration is over, or until Ctrl-C.
     #[arg(long, value_name = "FILE", conflicts_with = "value", hide_short_help = true)]
     pub profile: Option<PathBuf>,
 

@@ -1,6 +1,7 @@
 //! `statemachine`: in which state is the drive, and walking it safely through its states.
 
 mod contacts;
+mod several;
 
 use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
@@ -22,7 +23,7 @@ use clap::{Args as ClapArgs, Subcommand};
 ///
 /// `show` (the default) reads only: the state, status and control word bit by bit, who controls the drive, what is
 /// missing to run, and where each state leads. `disable`, `disable-voltage` and `quick-stop` only take motion away and act
-/// at once; everything else can turn the shaft and asks first. An ACTIVE obeys the
+/// at once, on several drives too (-a 1-5); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
@@ -104,7 +105,7 @@ impl Verb for Args {
         "antrieb --port sim -a 1 statemachine switch-on --take-control --dry-run",
         "antrieb -p sim -a 1 state enable --hold --duration 5s --take-control --yes",
         "antrieb --port sim -a 1 statemachine quick-stop --dry-run",
-        "antrieb --port sim -a 1 statemachine disable --dry-run",
+        "antrieb --port sim -a 1,2 statemachine disable --dry-run",
         "antrieb --port sim -a 1 statemachine disable-voltage --dry-run",
         "antrieb --port sim -a 1 statemachine reset --dry-run",
         "antrieb -p sim -a 1 statemachine goto switched-on --take-control --dry-run",
@@ -155,6 +156,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let unheld = aim.map(|_| motion.of_a_stop());
     let bounds = motion.hold.then(no_run).filter(|_| aim.is_some());
     let motion = unheld.as_ref().unwrap_or(motion);
+    if let (Some(act), Some(addresses)) = (aim, several::addresses(context.settings)) {
+        return several::stop(context, &addresses, act, (slug, command.text(), motion)).await;
+    }
     let relief = aim.filter(|_| Plan::only_relieves(motion, true));
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, aim.map(|_| slug), |told| match slug {
@@ -286,14 +290,26 @@ fn dry_run(
     way: impl FnOnce(&mut Rehearsal<'_>),
 ) -> Result<Outcome, Failure> {
     let address = running::single_address(context)?;
+    Ok(rehearse(context.settings, family, address, motion, needs_control, stops, way)?.told())
+}
+
+fn rehearse<'r>(
+    settings: &Settings,
+    family: &'r Family,
+    address: u8,
+    motion: &MotionArgs,
+    needs_control: bool,
+    stops: Option<&str>,
+    way: impl FnOnce(&mut Rehearsal<'_>),
+) -> Result<Rehearsal<'r>, Failure> {
     let mut told = match stops {
-        Some(slug) => Rehearsal::stopping(context.settings, family, address, slug),
-        None => Rehearsal::new(context.settings, family, address),
+        Some(slug) => Rehearsal::stopping(settings, family, address, slug),
+        None => Rehearsal::new(settings, family, address),
     };
     told.bounds(motion, needs_control)?;
     way(&mut told);
     told.end(motion, None);
-    Ok(told.told())
+    Ok(told)
 }
 
 async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {

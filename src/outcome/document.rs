@@ -1,6 +1,6 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
-use super::{ErrorDoc, LineCheck, Load, Motion, Plan, Read, Record, Warning, Write};
+use super::{ErrorDoc, LineCheck, Load, Motion, Plan, Read, Record, Stops, Warning, Write};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -70,6 +70,8 @@ pub enum OrMotion<D> {
     Found(D),
     /// What the shaft did.
     Motion(Box<Motion>),
+    /// What the shafts of several drives did.
+    Stops(Stops),
     /// What would be sent.
     Plan(Plan),
 }

@@ -23,7 +23,9 @@ pub use found::{
 };
 pub use import::{Export, Import, ImportColumn, ImportRow, ListOr, RowLeftOut};
 pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
-pub use motion::{Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop};
+pub use motion::{
+    Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop, Stopped, Stops,
+};
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
@@ -67,7 +69,7 @@ impl Outcome {
 impl Outcome {
     /// Whether it tells of a run that could turn a shaft.
     pub fn is_run(&self) -> bool {
-        matches!(self.data, Some(Data::Motion(_)))
+        matches!(self.data, Some(Data::Motion(_) | Data::Stops(_)))
     }
 }
 
@@ -150,6 +152,8 @@ pub enum Data {
     Plan(Plan),
     /// `statemachine enable`, `sollwert 25Hz` …
     Motion(Motion),
+    /// `statemachine quick-stop` of several drives
+    Stops(Stops),
     /// `protocol set`, `line set`
     Relocation(Relocation),
 }

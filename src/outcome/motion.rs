@@ -56,6 +56,24 @@ impl Motion {
     }
 }
 
+/// A stop of several drives.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Stops {
+    /// One entry a drive, in the order that was typed.
+    pub drives: Vec<Stopped>,
+}
+
+/// What became of the stop of a drive among several.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Stopped {
+    /// Address of the drive.
+    pub address: u8,
+    /// What the shaft did; null where nothing could be asked.
+    pub motion: Option<Motion>,
+    /// Why it is not proven that it stands.
+    pub error: Option<ErrorDoc>,
+}
+
 /// A transition that was walked.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Step {

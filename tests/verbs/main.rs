@@ -61,6 +61,7 @@ mod motion {
     mod relief;
     mod rig;
     mod runs;
+    mod several;
     mod shown;
     mod stopping;
     mod stops;

@@ -73,6 +73,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Monitor(found) => found,
         Data::Plan(found) => found,
         Data::Motion(found) => found,
+        Data::Stops(found) => found,
         Data::Relocation(found) => found,
     }
 }

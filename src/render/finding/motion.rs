@@ -2,7 +2,8 @@
 
 use super::page::{Page, shown};
 use super::{Finding, Row, list};
-use crate::outcome::{Motion, Setpoint, State};
+use crate::outcome::{Motion, Setpoint, State, Stopped, Stops};
+use crate::render::clean;
 
 impl Finding for Motion {
     fn table(&self, page: Page) -> String {
@@ -14,7 +15,27 @@ impl Finding for Motion {
     }
 }
 
+impl Finding for Stops {
+    fn table(&self, page: Page) -> String {
+        page.each(&self.drives, Page::stopped)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("motion", &self.drives)
+    }
+}
+
 impl Page {
+    fn stopped(self, drive: &Stopped) -> String {
+        let text = match &drive.motion {
+            Some(motion) => self.motion(motion),
+            None => self.heading(drive.address, "unknown"),
+        };
+        let error =
+            drive.error.as_ref().map_or_else(String::new, |error| format!("{}\n", clean(error.message.get(self.lang))));
+        text + &error
+    }
+
     fn motion(self, motion: &Motion) -> String {
         let mut text = self.heading(motion.address, &motion.drive);
         let state = |state: &Option<State>| {

@@ -1,0 +1,45 @@
+//! `-a 1-5 statemachine quick-stop`: what only takes motion away, of several drives.
+
+use super::rehearse;
+use crate::args::{Addresses, MotionArgs, Settings};
+use crate::command::rehearse::Rehearsal;
+use crate::command::running::{self, Plan};
+use crate::command::{Context, offline_family};
+use crate::failure::Failure;
+use crate::gate::Relief;
+use crate::outcome::Outcome;
+use crate::text::Text;
+
+/// The drives, where several were named.
+pub(super) fn addresses(settings: &Settings) -> Option<Vec<u8>> {
+    match &settings.addresses {
+        Addresses::Named(list) if list.len() > 1 => Some(list.clone()),
+        _ => None,
+    }
+}
+
+/// Stops them. What somebody would have to agree to is one drive's, and everybody is none.
+pub(super) async fn stop(
+    context: &mut Context<'_>,
+    addresses: &[u8],
+    act: Relief,
+    (slug, announce, motion): (&'static str, Text, &MotionArgs),
+) -> Result<Outcome, Failure> {
+    if !Plan::only_relieves(motion, true) || addresses.contains(&0) {
+        running::single_address(context)?;
+    }
+    if !context.settings.dry_run {
+        let plan = || Plan { aim: Some(act), relief: Some(act), ..Plan::of(slug, announce.clone(), motion) };
+        return running::stop_each(context, addresses, act, plan).await;
+    }
+    let family = offline_family(context.settings, context.registry)?;
+    let mut told: Option<Rehearsal<'_>> = None;
+    for &address in addresses {
+        let next = rehearse(context.settings, &family, address, motion, true, Some(slug), |told| told.command(slug))?;
+        told = Some(match told {
+            None => next,
+            Some(told) => told.then(next),
+        });
+    }
+    Ok(told.map(Rehearsal::told).unwrap_or_default())
+}

@@ -1,0 +1,72 @@
+//! One call stops several drives: each hears the stop before any of them is looked at.
+
+use super::rig::RUNNING;
+use crate::run::antrieb;
+use antrieb::tick::Span;
+use antrieb::transport::witness;
+
+/// Three that run, the one at 3 with `rest` besides.
+fn line(rest: &str) -> String {
+    let drive = |address: u8, model: &str, rest: &str| {
+        format!(
+            "[[drive]]\nmodel = \"{model}\"\naddress = {address}\nbaud = 19200\nset = {{ {RUNNING} }}\nreply_delay = \"2ms\"\n{rest}\n"
+        )
+    };
+    [drive(1, "act", ""), drive(2, "acu", ""), drive(3, "acu", rest)].concat()
+}
+
+/// How many shafts turn when everything has come to an end.
+fn turning() -> u64 {
+    let (mut bench, at) = witness::left().unwrap();
+    bench.advance(at + Span::from_secs(60));
+    bench.totals().turning
+}
+
+#[test]
+fn every_drive_hears_the_stop_before_one_is_looked_at() {
+    for verb in ["quick-stop", "disable", "disable-voltage"] {
+        let run = antrieb(&format!("-v -a 1-3 statemachine {verb}")).on(&line("")).run();
+        assert_eq!((turning(), run.err.contains("MOTION")), (0, false), "{verb}: {}", run.err);
+        // Code 6 writes P.410; what asks for the state comes behind the last of them.
+        let sent = run.sent();
+        let first = |address: u8| sent.iter().position(|hex| hex.starts_with(&format!("0{address} 06 01 9A"))).unwrap();
+        let looks = sent.iter().position(|hex| hex.contains(" 03 01 9B ")).unwrap();
+        assert!((1..=3).all(|address| first(address) < looks), "{verb}: {sent:?}");
+        // Whose turn comes late has lost its power by then, and shows no standstill any more; who takes the voltage wants none.
+        let proven = if verb == "disable-voltage" { 0 } else { 9 };
+        assert_eq!(run.exit, proven, "{verb}: {}", run.err);
+        assert!((1..=3).all(|address| run.page().contains(&format!("drive {address} ("))), "{}", run.page());
+    }
+}
+
+#[test]
+fn who_does_not_hear_is_named_and_the_others_stand() {
+    let bench = line("[[drive.event]]\nat = \"0s\"\nsilent = \"2min\"\n");
+    let came = antrieb("-a 1-3 statemachine disable-voltage").on(&bench).json().exits(9);
+    assert!([0, 1].iter().all(|at| came.data(&format!("/drives/{at}/motion/running")) == false));
+    assert_eq!(came.data("/drives/2/address"), 3);
+    assert!(came.data("/drives/2/motion").is_null() && came.data("/drives/2/error/code").is_string());
+    let told = came.error()["message"].as_str().unwrap();
+    assert!(told.starts_with("address 3: THE SHAFT MAY STILL TURN"), "{told}");
+    assert_eq!(came.error()["context"]["addresses"], "3");
+    assert_eq!(turning(), 1);
+}
+
+#[test]
+fn what_asks_and_everybody_are_one_drive_s() {
+    for more in ["quick-stop --take-control", "disable --watchdog 2s", "enable", "goto switched-on"] {
+        let run = antrieb(&format!("-a 1-3 statemachine {more} --yes")).on(&line("")).exits(2);
+        assert!(run.sent().is_empty() && run.err.contains("`statemachine quick-stop`"), "{}", run.err);
+    }
+    antrieb("-a 0,1 statemachine quick-stop").on(&line("")).exits(2);
+}
+
+#[test]
+fn a_dry_run_tells_the_telegrams_to_each() {
+    let run = antrieb("-a 1,2 --drive acu statemachine quick-stop --dry-run").json();
+    let told = run.data("/telegrams").as_array().unwrap();
+    let to = |address: u8| {
+        told.iter().filter(|row| row["hex"].as_str().unwrap().starts_with(&format!("0{address} "))).count()
+    };
+    assert!(to(1) > 1 && to(1) == to(2), "{told:?}");
+}
