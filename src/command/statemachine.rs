@@ -159,7 +159,6 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if let (Some(act), Some(addresses)) = (aim, several::addresses(context.settings)) {
         return several::stop(context, &addresses, act, (slug, command.text(), motion)).await;
     }
-    let relief = aim.filter(|_| Plan::only_relieves(motion, true));
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, aim.map(|_| slug), |told| match slug {
             "enable" => told.walk("operation-enabled"),
@@ -167,7 +166,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             slug => told.command(slug),
         });
     }
+    let relief = aim.filter(|_| Plan::only_relieves(motion, true));
     let plan = Plan { aim, relief, runs: slug == "enable", ..Plan::of(slug, command.text(), motion) };
+    commanded(context, plan, bounds).await
+}
+
+/// Gives one command. `bounds`: what was typed and changes nothing.
+async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Text>) -> Result<Outcome, Failure> {
+    let (slug, motion) = (plan.action, plan.args);
     running::run(
         context,
         plan,

@@ -1,6 +1,7 @@
 //! How a line is opened: what with where nobody says otherwise, at which port, and whether it is recorded.
 
 use super::trouble;
+use crate::exchange::Limits;
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::Event;
@@ -11,6 +12,11 @@ use crate::text::both;
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Trace, list_ports};
 use std::path::Path;
+
+/// A gateway waits for its stations itself and then says so; many wait for a second or more.
+const GATEWAY_PATIENCE: Span = Span::from_secs(3);
+/// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
+const GATEWAY_REPEATS: u8 = 0;
 
 /// How to open a line.
 #[derive(Debug)]
@@ -43,6 +49,17 @@ pub struct Recording<'a> {
 }
 
 impl<'a> Opening<'a> {
+    /// How long and how often a question is asked on it.
+    pub(super) fn limits(&self) -> Limits {
+        let usual = Limits::default();
+        let (patience, repeats) = match self.protocol == Framing::Tcp.into() {
+            true => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
+            false => (usual.reply_timeout, usual.retries),
+        };
+        let (reply_timeout, retries) = (self.timeout.unwrap_or(patience), self.retries.unwrap_or(repeats));
+        Limits { reply_timeout, retries, ..usual }
+    }
+
     /// A line as drives of the ACTIVE family speak on it from the factory: Modbus RTU, 19200 baud, even parity (CM-485
     /// manual 5). What is another way is put in its place: `Opening { retries: Some(0), ..Opening::at(&port) }`.
     pub fn at(port: &'a Port) -> Self {

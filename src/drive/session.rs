@@ -15,18 +15,12 @@ use crate::outcome::Event;
 use crate::profile::{Family, Registry};
 use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
-use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::simulator::Bench;
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, Port, Wake};
 use std::rc::Rc;
-
-/// A gateway waits for its stations itself and then says so; many wait for a second or more.
-const GATEWAY_PATIENCE: Span = Span::from_secs(3);
-/// TCP loses nothing, and a gateway says itself when a station is silent: one that says nothing is asked once.
-const GATEWAY_REPEATS: u8 = 0;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
 const SOUNDINGS: u8 = 2;
@@ -74,14 +68,8 @@ impl<'a> Session<'a> {
         interrupt: Interrupt,
         observe: &'a mut dyn FnMut(Event),
     ) -> Result<Self, Failure> {
-        let Opening { port, line, rs485, protocol, timeout, retries, trace, verbose } = opening;
-        let usual = Limits::default();
-        let (patience, repeats) = match protocol == Framing::Tcp.into() {
-            true => (GATEWAY_PATIENCE, GATEWAY_REPEATS),
-            false => (usual.reply_timeout, usual.retries),
-        };
-        let limits =
-            Limits { reply_timeout: timeout.unwrap_or(patience), retries: retries.unwrap_or(repeats), ..usual };
+        let limits = opening.limits();
+        let Opening { port, line, rs485, protocol, trace, verbose, .. } = opening;
         let mut link = match port {
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
             port => tokio::select! {

@@ -98,6 +98,7 @@ impl Watched {
         let of = |item: &Item| item.columns(family).into_iter().next().map(|column| (item.param().clone(), column));
         let rows = items.iter().filter_map(of);
         let rows: Vec<_> = rows.map(|(param, column)| Row { param, column, value: None, refused: false }).collect();
+        let columns = rows.iter().map(|row| row.column.clone()).collect();
         let t = Decimal { raw: 0, decimals: 6 };
         let start = StreamStart {
             t,
@@ -109,12 +110,7 @@ impl Watched {
             line: session.line().to_string(),
             protocol: session.protocol().name(),
             interval: seconds(EVERY),
-            drives: vec![WatchedDrive {
-                address: target.address,
-                drive: family.drive.clone(),
-                title: Some(family.title.clone()),
-                columns: rows.iter().map(|row| row.column.clone()).collect(),
-            }],
+            drives: vec![Self::drive(target, columns)],
         };
         session.tell(Event::Record(Box::new(Record::Start(start))));
         let news = RunNews {
@@ -145,6 +141,11 @@ impl Watched {
         };
         shown.changes(session);
         shown
+    }
+
+    fn drive(target: &Target, columns: Vec<Column>) -> WatchedDrive {
+        let Target { address, family, .. } = target;
+        WatchedDrive { address: *address, drive: family.drive.clone(), title: Some(family.title.clone()), columns }
     }
 
     /// From now on it is on its way to being held.
