@@ -54,8 +54,10 @@ mod motion {
     mod held;
     mod kept;
     mod keypad;
+    mod last_words;
     mod leftovers;
     mod moments;
+    mod narrow;
     mod proofs;
     mod question;
     mod refused;

@@ -271,10 +271,9 @@ impl<'a, 's> Motor<'a, 's> {
         self.session.insist(false);
         let gives_back = self.relieving.is_none() && self.may_give_back(stop.as_ref());
         self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });
-        let answers = stop.as_ref().is_none_or(|stop| stop.state.is_some());
         let result = match result {
-            Err(failure) if answers => Err(self.explained(failure).await),
-            result => result,
+            Err(failure) => Err(self.explained(failure).await),
+            done => done,
         };
         self.session.believe_since(None);
         if hold || result.is_err() {

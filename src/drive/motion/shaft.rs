@@ -109,9 +109,9 @@ impl Watch {
             return false;
         }
         let places: Vec<i128> = self.looks.iter().map(|look| i128::from(look.1)).collect();
-        let steps: Vec<i128> = places.windows(2).filter_map(|pair| Some(pair.get(1)? - pair.first()?)).collect();
-        let turns = steps.iter().filter(|step| **step != 0).collect::<Vec<_>>();
-        let turns = turns.windows(2).filter(|pair| pair.first() > Some(&&0) && pair.get(1) < Some(&&0)).count();
+        let ways = places.windows(2).filter_map(|pair| Some((pair.get(1)? - pair.first()?).signum()));
+        let ways: Vec<i128> = ways.filter(|&way| way != 0).collect();
+        let turns = ways.windows(2).filter(|pair| **pair == [1, -1]).count();
         let (early, late) = places.split_at(places.len() / 2);
         let mean = |places: &[i128]| places.iter().sum::<i128>() * 16 / (places.len().max(1) as i128);
         let width = |places: &[i128]| places.iter().max().zip(places.iter().min()).map_or(0, |(max, min)| max - min);
@@ -181,6 +181,19 @@ mod tests {
             swing.wavers()
         });
         assert!(!swings);
+    }
+
+    #[test]
+    fn a_dozen_places_tell_that_a_shaft_wavers_and_how_far_it_may_move_meanwhile() {
+        // To and fro by 3, and between the halves on by so much: a third of that is still the same place.
+        for (moved, stands) in [(0, true), (1, true), (-1, true), (2, false), (-2, false)] {
+            let places: Vec<i64> = (0..12).map(|look| look % 2 * 3 + if look < 6 { 0 } else { moved }).collect();
+            assert_eq!(looks(Movement::Position, &places).1, stands, "{moved}");
+            assert!(!looks(Movement::Position, &places[1..]).1, "{moved}: eleven are too few");
+        }
+        // With a rest between to and fro, which is no turn of its own.
+        let rests = [0, 3, 3, 0, 0, 3, 3, 0, 0, 3, 3, 0, 3, 0];
+        assert!(looks(Movement::Position, &rests).1);
     }
 
     #[test]

@@ -338,10 +338,8 @@ impl Motor<'_, '_> {
             let retries = self.session.set_retries(0);
             let status = status_word(self.session, self.target).await;
             self.session.set_retries(retries);
-            match status {
-                Ok(status) => self.sees_status(status),
-                Err(failure) if failure.class == Class::Port => return,
-                Err(_) => {}
+            if let Ok(status) = status {
+                self.sees_status(status);
             }
             if self.spend(EVERY, None).await.is_err() {
                 return;

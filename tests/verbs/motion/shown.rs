@@ -83,3 +83,49 @@ fn behind_a_run_that_came_to_its_end_the_view_stays_until_no_key_repeats() {
     assert!((900..1_900).contains(&stays), "{stays}");
     assert_eq!((quiet.failure.is_some(), pressed.failure.is_some()), (false, false));
 }
+
+/// For how long no value came of the parameter that was left waiting the longest while the run was held, and for how long no
+/// look at the state; in milliseconds.
+fn waited(seen: &Seen) -> (i64, i64) {
+    let (held, stopping) = (since(seen, "held"), since(seen, "stopping"));
+    let inside: Vec<_> = seen.samples.iter().filter(|sample| (held..stopping).contains(&sample.t.raw)).collect();
+    let mut times: BTreeMap<u32, Vec<i64>> = seen.columns.iter().map(|&param| (param, vec![held])).collect();
+    for value in inside.iter().flat_map(|sample| &sample.values) {
+        times.entry(value.value.param).or_default().push(value.t.raw);
+    }
+    times.values_mut().for_each(|times| times.push(stopping));
+    let longest = |times: &[i64]| times.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap() / 1_000;
+    let looks: Vec<i64> = inside.iter().map(|sample| sample.t.raw).collect();
+    (times.values().map(|times| longest(times)).max().unwrap(), longest(&looks))
+}
+
+/// One answer is lost: of the view, then it asks nothing for 5 s; or of the run, then the view goes on behind it.
+#[test]
+fn a_lost_answer_keeps_the_view_from_asking_only_where_it_was_its_own() {
+    let (model, keys, line) = DRIVES[1];
+    let (mut own, mut others) = (0, 0);
+    for once in 60..84 {
+        let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"lost\"");
+        let (value, look) = waited(&run((model, &keys, line), "--view --duration 8s", &mut |_, _, _| {}));
+        // What the run asks itself is waited for, and asked again.
+        if look > 700 {
+            others += 1;
+            assert!(value < 2_000, "{once}: {value} {look}");
+        } else {
+            own += 1;
+            assert!((4_900..7_500).contains(&value), "{once}: {value} {look}");
+        }
+    }
+    assert!(own > 10 && others > 4, "{own} {others}");
+}
+
+/// Not all of it fits into one pause: it takes turns, and asks nothing that would be cut off.
+#[test]
+fn on_a_slow_line_the_values_of_a_run_take_turns() {
+    let (model, keys, line) = DRIVES[1];
+    for delay in [20, 40] {
+        let keys = format!("{keys}\nreply_delay = \"{delay}ms\"");
+        let (value, look) = waited(&run((model, &keys, line), "--view --duration 12s", &mut |_, _, _| {}));
+        assert!(value < 2_000 && look < 500, "{delay}: {value} {look}");
+    }
+}
