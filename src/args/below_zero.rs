@@ -7,7 +7,7 @@ use std::convert::Infallible;
 use std::ffi::OsString;
 
 /// The minus sign of typesetting; values that were pasted have it anyway.
-const SIGN: char = '−';
+pub const SIGN: char = '−';
 
 /// The words as clap can read them, if a command of this tree takes values below zero: one with an argument without a name
 /// that allows negative numbers.

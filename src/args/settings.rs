@@ -182,6 +182,11 @@ impl Settings {
         matches!(self.format, Format::Json | Format::Csv)
     }
 
+    /// Whether the output is one JSON document.
+    pub fn is_json(&self) -> bool {
+        self.format == Format::Json
+    }
+
     /// Refuses what only a search can do: several ports at once, and settings that are to be found out.
     pub fn check_one_line(&self) -> Result<(), Failure> {
         if self.ports.len() > 1 {

@@ -11,12 +11,12 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
-use crate::command::{Context, Entry, Flow, Typed, keeper, recording};
+use crate::command::{Context, Entry, Flow, Typed, keeper};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
-use crate::render::{self, Console, Format, Keep, Manner, Patience, Place, Stream, Streams, Terminal, View};
+use crate::render::{self, Console, Format, Keep, Manner, Patience, Stream, Streams, Terminal, View};
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
@@ -41,9 +41,13 @@ const UNTAKEN_BY_WISH: Duration = Duration::from_secs(2);
 pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
     let Streams { mut out, queued, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width, patience } =
         streams;
+    let helped = typed::helped(arguments);
+    let arguments = helped.as_deref().unwrap_or(arguments);
     let (globals, what) = match typed::parse(arguments) {
         Ok(typed::Line { globals, what }) => (globals, what),
-        Err(error) => return unfit::explain(&error, arguments, environment, out.as_mut(), err),
+        Err(error) => {
+            return unfit::explain(&error, arguments, environment, out.as_mut(), (err, err_is_terminal, width));
+        }
     };
     let resolve =
         if matches!(&what, What::Work(entry, _) if entry.of_plant) { settings_of_plant } else { Settings::resolve };
@@ -51,7 +55,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
     let quiet = globals.quiet;
     let progress = !quiet && !globals.no_progress;
-    let console = Console::new(err, lang, quiet, err_is_terminal && progress).told_by_lines(progress);
+    let console = Console::new(err, lang, quiet, err_is_terminal && progress)
+        .told_by_lines(progress)
+        .wrapped(err_is_terminal, width);
     let (entry, verb) = match what {
         What::Work(entry, verb) => (entry, verb),
         What::Print(page, matches) => return print(page, &matches, (&globals, environment), out.as_mut(), &console),
@@ -89,9 +95,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             stream.into_inner().close();
             whole(outcome, entry, format, manner, out.as_mut(), &console)
         }
-        Some(view) => kept(flow.as_ref())
+        Some(view) => kept(flow)
             .and_then(|keep| Ok(Stream::open(view, out.as_mut(), manner, &console)?.beside(keep)))
-            .map(|stream| stream.recorded(recorded(flow, format, globals.force)))
             .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
     };
     match printed {
@@ -261,26 +266,11 @@ fn fits(format: Format, flow: Option<&Flow>) -> Option<Failure> {
 }
 
 /// The file that a stream keeps beside it.
-fn kept(flow: Option<&Flow>) -> io::Result<Option<Keep>> {
+fn kept(flow: Option<Flow>) -> io::Result<Option<Keep>> {
     match flow {
-        Some(Flow::Samples { textfile: Some(path), .. }) => {
-            keeper(path.clone()).map(|keep| Some(Box::new(keep) as Keep))
-        }
+        Some(Flow::Samples { textfile: Some(path), .. }) => keeper(path).map(|keep| Some(Box::new(keep) as Keep)),
         _ => Ok(None),
     }
-}
-
-/// The file that keeps a stream, and in which form.
-fn recorded(flow: Option<Flow>, format: Format, force: bool) -> Option<(View, Place)> {
-    let Some(Flow::Samples { record: Some(path), .. }) = flow else { return None };
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    let view = match ending.as_deref() {
-        Some("csv") => View::Csv,
-        Some("ndjson") => View::Ndjson,
-        _ if format == Format::Csv => View::Csv,
-        _ => View::Ndjson,
-    };
-    Some((view, Box::new(move || Ok(Box::new(recording(&path, force)?) as Box<dyn Write>))))
 }
 
 /// Whether colours may go to stdout: `--color` before NO_COLOR (no-color.org), CLICOLOR and TERM.

@@ -52,7 +52,8 @@ impl Subcommand for What {
     }
 
     fn has_subcommand(name: &str) -> bool {
-        VERBS.iter().any(|verb| verb.name == name) || PRINTED.iter().any(|printed| printed.name == name)
+        VERBS.iter().any(|verb| verb.name == name || verb.alias == Some(name))
+            || PRINTED.iter().any(|printed| printed.name == name)
     }
 }
 
@@ -131,6 +132,21 @@ pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
     read(mentioned).or_else(|_| read(told()))
 }
 
+/// `antrieb help scan` is `antrieb scan --help`, and `antrieb help` is `antrieb --help`.
+pub(super) fn helped(arguments: &[OsString]) -> Option<Vec<OsString>> {
+    let at = arguments.iter().skip(1).position(|word| word == "help")? + 1;
+    let (before, behind) = arguments.split_at_checked(at)?;
+    let is_verb = |word: &OsString| word.to_str().is_some_and(What::has_subcommand);
+    let options = before.iter().skip(1);
+    if options.clone().any(is_verb)
+        || options.clone().next().is_some_and(|word| !word.to_string_lossy().starts_with('-'))
+    {
+        return None;
+    }
+    let words = before.iter().chain(behind.iter().skip(1)).cloned();
+    Some(words.chain(["--help".into()]).collect())
+}
+
 /// The tree with only those verbs that stand among the arguments; enough to read them, but not to explain anything.
 pub(super) fn mentioned(arguments: &[OsString]) -> clap::Command {
     let stands = |name: &str| arguments.iter().any(|word| word == name);
@@ -158,6 +174,21 @@ mod tests {
             let [few, all] = [mentioned(&words), whole()].map(|tree| tree.try_get_matches_from(&words));
             let [few, all] = [few, all].map(|matches| Line::from_arg_matches(&matches.unwrap()).unwrap());
             assert_eq!(format!("{few:?}"), format!("{all:?}"), "{typed}");
+        }
+    }
+
+    #[test]
+    fn help_is_a_word_as_well() {
+        let words = |line: &str| line.split(' ').map(OsString::from).collect::<Vec<_>>();
+        for (typed, meant) in [
+            ("antrieb help", "antrieb --help"),
+            ("antrieb help scan", "antrieb scan --help"),
+            ("antrieb --lang de help decode fault", "antrieb --lang de decode fault --help"),
+        ] {
+            assert_eq!(helped(&words(typed)), Some(words(meant)), "{typed}");
+        }
+        for other in ["antrieb params search help", "antrieb scan", "antrieb state help"] {
+            assert_eq!(helped(&words(other)), None, "{other}");
         }
     }
 

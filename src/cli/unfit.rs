@@ -2,11 +2,12 @@
 
 use super::closed;
 use super::typed::whole;
+use crate::args::below_zero::SIGN;
 use crate::args::{Environment, Useless, language};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
-use crate::text::{Text, Wrong, both};
+use crate::text::{Lang, Text, Wrong, both};
 use clap::error::{ContextKind as Told, ContextValue, ErrorKind};
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -18,17 +19,23 @@ pub(super) fn explain(
     arguments: &[OsString],
     environment: &Environment,
     out: &mut dyn Write,
-    err: Box<dyn Write>,
+    (err, is_terminal, width): (Box<dyn Write>, bool, Option<u16>),
 ) -> u8 {
     let words: Vec<_> = arguments.iter().map(|word| word.to_string_lossy()).collect();
     let lang = language(value_of(&words, "--lang").and_then(|lang| lang.parse().ok()), environment);
-    let console = Console::new(err, lang, true, false);
+    let console = Console::new(err, lang, true, false).wrapped(is_terminal, width);
     if !error.use_stderr() {
-        let printed = out.write_all(error.render().to_string().as_bytes()).and_then(|()| out.flush());
+        let page = error.render().to_string();
+        // In the place of a blank line, so that a page still fits its terminal.
+        let page = match lang {
+            Lang::De if error.kind() == ErrorKind::DisplayHelp => page.replacen("\n\n", &format!("\n{ENGLISH}\n"), 1),
+            _ => page,
+        };
+        let printed = out.write_all(page.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
     let place = Place::of(&words);
-    let failure = place.failure(error);
+    let failure = as_typed(place.failure(error), &words);
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));
         let _closed = if verb == "monitor" {
@@ -45,11 +52,25 @@ pub(super) fn explain(
     Class::Usage.exit()
 }
 
+/// Help is English (the contract with the user), and says so to who has chosen German.
+const ENGLISH: &str = "(Hilfetexte sind englisch; Ausgaben, Fragen und Fehler sind deutsch.)";
+
+/// A value below zero in the sign with which it was typed (`args::below_zero`).
+fn as_typed(failure: Failure, words: &[Cow<'_, str>]) -> Failure {
+    if words.iter().any(|word| word.contains(SIGN)) {
+        return failure;
+    }
+    let message = Text::by(|lang| failure.message.get(lang).replace(SIGN, "-"));
+    Failure { message, ..failure }
+}
+
 /// Behind which command something does not fit.
 struct Place {
     root: clap::Command,
     /// The names of the verb, and of the verb within it.
     path: Vec<String>,
+    /// What was typed.
+    words: Vec<String>,
 }
 
 impl Place {
@@ -62,7 +83,7 @@ impl Place {
                 command = inner;
             }
         }
-        Place { path, root }
+        Place { path, root, words: words.iter().map(ToString::to_string).collect() }
     }
 
     fn verb(&self) -> &str {
@@ -176,6 +197,12 @@ impl Place {
         if let Some(near) = near.into_iter().find_map(|kind| nearest(error.get(kind)?)) {
             return both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'");
         }
+        if let Some(joined) = self.parted(error) {
+            return both!(
+                "a unit stands behind its number without a blank: {joined}",
+                "eine Einheit steht ohne Leerzeichen hinter der Zahl: {joined}"
+            );
+        }
         if let Some(line) = self.elsewhere(error) {
             return both!("it is `{line}`", "es heißt `{line}`");
         }
@@ -192,6 +219,14 @@ impl Place {
             }
             _ => both!("`{help} -h` shows what is taken there", "`{help} -h` zeigt, was dort angenommen wird"),
         }
+    }
+
+    /// A number and its unit that were typed as two words, in one: `25 Hz`.
+    fn parted(&self, error: &clap::Error) -> Option<String> {
+        let unit = error.get(Told::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument)?.to_string();
+        let number = self.words.windows(2).find(|pair| pair.last() == Some(&unit))?.first()?;
+        let is_number = number.trim_start_matches('-').starts_with(|letter: char| letter.is_ascii_digit());
+        (is_number && unit.starts_with(char::is_alphabetic)).then(|| format!("{number}{unit}"))
     }
 
     /// The verb under which an unknown one is to be found: `statemachine enable` for `enable`, `decode telegram` for a byte.

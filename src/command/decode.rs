@@ -6,7 +6,7 @@ use crate::args::Takes;
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::outcome::{Data, Decode, Document, Outcome};
+use crate::outcome::{Data, Decode, Document, Event, Outcome};
 use crate::profile::Family;
 use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
@@ -90,7 +90,7 @@ impl Verb for Args {
 }
 
 /// Explains.
-pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
+pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let mut family = offline_family(context.settings, context.registry)?;
     if let (What::Fault { code }, None) = (&args.what, &context.settings.drive)
         && let Some(told) = context.registry.families().into_iter().find(|family| displayed(code, family).is_some())
@@ -145,8 +145,34 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
             Decode { register: Some(describe::register(&family, number)), ..blank("error", code) }
         }
     };
+    if let Some(note) = base(&args.what, &family) {
+        (context.observe)(Event::Note(note));
+    }
     Ok(Outcome::of(Data::Decode(decode)))
 }
+
+/// In which base digits were read that may be meant in another one: keypads and manuals write words and faults without a prefix.
+fn base(what: &What, family: &Family) -> Option<Text> {
+    let (name, text, prefix) = match what {
+        What::Status { word } => ("status", word, "0x"),
+        What::Control { word, .. } => ("control", word, "0x"),
+        What::Warnings { word } => ("warnings", word, "0x"),
+        What::Fault { code } => ("fault", code, &*family.fault_codes.letter),
+        What::Telegram { .. } | What::Trace { .. } | What::Error { .. } => return None,
+    };
+    let text = text.trim();
+    let is_written_so = text.len() == DIGITS && text.bytes().all(|digit| digit.is_ascii_digit());
+    let number = number(text).filter(|_| is_written_so)?;
+    Some(both!(
+        "{text} was read as the decimal number {number} = {number:04X}h; as it is displayed, in hexadecimal digits: \
+         `antrieb decode {name} {prefix}{text}`",
+        "{text} wurde als Dezimalzahl {number} = {number:04X}h gelesen; so, wie es angezeigt wird, in Hexadezimalziffern: \
+         `antrieb decode {name} {prefix}{text}`"
+    ))
+}
+
+/// Digits of a word of 16 bits.
+const DIGITS: usize = 4;
 
 fn word_of(family: &Family, role: &str, kind: &'static str, text: &str, mode: Option<u8>) -> Result<Decode, Failure> {
     let raw = number(text).ok_or_else(|| {

@@ -29,12 +29,15 @@ use std::path::PathBuf;
 ///
 /// What is not known of the line is found with `--baud auto`, `--parity auto`, `--protocol auto`, in rounds through all settings,
 /// the likeliest first: address 1 at each of them, then addresses 1-10, then 1-32, then everybody. Where a drive is found its
-/// setting is searched to the end at once, and the other settings follow; so it is before the next round where garbage came.
+/// setting is searched to the end at once, and the other settings follow; so it is before the next round where an address answered
+/// with garbage, each time that it was asked.
 /// Before it begins and after every setting the search says how long it still lasts. Several ports are searched at once:
 /// -p A -p B.
 ///
-/// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8; where settings
-/// are sought it is listened to before anything is sent. --force goes on.
+/// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8. Where settings
+/// are sought it is listened to for 1.25 s before anything is sent, and if somebody speaks, at every speed and parity: whoever
+/// speaks more than 1.5 times a second, understood or not, is left alone as well; a few bytes now and then are noise. --force
+/// searches beside him: what both send at once is lost for both.
 ///
 /// Ctrl-C ends the search, as --within does, and shows what was found so far and what was left open; `--resume` goes on from a
 /// result that was saved with --json.
@@ -55,8 +58,9 @@ pub struct Args {
     pub until_first: bool,
     /// End after this time, whatever is left: `90s`, `2m`
     ///
-    /// Nothing puts it off but what is on the wire, for a second at most. The likeliest settings and addresses have had their turn by
-    /// then; what was left open is told, and so is who answered and could not be asked any more what he is.
+    /// Nothing puts it off but what is on the wire, for a second at most. It begins with listening for 1.25 s, or half of it where
+    /// somebody speaks. Addresses 1-10 at every setting go before everything else, the likeliest setting first, as far as they fit
+    /// in; what was left open is told, and so is who answered and could not be asked any more what he is.
     #[arg(long, value_name = "TIME", value_parser = parse_span)]
     pub within: Option<Span>,
     /// Go on where this result of `scan --json` ends
@@ -179,7 +183,7 @@ fn ports(context: &mut Context<'_>) -> Result<Vec<Port>, Failure> {
                 "usage.port",
                 both!(
                     "port: {port} is named twice; expected every port once",
-                    "port: {port} ist zweimal genannt; erwartet: jeder Anschluss einmal"
+                    "Anschluss: {port} ist zweimal genannt; erwartet: jeder Anschluss einmal"
                 ),
             );
         }

@@ -323,6 +323,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
         let family = offline_family(context.settings, context.registry)?;
         return plan(context, &family, &role_questions(&family, &ROLES));
     }
+    let named = context.settings.drive.clone().unwrap_or_else(|| "unknown".to_owned());
     let (drives, failures, succeeded) = each_drive(
         context,
         <Args as Verb>::UPPER.drive,
@@ -331,7 +332,7 @@ async fn show_all(context: &mut Context<'_>) -> Result<Outcome, Failure> {
         },
         |address, failure: &Failure| StateReport {
             address,
-            drive: "unknown".to_owned(),
+            drive: named.clone(),
             state: None,
             status: None,
             control: None,

@@ -131,12 +131,23 @@ fn assignments(args: &Args) -> Result<Vec<(&str, &str)>, Failure> {
             (None, None) => {
                 let message =
                     both!("expected PARAMETER=VALUE, got '{text}'", "erwartet: PARAMETER=WERT; angegeben: '{text}'");
-                return Err(Failure::new(Class::Usage, "usage.assignment", message)
-                    .hint(both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW")));
+                let hint = match found.last().filter(|(_, value)| is_number(value)) {
+                    Some((name, value)) => both!(
+                        "a unit stands behind its number without a blank: {name}={value}{text}",
+                        "eine Einheit steht ohne Leerzeichen hinter der Zahl: {name}={value}{text}"
+                    ),
+                    None => both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW"),
+                };
+                return Err(Failure::new(Class::Usage, "usage.assignment", message).hint(hint));
             }
         }
     }
     Ok(found)
+}
+
+fn is_number(text: &str) -> bool {
+    text.contains(|letter: char| letter.is_ascii_digit())
+        && text.chars().all(|letter| letter.is_ascii_digit() || matches!(letter, '.' | ',' | '-'))
 }
 
 /// What is a setting of the line has a verb of its own, which goes with it.

@@ -47,7 +47,10 @@ pub use panel::{Button, EndedBy, Keypad, Panel};
 pub use reader::{InForce, Reader};
 pub use recognise::{Finding, introduce, recognise};
 pub use route::{Cell, Inquiry, No, Route};
-pub use scan::{Asked, First, Manner, ScanPlan, ScanResult, Searched, Tuning, Unknown, probe_question, ranges, scan};
+pub use scan::{
+    Asked, First, Manner, ScanPlan, ScanResult, Searched, Talker, Tuning, Unknown, Yielded, probe_question, ranges,
+    scan,
+};
 pub use session::Session;
 pub use sniff::{Listening, sniff};
 pub use tally::{is_over, summary};
@@ -55,7 +58,7 @@ pub use target::Target;
 pub use terms::{Recognised, Terms, who};
 pub use transfer::Reading;
 pub use upper::{Price, Upper};
-pub use watch::{Chosen, Compare, Condition, Item, Rounds, Select, Signal, Test, Window, watch};
+pub use watch::{Item, Rounds, Select, watch};
 pub use write::{Order, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;

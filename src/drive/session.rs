@@ -7,6 +7,7 @@ use super::opening::{Opening, is_wired, open_trace};
 use super::probe::sounding;
 use super::pump::{self, PumpError};
 use super::trouble;
+use crate::exchange::talk::Window;
 use crate::exchange::{
     Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Survey, Tally, Verdict,
 };
@@ -236,6 +237,13 @@ impl<'a> Session<'a> {
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
         let outcome = pump::run(survey, &mut self.link, &self.interrupt, None).await;
         self.account.show(self.master.protocol(), &survey.take_records(), None);
+        Ok(outcome?)
+    }
+
+    /// Listens as long as a window lasts.
+    pub(super) async fn eavesdrop(&mut self, window: &mut Window) -> Result<(), AccessError> {
+        let outcome = pump::run(window, &mut self.link, &self.interrupt, None).await;
+        self.account.show(self.master.protocol(), &window.take_records(), None);
         Ok(outcome?)
     }
 

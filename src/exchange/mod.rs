@@ -15,6 +15,7 @@ mod job;
 mod limits;
 pub mod master;
 pub mod survey;
+pub mod talk;
 mod twins;
 
 pub use cut::Cutter;
@@ -22,6 +23,7 @@ pub use dialect::{Question, Said};
 pub use limits::{INSIST, Limits};
 pub use master::Master;
 pub use survey::{News, Survey};
+pub use talk::{Talk, Talker};
 
 use crate::tick::{Span, Tick};
 

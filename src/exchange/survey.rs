@@ -89,8 +89,6 @@ pub struct Survey {
     away: Option<Tick>,
     /// It ended before everybody was asked.
     cut: bool,
-    /// Something came before anybody was asked.
-    unasked: bool,
     /// An exchange must be ended on the line, where the protocol wants that.
     farewell: bool,
     /// Who is being asked, until that is told.
@@ -131,12 +129,11 @@ impl Survey {
             ear: Ear::default(),
             ours: Ours::default(),
             window: None,
-            ready_at: now + dialect.silence(line).longer(patience.listen),
+            ready_at: now + dialect.silence(line),
             held: None,
             ends_at: patience.limit.map(|limit| now + limit),
             away: None,
             cut: false,
-            unasked: false,
             farewell: false,
             asking: None,
             signs: VecDeque::new(),
@@ -158,11 +155,6 @@ impl Survey {
         let over = move |known: &Attendance| known.heard || now >= known.end + self.patience.full;
         let open = |station: &u8| self.suspects.contains_key(station) || self.queue.contains(station);
         self.stations.iter().filter(move |(station, known)| over(known) && !open(station)).map(|(&station, _)| station)
-    }
-
-    /// Whether somebody spoke before anybody was asked.
-    pub fn is_spoken_on(&self) -> bool {
-        self.unasked
     }
 
     /// How often garbage came. At all: somebody is there.
@@ -193,6 +185,16 @@ impl Survey {
     /// Whether another master asks on this line.
     pub fn is_shared(&self) -> bool {
         self.foreign >= OTHER_MASTER
+    }
+
+    /// Questions of somebody else that were heard.
+    pub fn foreign(&self) -> u32 {
+        self.foreign
+    }
+
+    /// So many were heard before it.
+    pub fn remembers(&mut self, foreign: u32) {
+        self.foreign = foreign;
     }
 
     /// The telegrams since the last call.
@@ -358,7 +360,6 @@ impl Survey {
 
     /// A piece of what came: a reply belongs to the station that it names, and garbage has its suspects.
     fn take(&mut self, at: Tick, piece: Piece, bytes: Vec<u8>) {
-        self.unasked |= self.stations.is_empty();
         if matches!(piece, Piece::Stray(..) | Piece::Garbage) {
             self.foreign += foreign::questions(self.dialect, &bytes, |piece| self.ours.hold(piece));
         }

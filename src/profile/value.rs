@@ -34,8 +34,8 @@ pub enum ValueError {
     Decimals {
         /// What came.
         text: String,
-        /// Decimals of the parameter.
-        decimals: u8,
+        /// The least step of the parameter, in its unit.
+        step: String,
     },
     /// A point or comma before three digits, which some write between thousands.
     #[error("{}", self.text().en)]
@@ -77,6 +77,9 @@ impl ValueError {
     /// In words for people.
     pub fn text(&self) -> Text {
         match self {
+            ValueError::NotANumber { text, choices } if choices.len() < 2 => {
+                both!("'{text}' is no number{known}", "'{text}' ist keine Zahl{known}", known = list(choices))
+            }
             ValueError::NotANumber { text, choices } => both!(
                 "'{text}' is neither a number nor one of the values of this parameter{known}",
                 "'{text}' ist weder eine Zahl noch einer der Werte dieses Parameters{known}",
@@ -94,9 +97,9 @@ impl ValueError {
                 "no source tells the decimals of this parameter in {unit}",
                 "keine Quelle nennt die Nachkommastellen dieses Parameters in {unit}"
             ),
-            ValueError::Decimals { text, decimals } => both!(
-                "'{text}' has more decimals than the {decimals} of this parameter",
-                "'{text}' hat mehr Nachkommastellen als die {decimals} dieses Parameters"
+            ValueError::Decimals { text, step } => both!(
+                "'{text}' has more decimals than this parameter: its step is {step}",
+                "'{text}' hat mehr Nachkommastellen als dieser Parameter: seine Schrittweite ist {step}"
             ),
             ValueError::Thousands { text, fraction, whole } => both!(
                 "'{text}' may mean {fraction} or {whole}: write it without a separator of thousands, and without zeros at its end",
@@ -190,7 +193,7 @@ fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
     let exponent = places - i32::try_from(fraction.len()).map_err(|_| no_number())?;
     let digits = format!("{whole}{fraction}");
     let digits = digits.trim_start_matches('0');
-    let too_fine = || ValueError::Decimals { text: text.to_owned(), decimals };
+    let too_fine = || ValueError::Decimals { text: text.to_owned(), step: format_decimal(1, decimals) };
     let scaled = match usize::try_from(exponent) {
         Ok(zeros) if digits.is_empty() => "0".repeat(zeros.min(1)),
         Ok(zeros) if zeros > 20 => return Err(no_number()),
@@ -261,12 +264,8 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     let by_text = || choice(text, choices);
     let (number, unit) = split_unit(text);
     if number.is_empty() {
-        let names = choices
-            .iter()
-            .take(8)
-            .map(|(raw, [en, de])| Text::by(|lang| format!("{raw} = {}", lang.pick(en, de))))
-            .collect();
-        return by_text().ok_or(ValueError::NotANumber { text: text.to_owned(), choices: names });
+        return by_text()
+            .ok_or_else(|| ValueError::NotANumber { text: text.to_owned(), choices: may_be(param, choices) });
     }
     let power = match unit {
         "" => 0,
@@ -295,8 +294,27 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
     if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
-    typed(number, param.decimals_or_zero(), power)
+    typed(number, param.decimals_or_zero(), power).map_err(|error| match (error, &param.unit) {
+        (ValueError::Decimals { step, .. }, Some(unit)) => {
+            ValueError::Decimals { text: text.to_owned(), step: format!("{step} {unit}") }
+        }
+        (error, _) => error,
+    })
 }
+
+/// What a parameter may be: the values of its table, as many as can be read at once, or its range.
+fn may_be(param: &Param, choices: &[(i64, [&str; 2])]) -> Vec<Text> {
+    let named = |(raw, [en, de]): &(i64, [&str; 2])| Text::by(|lang| format!("{raw} = {}", lang.pick(en, de)));
+    let more = (choices.len() > MOST_NAMED)
+        .then(|| both!("… (`antrieb params {id}` lists all)", "… (`antrieb params {id}` zeigt alle)", id = param.id));
+    let shown = |raw: i64| written(param, raw);
+    let range = param.min.zip(param.max).filter(|_| choices.is_empty());
+    let range = range.map(|(min, max)| Text::name(format!("{} … {}", shown(min), shown(max))));
+    choices.iter().take(MOST_NAMED).map(named).chain(more).chain(range).collect()
+}
+
+/// So many values of a table are named.
+const MOST_NAMED: usize = 8;
 
 /// Whether a parameter may take a value that its table does not name: within its range, or, if no source tells that, up to the
 /// largest of the table.

@@ -1,7 +1,7 @@
 //! Puts the safety question on the terminal.
 
+use super::Console;
 use super::console::Input;
-use super::{Console, clean};
 use crate::gate::{Answer, Ask, Question, Reply};
 use crate::profile::Lang;
 use std::thread;
@@ -44,9 +44,9 @@ impl Terminal {
     async fn put(&mut self, question: &Question) -> Answer {
         self.console.finish();
         if !(self.yes && self.quiet) {
-            self.console.line(question.title.get(self.lang));
+            self.console.say(question.title.get(self.lang));
             for detail in &question.details {
-                self.console.line(&format!("  {}", clean(detail.get(self.lang))));
+                self.console.say(&format!("  {}", detail.get(self.lang)));
             }
         }
         if self.yes {

@@ -2,7 +2,8 @@
 
 use super::run_line::RunLine;
 use super::words::word;
-use super::{Outlet, Patience, clean, search};
+use super::wrap::wrap;
+use super::{Outlet, Patience, clean, progress_width, search};
 use crate::failure::Failure;
 use crate::outcome::{Event, FoundDrive, Record, SearchNews};
 use crate::text::{Lang, Text};
@@ -67,6 +68,8 @@ struct Inner {
     progress: bool,
     /// Without bars progress is told line by line, where it goes on for minutes.
     lines: bool,
+    /// Prose is wrapped: at this width, or at that of the terminal on stderr.
+    width: Option<Option<u16>>,
     /// What is written is waited for until its reader has taken it.
     waits: bool,
     /// The bars on the terminal, as long as there are any.
@@ -81,7 +84,7 @@ impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
         let (drawn, run, bars) = (None, None, BTreeMap::new());
-        let inner = Inner { err, lang, quiet, progress, lines: false, waits: true, drawn, run, bars };
+        let inner = Inner { err, lang, quiet, progress, lines: false, width: None, waits: true, drawn, run, bars };
         Console { inner: Rc::new(RefCell::new(inner)) }
     }
 
@@ -89,6 +92,13 @@ impl Console {
     #[must_use]
     pub fn told_by_lines(self, lines: bool) -> Self {
         self.inner.borrow_mut().lines = lines;
+        self
+    }
+
+    /// On a terminal prose is wrapped at its width: at this one, or, if nobody knows it beforehand, at what stderr says.
+    #[must_use]
+    pub fn wrapped(self, is_terminal: bool, width: Option<u16>) -> Self {
+        self.inner.borrow_mut().width = is_terminal.then_some(width);
         self
     }
 
@@ -120,7 +130,12 @@ impl Console {
 
     fn labelled(&self, label: &Text, text: &Text) {
         let lang = self.lang();
-        self.line(&format!("{}: {}", label.get(lang), text.get(lang)));
+        self.say(&format!("{}: {}", label.get(lang), text.get(lang)));
+    }
+
+    /// Prose on stderr, above the bar: on a terminal in lines of its width.
+    pub fn say(&self, text: &str) {
+        self.inner.borrow_mut().say(text);
     }
 
     /// The language in which it speaks.
@@ -152,7 +167,7 @@ impl Console {
                     let found = inner.lang.pick("found", "gefunden:");
                     let drive = if drive == "unknown" { word(inner.lang, "unknown").to_owned() } else { drive };
                     let (at, title) = (inner.lang.pick("at", "unter"), title.get(inner.lang));
-                    inner.line(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
+                    inner.say(&format!("{found} {drive} {at} {address}: {title} ({port}, {line} {protocol})"));
                 }
             }
             // A record is data, and goes to stdout by the stream; here it is at most progress.
@@ -161,7 +176,7 @@ impl Console {
         }
     }
 
-    /// A line on stderr, above the bar.
+    /// A line on stderr, above the bar, as it is.
     pub fn line(&self, text: &str) {
         self.inner.borrow_mut().line(text);
     }
@@ -198,8 +213,17 @@ impl Console {
 }
 
 impl Inner {
+    fn say(&mut self, text: &str) {
+        let columns = self.width.map(|width| width.or_else(progress_width));
+        let lines = wrap(&clean(text), columns.flatten());
+        self.put(&lines);
+    }
+
     fn line(&mut self, text: &str) {
-        let text = clean(text);
+        self.put(&clean(text));
+    }
+
+    fn put(&mut self, text: &str) {
         self.clear();
         // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
         let Inner { err, drawn, .. } = self;
@@ -246,7 +270,7 @@ impl Inner {
         match news {
             _ if news.setting == 0 && !self.quiet => {
                 let told = search::begun(news).get(self.lang).to_owned();
-                self.line(&told);
+                self.say(&told);
             }
             _ if self.progress && news.setting > 0 => {
                 let (gone, left) = (news.t.raw.unsigned_abs(), news.left_s.raw.unsigned_abs());
@@ -254,7 +278,7 @@ impl Inner {
             }
             _ if self.lines && news.is_over => {
                 let told = search::told(news).get(self.lang).to_owned();
-                self.line(&told);
+                self.say(&told);
             }
             _ => {}
         }

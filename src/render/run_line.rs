@@ -119,8 +119,8 @@ impl RunLine {
         let news = self.news.as_ref()?;
         Some(match (news.phase, news.stop) {
             ("stopping", stop) => format!("{}: {stop}", self.lang.pick("stopping", "hält an")),
-            (_, "keep") => self.lang.pick("Ctrl-C leaves: keep", "Ctrl-C verlässt: keep").to_owned(),
-            (_, stop) => format!("{}: {stop}", self.lang.pick("Ctrl-C stops", "Ctrl-C hält an")),
+            (_, "keep") => self.lang.pick("Ctrl-C leaves: keep", "Strg-C verlässt: keep").to_owned(),
+            (_, stop) => format!("{}: {stop}", self.lang.pick("Ctrl-C stops", "Strg-C hält an")),
         })
     }
 
@@ -206,7 +206,6 @@ mod tests {
             line: String::new(),
             protocol,
             interval: t,
-            waits: None,
             drives,
         };
         assert_eq!(line.record(&Record::Start(start)), None);
@@ -230,7 +229,7 @@ mod tests {
     fn it_fits_into_80_columns_in_both_languages() {
         let whole = "Operation enabled  25.00 -> 24.93 Hz  3.20 A  10.3 s left  Ctrl-C stops: ramp";
         assert_eq!(line(Lang::En, "held", 0, 79), whole);
-        let german = "Betrieb freigegeben  25.00 -> 24.93 Hz  3.20 A  noch 10.3 s  Ctrl-C hält an: ramp";
+        let german = "Betrieb freigegeben  25.00 -> 24.93 Hz  3.20 A  noch 10.3 s  Strg-C hält an: ramp";
         assert_eq!(line(Lang::De, "held", 0, 81), german);
         assert_eq!(line(Lang::De, "held", 0, 79), german.replace("  3.20 A", ""), "the current goes first");
     }

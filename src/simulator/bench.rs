@@ -180,7 +180,7 @@ impl Bench {
             self.put(delayed);
         }
         let setting = self.master.or(self.drives.first().map(Drive::line));
-        while let Some((bytes, line)) = setting.and_then(|line| Some((self.disturber.babble(now, line)?, line))) {
+        while let Some((bytes, line)) = setting.and_then(|line| self.disturber.babble(now, line)) {
             self.wire.put(Sender::Stranger, line, now, &bytes);
         }
         for index in 0..self.drives.len() {
@@ -197,15 +197,14 @@ impl Bench {
     }
 
     fn deliver(&mut self, slot: &Slot) {
-        if let Sender::Drive(index) = slot.sender {
-            // The master may have changed its setting meanwhile; then it reads something else.
+        if slot.sender != Sender::Master {
+            // The master may have another setting; then it reads something else.
             let readable = self.master.is_none_or(|master| fits(master, slot.line));
             self.heard.push_back((slot.end, if readable { slot.byte } else { !slot.byte }));
+        }
+        if let Sender::Drive(index) = slot.sender {
             let rest = self.drives.get(index).map_or(Span::ZERO, Drive::rest);
             self.judge.heard(slot.end, rest);
-        }
-        if slot.sender == Sender::Stranger {
-            self.heard.push_back((slot.end, slot.byte));
         }
         self.overflow();
         for (index, drive) in self.drives.iter_mut().enumerate() {

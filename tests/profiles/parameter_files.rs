@@ -103,7 +103,7 @@ fn what_is_broken_is_refused_with_line_and_column() {
         ("\"372@7x\" = 2\n", "x.toml:5:1: '7x' is no data set"),
         ("4097 = 2\n", "x.toml:5:1: there is no parameter 4097"),
         ("\"480@2\" = \"5 A\"\n", "x.toml:5:11: the unit 'A' does not fit: this parameter is in Hz"),
-        ("480 = \"fast\"\n", "x.toml:5:7: 'fast' is neither a number"),
+        ("480 = \"fast\"\n", "x.toml:5:7: 'fast' is no number"),
         ("480 = 5.123\n", "x.toml:5:7: '5.123' has more decimals"),
         (
             "417 = \"5 Hz\"\n",

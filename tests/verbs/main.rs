@@ -12,7 +12,6 @@ mod judge;
 mod lexium;
 mod matrix;
 mod monitor;
-mod recording;
 mod run;
 
 /// What a drive holds: parameters and data sets.
@@ -39,6 +38,7 @@ mod line {
     mod scanning;
     mod searching;
     mod sniffing;
+    mod talkers;
     mod tape;
     mod twins;
     mod vabus;
@@ -94,5 +94,6 @@ mod output {
     mod regressions;
     mod screens;
     mod usage;
+    mod wording;
     mod words;
 }

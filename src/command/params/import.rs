@@ -8,7 +8,7 @@ use crate::files;
 use crate::outcome::{Data, Import, ImportColumn, ImportRow, Outcome, RowLeftOut};
 use crate::profile::import::{self, Draft, ImportError, Imported, Own, Target, Wishes, Written};
 use crate::profile::{CatalogueError, CatalogueFile, Registry};
-use crate::text::{Text, both};
+use crate::text::{Text, Wrong, both};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -70,15 +70,18 @@ pub(super) struct Options {
     form: Option<Form>,
 }
 
-fn pair(text: &str) -> Result<(String, String), String> {
-    let (field, rest) = text.split_once('=').ok_or("expected FIELD=…")?;
+fn pair(text: &str) -> Result<(String, String), Wrong> {
+    let wrong = || Wrong(both!("expected FIELD=…", "erwartet: FELD=…"));
+    let (field, rest) = text.split_once('=').ok_or_else(wrong)?;
     Ok((field.trim().to_owned(), rest.trim().to_owned()))
 }
 
-fn separator(text: &str) -> Result<char, String> {
+fn separator(text: &str) -> Result<char, Wrong> {
     match text {
         "tab" | "\\t" => Ok('\t'),
-        _ => text.parse().map_err(|_| "expected one character, or tab".to_owned()),
+        _ => {
+            text.parse().map_err(|_| Wrong(both!("expected one character, or tab", "erwartet: ein Zeichen, oder tab")))
+        }
     }
 }
 
@@ -202,7 +205,7 @@ fn check(options: &Options, file: &str, context: &Context<'_>, written: &Written
     let registry = Registry::open(&others.chain([this]).collect::<Vec<_>>());
     let Err(error) = registry else { return Ok(()) };
     let failure = Failure::new(Class::Data, "data.list", wrong(file, &path, &error, written));
-    Err(match error.message.contains("replace = true") {
+    Err(match already(&error.message).is_some() {
         true => failure.hint(both!(
             "--replace lets the rows of the list take the place of those that are there",
             "--replace lässt die Zeilen der Liste an die Stelle der vorhandenen treten"
@@ -216,11 +219,18 @@ fn wrong(file: &str, path: &str, error: &CatalogueError, written: &Written) -> T
         return error.text();
     }
     let line = written.lines.iter().find(|line| line.0 == error.line).map(|line| line.1);
-    let told = Text::quoted(&error.message);
+    let told = already(&error.message).unwrap_or_else(|| Text::quoted(&error.message));
     match line {
         Some(line) => both!("{file}:{line}: {told}", "{file}:{line}: {told}", file, line, told),
         None => both!("{file}: {told}", "{file}: {told}", file, told),
     }
+}
+
+/// What a catalogue says of a number that is there already, in words for who has a list: he has no rows of TOML.
+fn already(message: &str) -> Option<Text> {
+    let (number, rest) = message.strip_prefix("parameter ")?.split_once(" is already in ")?;
+    let (place, _) = rest.split_once("; add replace = true")?;
+    Some(both!("parameter {number} is already in {place}", "Parameter {number} steht schon in {place}"))
 }
 
 fn refused(file: &str, error: &ImportError) -> Failure {

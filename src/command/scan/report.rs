@@ -2,7 +2,7 @@
 
 use super::Args;
 use crate::args::Settings;
-use crate::drive::{Port, ScanResult, Searched, ranges};
+use crate::drive::{Port, ScanResult, Searched, Talker, Yielded, ranges};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, FoundDrive, Outcome, Scan, Search, Warning};
 use crate::text::{Text, both};
@@ -39,7 +39,7 @@ pub(super) fn report(
         drives.extend(result.drives);
         warnings.extend(result.warnings);
         warnings.extend(coverage(port, ports.len(), &result.searched).filter(|_| is_cut));
-        failures.extend(result.yielded.then(other_master).or(left_out));
+        failures.extend(result.yielded.map(left_to).or(left_out));
         failures.extend(result.cut.map(|error| {
             let mut failure = error.failure(0, None);
             failure.context.clear();
@@ -58,7 +58,7 @@ pub(super) fn report(
     let is_over_time = args.within.filter(|_| is_over_time);
     let failure = verdict(settings, failures, ports.len(), drives.is_empty(), &sum);
     let failure = failure.map(|failure| match is_over_time {
-        Some(within) if failure.code == NOBODY => over_time(within, &sum),
+        Some(within) if failure.code == NOBODY => over_time(within, settings, &sum),
         _ => failure,
     });
     let data = sum.scan(settings, ports, drives, searches);
@@ -110,18 +110,30 @@ impl Sum {
 
 /// What a search that ended early has covered, and what it has not; settings with the same addresses in one.
 fn coverage(port: &Port, ports: usize, searched: &[Searched]) -> Option<Warning> {
-    if searched.len() == 1 || searched.iter().all(Searched::is_complete) {
+    if searched.iter().all(Searched::is_complete) {
         return None;
     }
     let port = if ports > 1 { format!("{port}: ") } else { String::new() };
-    let (asked, open) = (grouped(searched, |row| ranges(&row.asked)), grouped(searched, |row| ranges(&row.open())));
-    let message =
-        both!("{port}asked: {asked}; left open: {open}", "{port}gefragt: {asked}; offen: {open}", asked, open);
+    let [asked, glimpsed, open] =
+        [Searched::asked, Searched::glimpsed, Searched::open].map(|of| grouped(searched, |row| ranges(&of(row))));
+    let none = || Text::new("nobody", "niemand");
+    let asked = asked.unwrap_or_else(none);
+    let glimpsed = glimpsed.map_or_else(Text::default, |told| {
+        both!("; only a quick look at: {told}", "; nur ein kurzer Blick auf: {told}", told)
+    });
+    let open = open.unwrap_or_else(none);
+    let message = both!(
+        "{port}asked: {asked}{glimpsed}; left open: {open}",
+        "{port}gefragt: {asked}{glimpsed}; offen: {open}",
+        asked,
+        glimpsed,
+        open
+    );
     Some(Warning { code: "scan.open".to_owned(), message })
 }
 
-/// `1-247 at 19200 8E1 rtu, 1-32 at 48 settings`.
-fn grouped(searched: &[Searched], addresses: impl Fn(&Searched) -> String) -> Text {
+/// `1-247 at 19200 8E1 rtu, 1-32 at 48 settings (9600 8E1 rtu … 2400 7O1 ascii)`; nothing where there are no addresses.
+fn grouped(searched: &[Searched], addresses: impl Fn(&Searched) -> String) -> Option<Text> {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     for row in searched {
         let (of, setting) = (few(addresses(row)), row.tuning.to_string());
@@ -130,16 +142,31 @@ fn grouped(searched: &[Searched], addresses: impl Fn(&Searched) -> String) -> Te
             None => groups.push((of, vec![setting])),
         }
     }
-    let groups: Vec<_> = groups.into_iter().filter(|(of, _)| !of.is_empty()).collect();
-    let told = groups.iter().take(MOST_GROUPS).map(|(of, settings)| match settings.as_slice() {
-        [one] => both!("{of} at {one}", "{of} mit {one}"),
-        [one, other] => both!("{of} at {one} and {other}", "{of} mit {one} und {other}"),
-        many => both!("{of} at {count} settings", "{of} mit {count} Einstellungen", count = many.len()),
+    groups.retain(|(of, _)| !of.is_empty());
+    let told = groups.iter().take(MOST_GROUPS).map(|(of, settings)| {
+        let settings = named(settings);
+        both!("{of} at {settings}", "{of} mit {settings}", settings)
     });
-    let rest = groups.iter().skip(MOST_GROUPS).map(|(_, settings)| settings.len()).sum::<usize>();
-    let rest = (rest > 0).then(|| both!("some at {rest} other settings", "einige mit {rest} weiteren Einstellungen"));
+    let rest: Vec<String> = groups.iter().skip(MOST_GROUPS).flat_map(|(_, settings)| settings.clone()).collect();
+    let rest = (!rest.is_empty()).then(|| {
+        let settings = named(&rest);
+        both!("some at {settings}", "einige mit {settings}", settings)
+    });
     let told: Vec<Text> = told.chain(rest).collect();
-    if told.is_empty() { Text::new("nobody", "niemand") } else { Text::join(&told, ", ") }
+    (!told.is_empty()).then(|| Text::join(&told, ", "))
+}
+
+/// Settings by their names; of many the first and the last, in the order of their likelihood.
+fn named(settings: &[String]) -> Text {
+    match settings {
+        [one] => Text::name(one),
+        [one, other] => both!("{one} and {other}", "{one} und {other}"),
+        [first, .., last] => {
+            let count = settings.len();
+            both!("{count} settings ({first} … {last})", "{count} Einstellungen ({first} … {last})")
+        }
+        [] => Text::default(),
+    }
 }
 
 /// A list with many gaps tells nobody anything.
@@ -185,7 +212,7 @@ fn verdict(settings: &Settings, failures: Vec<Failure>, ports: usize, found_none
         let message =
             both!("{so_far}, the others take about {left} s", "{so_far}, die anderen dauern etwa {left} s", so_far);
         let message = if sum.settings > 1 { message } else { so_far };
-        return Some(Failure { message, ..first }.hint(go_on()));
+        return Some(Failure { message, ..first }.hint(go_on(settings)));
     }
     if ports == 1 || count == ports {
         return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
@@ -198,34 +225,64 @@ fn verdict(settings: &Settings, failures: Vec<Failure>, ports: usize, found_none
     Some(Failure { class: Class::Partial, code: "partial".to_owned(), message, ..first })
 }
 
-fn other_master() -> Failure {
-    let message = both!(
-        "another master asks on this line, so nothing more was sent",
-        "ein anderer Master fragt auf dieser Leitung, deshalb wurde nichts mehr gesendet"
-    );
+/// The line belongs to somebody else.
+fn left_to(yielded: Yielded) -> Failure {
+    let Yielded { to, bursts, listened, unasked } = yielded;
+    let sent = if unasked { Text::new("nothing", "nichts") } else { Text::new("nothing more", "nichts mehr") };
+    let (code, message) = match to {
+        Talker::Master => (
+            "forbidden.other_master",
+            both!(
+                "another master asks on this line, so {sent} was sent",
+                "ein anderer Master fragt auf dieser Leitung, deshalb wurde {sent} gesendet",
+                sent
+            ),
+        ),
+        Talker::Somebody => (
+            "forbidden.talker",
+            both!(
+                "somebody spoke on this line {bursts} times in {listened}, unasked and in no telegram that is known here; it can be another \
+                 master, so {sent} was sent",
+                "jemand sprach auf dieser Leitung {bursts}-mal in {listened}, ungefragt und in keinem hier bekannten Telegramm; es kann ein \
+                 anderer Master sein, deshalb wurde {sent} gesendet",
+                sent
+            ),
+        ),
+    };
     let hint = both!(
-        "disconnect the other master; `antrieb sniff` shows what it asks; --force goes on beside it and may disturb it",
-        "den anderen Master abklemmen; `antrieb sniff` zeigt, was er fragt; --force macht neben ihm weiter und kann ihn \
-         stören"
+        "disconnect whoever speaks; `antrieb sniff` shows what goes over the line; --force searches beside it and may disturb it: what \
+         both send at once is lost for both",
+        "abklemmen, wer spricht; `antrieb sniff` zeigt, was über die Leitung geht; --force sucht daneben und kann stören: was beide \
+         zugleich senden, geht beiden verloren"
     );
-    Failure::new(Class::Forbidden, "forbidden.other_master", message).hint(hint)
+    Failure::new(Class::Forbidden, code, message).hint(hint)
 }
 
 /// The time that the user gave it was not enough to find anybody.
-fn over_time(within: Span, sum: &Sum) -> Failure {
+fn over_time(within: Span, settings: &Settings, sum: &Sum) -> Failure {
     let Sum { asked, addresses, .. } = sum;
     let message = both!(
         "no drive answered within {within}; {asked} of {addresses} addresses were asked",
         "kein Antrieb hat innerhalb von {within} geantwortet; {asked} von {addresses} Adressen wurden gefragt"
     );
-    Failure::new(Class::No, NOBODY, message).hint(go_on())
+    Failure::new(Class::No, NOBODY, message).hint(go_on(settings))
 }
 
-fn go_on() -> Text {
-    both!(
-        "a result that was saved with --json can be gone on with: scan --resume RESULT.json",
-        "ein mit --json gesichertes Ergebnis lässt sich fortsetzen: scan --resume ERGEBNIS.json"
-    )
+/// How to go on later: from this result, if it is one that can be read, with what was sought.
+fn go_on(settings: &Settings) -> Text {
+    let crate::args::Unknown { baud, parity, protocol } = settings.unknown;
+    let sought = [(baud, "--baud auto "), (parity, "--parity auto "), (protocol, "--protocol auto ")];
+    let sought: String = sought.iter().filter(|row| row.0).map(|row| row.1).collect();
+    match settings.is_json() {
+        true => both!(
+            "this result, saved to a file, can be gone on with: {sought}scan --resume RESULT.json",
+            "dieses Ergebnis, in eine Datei gesichert, lässt sich fortsetzen: {sought}scan --resume ERGEBNIS.json"
+        ),
+        false => both!(
+            "what was asked is not kept; a search with --json > RESULT.json can be gone on with by --resume",
+            "was gefragt war, ist nicht gesichert; eine Suche mit --json > ERGEBNIS.json lässt sich mit --resume fortsetzen"
+        ),
+    }
 }
 
 const NOBODY: &str = "no.drive_found";

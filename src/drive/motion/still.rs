@@ -114,7 +114,7 @@ impl Motor<'_, '_> {
         }
         self.session.tell(Event::Note(both!(
             "without power; the shaft is watched until it stands, at most {COASTING}; Ctrl-C ends that",
-            "ohne Strom; die Welle wird bis zum Stillstand beobachtet, höchstens {COASTING}; Ctrl-C beendet das"
+            "ohne Strom; die Welle wird bis zum Stillstand beobachtet, höchstens {COASTING}; Strg-C beendet das"
         )));
         let wait = self.wait().at_most(COASTING);
         self.standstill_within(wait).await

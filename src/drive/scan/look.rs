@@ -1,14 +1,14 @@
 //! A look at somebody who was heard, and what is odd about what was heard.
 
-use super::Tuning;
+use super::{Tuning, Yielded};
 use crate::drive::access::AccessError;
 use crate::drive::probe::probe;
 use crate::drive::route::Route;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::drive::{describe, recognise};
-use crate::exchange::Answer;
 use crate::exchange::survey::{Attendance, Sign, Survey};
+use crate::exchange::{Answer, Talker};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
@@ -179,11 +179,42 @@ pub(super) fn gone(address: u8) -> Warning {
     Warning { code: "scan.gone".to_owned(), message }
 }
 
-/// The warning about an address where only garbage came. `is_clear`: others are understood at this setting.
-pub(super) fn garbled(address: u8, is_clear: bool) -> Warning {
+/// The warning about an address where only garbage came. `is_clear`: others are understood at this setting, which is named where
+/// there are several.
+pub(super) fn garbled(address: u8, is_clear: bool, at: Option<Tuning>) -> Warning {
     let (code, message) = match is_clear {
         true => ("scan.same_address", same_address(address)),
         false => ("scan.garbage", garbage(address)),
+    };
+    Warning { code: code.to_owned(), message: placed(message, at) }
+}
+
+fn placed(message: Text, at: Option<Tuning>) -> Text {
+    match at {
+        Some(at) => both!("{at}: {message}", "{at}: {message}", message),
+        None => message,
+    }
+}
+
+/// The warning about somebody who speaks on a line that is searched all the same.
+pub(super) fn beside(yielded: Yielded) -> Warning {
+    let Yielded { bursts, listened, .. } = yielded;
+    let (code, message) = match yielded.to {
+        Talker::Master => (
+            "scan.other_master",
+            both!(
+                "another master asks on this line; what both ask at once is lost for both, and a drive that is not listed may be there",
+                "ein anderer Master fragt auf dieser Leitung; was beide zugleich fragen, geht beiden verloren, und ein Antrieb, der \
+                 nicht in der Liste steht, kann da sein"
+            ),
+        ),
+        Talker::Somebody => (
+            "scan.talker",
+            both!(
+                "somebody spoke {bursts} times in {listened} before anything was sent; what is garbled tells nothing of who is there",
+                "jemand sprach {bursts}-mal in {listened}, bevor etwas gesendet war; was unlesbar ist, sagt nichts darüber, wer da ist"
+            ),
+        ),
     };
     Warning { code: code.to_owned(), message }
 }

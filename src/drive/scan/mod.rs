@@ -11,6 +11,7 @@ use super::access::AccessError;
 use super::route::{self, Inquiry};
 use super::session::Session;
 use super::trouble;
+pub use crate::exchange::Talker;
 use crate::failure::Failure;
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Registry, Type};
@@ -53,8 +54,8 @@ pub struct ScanResult {
     pub searched: Vec<Searched>,
     /// What is odd.
     pub warnings: Vec<Warning>,
-    /// Another master asks on this line, so that nothing more was sent.
-    pub yielded: bool,
+    /// Somebody else speaks on this line, so that nothing more was sent.
+    pub yielded: Option<Yielded>,
     /// The time that it was given was over before everybody was asked.
     pub is_over_time: bool,
     /// What is left would take about so long.
@@ -82,6 +83,19 @@ impl ScanResult {
         let message = if occupied { Some(never_silent) } else { disturbed_at.then_some(disturbed) };
         message.map(trouble::never_silent)
     }
+}
+
+/// To whom a line was left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Yielded {
+    /// Who.
+    pub to: Talker,
+    /// How often he spoke before anything was sent, and in which time.
+    pub bursts: u32,
+    /// How long it was listened to.
+    pub listened: Span,
+    /// Nothing at all was sent.
+    pub unasked: bool,
 }
 
 /// The search at one setting.
@@ -118,6 +132,17 @@ impl Searched {
     /// Addresses that have not had their time.
     pub fn open(&self) -> BTreeSet<u8> {
         self.wanted.iter().filter(|address| !self.asked.contains(address)).copied().collect()
+    }
+
+    /// Addresses that have had their time.
+    pub fn asked(&self) -> BTreeSet<u8> {
+        self.asked.clone()
+    }
+
+    /// Addresses that had a quick look and not their time.
+    pub fn glimpsed(&self) -> BTreeSet<u8> {
+        let looked = self.wanted.iter().take(self.looked);
+        looked.filter(|address| !self.asked.contains(address)).copied().collect()
     }
 
     /// How many of the first addresses have not had their time.

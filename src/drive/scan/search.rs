@@ -1,17 +1,18 @@
 //! The search of one line: round after round through its settings.
 
+mod hearing;
 mod told;
 
 use super::look::{self, Sight};
 use super::pace::{self, Pace, Visited, Work};
 use super::plan::{Manner, ScanPlan};
 use super::stages::{Stage, stages};
-use super::{ScanResult, Searched, Tuning, order};
+use super::{ScanResult, Searched, Tuning, Yielded, order};
 use crate::drive::access::AccessError;
 use crate::drive::probe::probe;
 use crate::drive::session::Session;
 use crate::exchange::survey::{Attendance, Patience, Sign, Survey};
-use crate::exchange::{News, Question};
+use crate::exchange::{News, Question, Talk, Talker};
 use crate::outcome::{Event, FoundDrive, Warning};
 use crate::profile::Registry;
 use crate::protocol::modbus::Framing;
@@ -20,12 +21,6 @@ use std::collections::BTreeSet;
 
 /// The first addresses are where drives are: at the right setting they are asked twice if they are silent.
 const TWICE: usize = 20;
-/// Another master polls with gaps of 12 and 25 ms (docs/measured.md): two of them, and a question of 8 characters with a reply as
-/// long. So many polls are listened for whose setting nobody knows, before the first byte goes out; and at every setting if
-/// somebody speaks. Three of his questions tell that he is there.
-const POLLS: u64 = 4;
-const POLL: u64 = 16;
-const GAPS: Span = Span::from_millis(50);
 /// Garbage at more of the settings than one in so many is the line's own, and tells nothing about any of them.
 const FEW: usize = 4;
 
@@ -42,8 +37,12 @@ pub(super) struct Search<'p, 's, 'o> {
     ends_at: Option<Tick>,
     /// It ended then.
     is_over_time: bool,
-    /// The line was left to another master.
-    yielded: bool,
+    /// The line was left to who speaks on it.
+    yielded: Option<Yielded>,
+    /// What was heard before anything was sent.
+    talk: Talk,
+    /// Questions of somebody else that were heard so far.
+    foreign: u32,
     /// When it was last told how far it is.
     told: Tick,
     /// It was told that a setting with drives is done.
@@ -66,6 +65,8 @@ struct Visit {
     looked: Span,
     /// Who answered when there was no time any more to ask him what he is.
     unlooked: BTreeSet<u8>,
+    /// Who answered a quick look with garbage, each time that he was asked.
+    garbled: Vec<u8>,
 }
 
 fn work(stage: Stage, span: Span) -> Work {
@@ -97,7 +98,9 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             pace: Pace::default(),
             ends_at,
             is_over_time: false,
-            yielded: false,
+            yielded: None,
+            talk: Talk::default(),
+            foreign: 0,
             told,
             told_whole: false,
         }
@@ -111,10 +114,11 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             // The time that it gave itself would have been enough on any line that is not disturbed all the time.
             self.searched.iter_mut().for_each(|searched| searched.disturbed |= !searched.is_complete());
         }
-        // The garbage of a line that is never silent is nobody's.
-        for searched in self.searched.iter().filter(|searched| !searched.occupied) {
-            let garbled = searched.garbled.iter();
-            self.warnings.extend(garbled.map(|&address| look::garbled(address, searched.found)));
+        // The garbage of a line on which somebody else speaks is nobody's.
+        let is_quiet = self.yielded.is_none() && self.talk.verdict().is_none();
+        for searched in self.searched.iter().filter(|searched| is_quiet && !searched.occupied) {
+            let (garbled, at) = (searched.garbled.iter(), (self.searched.len() > 1).then_some(searched.tuning));
+            self.warnings.extend(garbled.map(|&address| look::garbled(address, searched.found, at)));
         }
         let Search { drives, searched, warnings, yielded, is_over_time, .. } = self;
         ScanResult { drives, searched, warnings, yielded, is_over_time, left, cut }
@@ -130,7 +134,9 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         }
         for round in 0..self.stages.len() {
             for index in self.where_heard() {
-                self.survey(index, last).await?;
+                if self.has_time_for(index) {
+                    self.survey(index, last).await?;
+                }
             }
             for index in 0..self.searched.len() {
                 self.survey(index, round).await?;
@@ -139,36 +145,6 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
                     self.survey(index, last).await?;
                     self.tell_whole(index);
                 }
-            }
-        }
-        Ok(())
-    }
-
-    /// Listens before anything is asked, and where somebody speaks at every setting: the bus of another master is not searched.
-    async fn overhear(&mut self) -> Result<(), AccessError> {
-        for index in 0..self.searched.len() {
-            let Some(Tuning { protocol, line }) = self.searched.get(index).map(|searched| searched.tuning) else {
-                break;
-            };
-            let now = self.session.now();
-            if self.searched.len() == 1 || self.yielded || self.named_end().is_some_and(|at| now >= at) {
-                break;
-            }
-            self.retune(Tuning { protocol, line }).await?;
-            let listen = (line.chars(POLL) + GAPS).times(POLLS);
-            let (began, window) = (self.session.now(), Span::ZERO);
-            let patience = Patience::by_the_book(self.session.limits().reply_timeout);
-            let limit = self.named_end().map(|at| at.since(began));
-            let patience = Patience { listen, window, limit, yields: !self.plan.force, ..patience };
-            let mut survey = Survey::new(protocol, line, [], patience, began);
-            while self.session.survey(&mut survey).await? != News::Over {}
-            self.yielded |= survey.is_shared() && !self.plan.force;
-            self.pace.overhears(self.session.now().since(began), survey.garbage());
-            if let Some(searched) = self.searched.get_mut(index) {
-                searched.occupied |= survey.is_occupied();
-            }
-            if index == 0 && !survey.is_spoken_on() {
-                break;
             }
         }
         Ok(())
@@ -195,6 +171,14 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         if heard.len() * FEW <= self.searched.len() { heard } else { Vec::new() }
     }
 
+    /// Whether a setting can be asked to the end without costing the likeliest addresses of the others their turn by an end that was
+    /// named.
+    fn has_time_for(&self, index: usize) -> bool {
+        let Some((at, searched)) = self.named_end().zip(self.searched.get(index)) else { return true };
+        let whole = pace::limit(self.expected_at(searched, self.stages.len()).sum(), false);
+        self.left(self.likeliest()) + whole <= at.since(self.session.now())
+    }
+
     fn is_found(&self, index: usize) -> bool {
         self.searched.get(index).is_some_and(|searched| searched.found)
     }
@@ -202,7 +186,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
     /// Whether what was found is enough, or the time is over.
     fn is_over(&mut self) -> bool {
         let whole = |searched: &Searched| searched.found && searched.is_complete();
-        let enough = self.yielded
+        let enough = self.yielded.is_some()
             || self.is_first_found()
             || self.plan.manner == Manner::Fast && self.searched.iter().any(whole);
         self.is_over_time |= !enough && self.ends_at.is_some_and(|at| self.session.now() >= at);
@@ -225,7 +209,9 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let questions = std::mem::take(&mut visit.questions);
         let now = self.session.now();
         let mut survey = Survey::new(tuning.protocol, tuning.line, questions, visit.patience, now);
+        self.remembers(&mut survey);
         let end = self.listen(&mut survey, &mut visit).await;
+        let end = end.and(self.confirm(&survey, &mut visit).await);
         self.conclude(&survey, &visit);
         if end.is_ok() {
             let took = visit.gone(self.session.now());
@@ -236,6 +222,40 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             self.tell(&survey, &visit, true);
         }
         end
+    }
+
+    /// Asks those again from whom garbage seems to have come at a quick look: whoever is there says it again, noise does not. Where
+    /// it was heard before anything was sent, it must be said once more.
+    async fn confirm(&mut self, survey: &Survey, visit: &mut Visit) -> Result<(), AccessError> {
+        // Beside somebody who speaks all the time garbage tells nothing.
+        let is_asked = visit.stage.quick && self.talk.verdict().is_none();
+        let suspects: Vec<u8> = if is_asked { survey.garbled().collect() } else { Vec::new() };
+        let Some(tuning) = self.searched.get(visit.index).map(|searched| searched.tuning) else { return Ok(()) };
+        let times = if self.talk.is_silent() { 1 } else { 2 };
+        let ask = |station: u8| Some((station, probe(tuning.protocol, station)?));
+        visit.garbled = suspects;
+        for _ in 0..times {
+            if visit.garbled.is_empty() {
+                break;
+            }
+            let questions = visit.garbled.iter().filter_map(|&station| ask(station));
+            let now = self.session.now();
+            let limit = self.ends_at.map(|at| at.since(now));
+            let patience = Patience { limit, ..visit.patience };
+            let mut again = Survey::new(tuning.protocol, tuning.line, questions, patience, now);
+            self.remembers(&mut again);
+            self.listen(&mut again, visit).await?;
+            self.foreign = again.foreign();
+            visit.garbled = again.garbled().filter(|station| visit.garbled.contains(station)).collect();
+        }
+        Ok(())
+    }
+
+    /// Questions of another master count, at whatever setting they were heard: three tell that he is there.
+    fn remembers(&self, survey: &mut Survey) {
+        if !self.plan.force {
+            survey.remembers(self.foreign);
+        }
     }
 
     /// What there is to do at a setting; `None` if nothing is.
@@ -261,7 +281,21 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         let (found, looked, unlooked) = (BTreeSet::new(), Span::ZERO, BTreeSet::new());
         let patience = Patience { limit, ..patience };
         let stations = questions.len();
-        Some(Visit { index, stage, patience, stations, questions, expected, beyond, began, found, looked, unlooked })
+        let garbled = Vec::new();
+        Some(Visit {
+            index,
+            stage,
+            patience,
+            stations,
+            questions,
+            expected,
+            beyond,
+            began,
+            found,
+            looked,
+            unlooked,
+            garbled,
+        })
     }
 
     fn patience(&self, tuning: Tuning, stage: Stage, question: &Question, is_sure: bool) -> Patience {
@@ -357,13 +391,15 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
     /// Notes what a survey leaves, also when it was cut short.
     fn conclude(&mut self, survey: &Survey, visit: &Visit) {
         let now = self.session.now();
+        self.foreign = self.foreign.max(survey.foreign());
+        self.yields_to(survey.is_shared().then_some(Talker::Master));
+        let garbled: Vec<u8> = if visit.stage.quick { visit.garbled.clone() } else { survey.garbled().collect() };
         let Some(searched) = self.searched.get_mut(visit.index) else { return };
-        searched.hint |= survey.garbage() > 0 || !survey.strangers().is_empty();
+        searched.hint |= !garbled.is_empty() || !survey.strangers().is_empty();
         searched.occupied |= survey.is_occupied();
         let is_over = self.ends_at.is_some_and(|at| now >= at);
         self.is_over_time |= survey.is_cut() && is_over;
         searched.disturbed |= survey.is_cut() && !is_over;
-        self.yielded |= survey.is_shared() && !self.plan.force;
         match self.plan.manner {
             Manner::Fast if !visit.stage.quick => searched.asked.extend(survey.attendance().keys()),
             _ => searched.asked.extend(survey.settled(now)),
@@ -373,7 +409,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             searched.garbled.retain(|address| !survey.attendance().contains_key(address));
             self.warnings.extend(look::remarks(survey, searched.tuning));
         }
-        searched.garbled.extend(survey.garbled());
+        searched.garbled.extend(garbled);
     }
 }
 

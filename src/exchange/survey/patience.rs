@@ -12,8 +12,6 @@ pub struct Patience {
     pub window: Span,
     /// From the end of a question until its reply cannot come any more.
     pub full: Span,
-    /// So long the line is listened to before the first question: whoever speaks unasked is another master, or noise.
-    pub listen: Span,
     /// From the end of the last question on so long replies are waited for.
     pub tail: Span,
     /// Whether whoever may have been garbled is asked again.
@@ -66,16 +64,7 @@ impl Patience {
 
     /// Every station gets its full time before the next is asked.
     pub fn by_the_book(full: Span) -> Self {
-        Patience {
-            window: full,
-            full,
-            listen: Span::ZERO,
-            tail: full,
-            again: true,
-            twice: 0,
-            yields: true,
-            limit: None,
-        }
+        Patience { window: full, full, tail: full, again: true, twice: 0, yields: true, limit: None }
     }
 
     /// How long so many stations take that are silent, on a line that is silent: questions on the wire, windows, the end of the
@@ -96,7 +85,7 @@ impl Patience {
             again => (self.full - one(self.window).times((stations - again) as u64), self.second_window()),
         };
         let tail = self.tail.longer(second) - second;
-        self.listen.longer(silence) + first + pause + one(second).times(again as u64) + tail
+        silence + first + pause + one(second).times(again as u64) + tail
     }
 
     /// The window of the second time around: another rhythm, so that a reply does not meet the same moment again.

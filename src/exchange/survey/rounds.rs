@@ -49,6 +49,11 @@ impl Survey {
 
     /// Puts the suspects into the queue; `false` if there are none.
     pub(super) fn next_round(&mut self) -> bool {
+        if !self.patience.again {
+            // Who is suspected stays it: somebody else decides what becomes of him.
+            self.noisy |= self.is_usual();
+            return false;
+        }
         let mut suspects: Vec<(u8, Span)> = self.suspicious().collect();
         self.suspects.clear();
         // The most suspicious first: who was asked right before the garbage came.
@@ -56,7 +61,7 @@ impl Survey {
         let usual = self.is_usual();
         self.noisy |= usual;
         let enough = self.round.number >= MOST_ROUNDS;
-        if suspects.is_empty() || usual || enough || !self.patience.again {
+        if suspects.is_empty() || usual || enough {
             return false;
         }
         let window = match self.round.number {

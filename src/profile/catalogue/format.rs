@@ -100,8 +100,7 @@ pub(super) struct ParamRow {
     pub(super) default: Option<Number>,
     pub(super) access: Access,
     pub(super) sets: Option<Sets>,
-    #[serde(default)]
-    pub(super) volatile: bool,
+    pub(super) volatile: Option<bool>,
     #[serde(default)]
     pub(super) effective: Effective,
     pub(super) hazard: Option<HazardKind>,

@@ -1,5 +1,6 @@
 //! How the rows of a catalogue join those that are there already: each row proved, none replaced unasked.
 
+use super::BUILT_IN;
 use super::format::{Body, Number, ParamRow};
 use super::place::{CatalogueError, Origin, Position, shorten};
 use crate::profile::family::Family;
@@ -162,6 +163,10 @@ impl Origin {
         }
         let [min, max, default] = self.limits(at, &row)?;
         self.references(at, &row, family)?;
+        // Of a family of which we know nothing nobody knows what outlives the power, unless the row says it.
+        let is_ours = BUILT_IN.iter().any(|row| row.0 == family.family);
+        let is_told = row.volatile.is_some() || is_ours;
+        let kept = (!is_told).then(|| "volatile".to_owned());
         Ok(Param {
             id: row.id,
             slug: row.slug.unwrap_or_else(|| fold(&row.en).replace(' ', "-")),
@@ -175,7 +180,7 @@ impl Origin {
             default,
             access: row.access,
             sets: row.sets,
-            volatile: row.volatile,
+            volatile: row.volatile.unwrap_or_default(),
             effective: row.effective,
             hazard: row.hazard,
             enumeration: row.enumeration,
@@ -183,7 +188,7 @@ impl Origin {
             bits_when: row.bits_when,
             hex: row.hex,
             note: row.note,
-            unconfirmed: row.unconfirmed,
+            unconfirmed: row.unconfirmed.into_iter().chain(kept).collect(),
             module: row.module,
             source: row.source.unwrap_or_default(),
             origin: self.path().to_owned(),

@@ -191,7 +191,12 @@ impl<'a> Device<'a> {
 
     /// The number of a register that function code 3 or 4 reads.
     fn id(&self, register: &Map<String, Value>) -> Result<u32, Text> {
-        let area = register.get("area").and_then(Value::as_str).unwrap_or("?");
+        let Some(area) = register.get("area").and_then(Value::as_str) else {
+            return Err(both!(
+                "`area` is missing (expected: \"holding\" or \"input\")",
+                "`area` fehlt (erwartet: \"holding\" oder \"input\")"
+            ));
+        };
         match area {
             "holding" | "input" => {}
             other => {

@@ -23,8 +23,17 @@ impl Record {
 /// The characters 0x80 to 0x9F of Windows-1252; the rest of it is Latin-1.
 const WINDOWS: &str = "€\u{FFFD}‚ƒ„…†‡ˆ‰Š‹Œ\u{FFFD}Ž\u{FFFD}\u{FFFD}‘’“”•–—˜™š›œ\u{FFFD}žŸ";
 
-/// The text of a file, and how it was written. What is no UTF-8 is what Excel writes in western Europe.
+/// The text of a file, and how it was written. What is no UTF-8 is what Excel writes in western Europe; where lines end as on old
+/// Macs, which Excel still writes, they end as everywhere.
 pub(super) fn text_of(bytes: &[u8]) -> (Cow<'_, str>, &'static str) {
+    let (text, encoding) = decoded(bytes);
+    match text.contains('\r') && !text.contains('\n') {
+        true => (Cow::Owned(text.replace('\r', "\n")), encoding),
+        false => (text, encoding),
+    }
+}
+
+fn decoded(bytes: &[u8]) -> (Cow<'_, str>, &'static str) {
     let wide = |bytes: &[u8], word: fn([u8; 2]) -> u16| {
         let words: Vec<u16> = bytes.chunks_exact(2).map(|pair| word([pair[0], pair[1]])).collect();
         (Cow::Owned(String::from_utf16_lossy(&words)), "UTF-16")

@@ -7,17 +7,13 @@ use crate::render::clean;
 use std::io::{self, Write};
 
 pub(super) struct Csv<'a> {
-    out: Box<dyn Write + 'a>,
+    out: &'a mut dyn Write,
     board: Board,
-    /// Something is waited for: what came true stands in a column of its own.
-    waits: bool,
-    /// What came true with the next sample.
-    triggered: Vec<String>,
 }
 
 impl<'a> Csv<'a> {
-    pub(super) fn new(out: Box<dyn Write + 'a>) -> Self {
-        Csv { out, board: Board::default(), waits: false, triggered: Vec::new() }
+    pub(super) fn new(out: &'a mut dyn Write) -> Self {
+        Csv { out, board: Board::default() }
     }
 
     fn row(&mut self, cells: &[String]) -> io::Result<()> {
@@ -35,19 +31,16 @@ impl<'a> Csv<'a> {
             format!("{}{set}{}", column.slug, if column.scaled { "" } else { ".raw" })
         });
         let first = ["t", "n", "address", "drive", "state"].map(str::to_owned).into_iter();
-        let trigger = self.waits.then(|| "trigger".to_owned());
-        first.chain(columns).chain(["error".to_owned()]).chain(trigger).collect()
+        first.chain(columns).chain(["error".to_owned()]).collect()
     }
 
-    fn cells(&mut self, sample: &Sample) -> Vec<String> {
+    fn cells(&self, sample: &Sample) -> Vec<String> {
         let error = sample.error.as_ref().or_else(|| sample.values.iter().find_map(|value| value.value.error.as_ref()));
         let state = sample.state.as_ref().map_or_else(String::new, |state| state.slug.clone());
         let first = [seconds(sample.t), sample.n.to_string(), sample.address.to_string(), sample.drive.clone(), state];
         let values = self.board.values(sample).map(|(_, value)| value.map_or_else(String::new, number));
         let error = error.map_or_else(String::new, |error| error.code.clone());
-        let triggered = std::mem::take(&mut self.triggered).join("; ");
-        let trigger = self.waits.then_some(triggered);
-        first.into_iter().chain(values).chain([error]).chain(trigger).map(|cell| clean(&cell)).collect()
+        first.into_iter().chain(values).chain([error]).map(|cell| clean(&cell)).collect()
     }
 }
 
@@ -56,17 +49,9 @@ impl Form for Csv<'_> {
         match record {
             Record::Start(start) => {
                 self.board = Board::of(start);
-                self.waits = start.waits.is_some();
                 self.row(&self.head())
             }
-            Record::Trigger(news) => {
-                self.triggered.push(news.trigger.clone());
-                Ok(())
-            }
-            Record::Sample(sample) => {
-                let cells = self.cells(sample);
-                self.row(&cells)
-            }
+            Record::Sample(sample) => self.row(&self.cells(sample)),
             _ => Ok(()),
         }
     }

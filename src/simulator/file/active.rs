@@ -115,8 +115,14 @@ impl BenchFile<'_> {
         Ok(())
     }
 
-    pub(crate) fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, BenchError> {
-        let baud = match &row.baud {
+    /// A setting of a line, of what was written of it; 19200 baud, even parity.
+    pub(crate) fn setting(
+        &self,
+        baud: Option<&Spanned<i64>>,
+        parity: Option<&Spanned<String>>,
+        spoken: Spoken,
+    ) -> Result<LineSetting, BenchError> {
+        let baud = match baud {
             None => 19_200,
             Some(got) => {
                 let known = BAUD_RATES.iter().find(|rate| i64::from(rate.1) == *got.get_ref());
@@ -126,12 +132,16 @@ impl BenchFile<'_> {
             }
         };
         let words = PARITIES.map(|parity| (parity.name(), parity));
-        let parity = row.parity.as_ref().map_or(Ok(Parity::Even), |got| self.word("parity", got, &words))?;
-        let line = match spoken {
+        let parity = parity.map_or(Ok(Parity::Even), |got| self.word("parity", got, &words))?;
+        Ok(match spoken {
             Spoken::ASCII => LineSetting::ascii(baud, parity),
             Spoken::Vabus => LineSetting { parity, ..LineSetting::vabus(baud) },
             Spoken::Modbus(_) | Spoken::PBus => LineSetting::rtu(baud, parity),
-        };
+        })
+    }
+
+    pub(crate) fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, BenchError> {
+        let line = self.setting(row.baud.as_ref(), row.parity.as_ref(), spoken)?;
         match row.data_bits.as_ref().map(|got| (*got.get_ref(), got)) {
             None => Ok(line),
             Some((8, _)) => Ok(LineSetting { data_bits: 8, ..line }),

@@ -16,7 +16,7 @@ impl BenchFile<'_> {
             return Ok(None);
         }
         if row.every.is_some() || row.once.is_some() || row.byte.is_some() || row.address.is_some() {
-            let message = "babble goes only with at, by, for and pattern";
+            let message = "babble goes only with at, by, for, pattern, baud, parity and reply_delay";
             return Err(self.error(table.span(), message.to_owned()));
         }
         let pattern = match row.pattern.as_ref() {
@@ -29,7 +29,10 @@ impl BenchFile<'_> {
         let from = Tick::ZERO + self.time_or("at", row.at.as_ref(), Span::ZERO)?;
         let pause = self.time_or("by", row.by.as_ref(), BABBLE_PAUSE)?;
         let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
-        Ok(Some(Babbler::new(pattern, from, pause, lasts)))
+        let reply_delay = row.reply_delay.as_ref().map(|got| self.time("reply_delay", got)).transpose()?;
+        let is_set = row.baud.is_some() || row.parity.is_some();
+        let line = is_set.then(|| self.setting(row.baud.as_ref(), row.parity.as_ref(), spoken)).transpose()?;
+        Ok(Some(Babbler::new(pattern, from, pause, lasts).at(line, reply_delay)))
     }
 
     pub(crate) fn rule(&self, table: &Spanned<DisturbTable>) -> Result<Rule, BenchError> {
@@ -68,8 +71,12 @@ impl BenchFile<'_> {
             let message = "byte goes only with kind = \"noise\" or \"exception\"";
             return Err(self.error(table.span(), message.to_owned()));
         }
-        if let Some(got) = row.pattern.as_ref().or(row.lasts.as_ref()) {
-            return Err(self.error(got.span(), "pattern and for go only with kind = \"babble\"".to_owned()));
+        let words = [&row.pattern, &row.lasts, &row.parity, &row.reply_delay];
+        let spans = words.into_iter().flatten().map(Spanned::span).chain(row.baud.as_ref().map(Spanned::span));
+        if let Some(got) = spans.into_iter().next() {
+            return Err(
+                self.error(got, "pattern, for, baud, parity and reply_delay go only with kind = \"babble\"".to_owned())
+            );
         }
         let station = row.address.as_ref().map(|got| self.station(got)).transpose()?;
         Ok(Rule::new(when, kind, station))

@@ -147,6 +147,9 @@ pub(crate) struct DisturbTable {
     pub(crate) byte: Option<u8>,
     pub(crate) address: Option<Spanned<i64>>,
     pub(crate) pattern: Option<Spanned<String>>,
+    pub(crate) baud: Option<Spanned<i64>>,
+    pub(crate) parity: Option<Spanned<String>>,
+    pub(crate) reply_delay: Option<Spanned<String>>,
     #[serde(rename = "for")]
     pub(crate) lasts: Option<Spanned<String>>,
 }

@@ -27,6 +27,10 @@ pub(crate) struct Babbler {
     pattern: Pattern,
     /// From the end of what is said until it is said again.
     pause: Span,
+    /// The same from a question to its answer, where that is another time.
+    reply_delay: Option<Span>,
+    /// At which setting; `None`: at that of whoever listens.
+    line: Option<LineSetting>,
     next: Tick,
     until: Option<Tick>,
     /// The question has been asked; the answer is next.
@@ -38,7 +42,13 @@ const STRANGER: u8 = Address::LAST;
 
 impl Babbler {
     pub(crate) fn new(pattern: Pattern, from: Tick, pause: Span, lasts: Option<Span>) -> Self {
-        Babbler { pattern, pause, next: from, until: lasts.map(|lasts| from + lasts), asked: false }
+        let until = lasts.map(|lasts| from + lasts);
+        Babbler { pattern, pause, reply_delay: None, line: None, next: from, until, asked: false }
+    }
+
+    /// The same at a setting of its own, with another pause between a question and its answer.
+    pub(crate) fn at(self, line: Option<LineSetting>, reply_delay: Option<Span>) -> Self {
+        Babbler { line, reply_delay, ..self }
     }
 
     /// When it speaks next; `None` if never again.
@@ -46,8 +56,9 @@ impl Babbler {
         Some(self.next).filter(|&next| self.until.is_none_or(|until| next < until))
     }
 
-    /// What it says from now on.
-    pub(crate) fn speak(&mut self, now: Tick, line: LineSetting, dice: &mut Dice) -> Option<Vec<u8>> {
+    /// What it says from now on, to who listens at `line`, and at which setting it does.
+    pub(crate) fn speak(&mut self, now: Tick, line: LineSetting, dice: &mut Dice) -> Option<(Vec<u8>, LineSetting)> {
+        let line = self.line.unwrap_or(line);
         let bytes = match &self.pattern {
             Pattern::Bytes(bytes) => bytes.clone(),
             Pattern::Random => (0..=dice.below(63)).map(|_| dice.below(256) as u8).collect(),
@@ -55,8 +66,9 @@ impl Babbler {
             Pattern::Master(spoken) => self.telegram(*spoken, dice)?,
         };
         self.asked = !self.asked;
-        self.next = now + line.chars(bytes.len() as u64) + self.pause.longer(Span::from_micros(1));
-        Some(bytes)
+        let pause = self.reply_delay.filter(|_| self.asked).unwrap_or(self.pause);
+        self.next = now + line.chars(bytes.len() as u64) + pause.longer(Span::from_micros(1));
+        Some((bytes, line))
     }
 
     /// The question or the answer of another master: P.372 of a station far away.
@@ -115,7 +127,7 @@ mod tests {
         let mut babbler = Babbler::new(Pattern::Bytes(vec![0x55]), Tick::ZERO, Span::from_millis(20), lasts);
         let mut said = 0;
         while let Some(next) = babbler.next() {
-            assert_eq!(babbler.speak(next, LINE, &mut Dice::new(1)), Some(vec![0x55]));
+            assert_eq!(babbler.speak(next, LINE, &mut Dice::new(1)), Some((vec![0x55], LINE)));
             said += 1;
         }
         assert_eq!(said, 5);
@@ -124,7 +136,7 @@ mod tests {
     #[test]
     fn another_master_asks_and_is_answered() {
         let mut other = Babbler::new(Pattern::Master(Spoken::RTU), Tick::ZERO, Span::ZERO, None);
-        let mut say = || Framing::Rtu.decode(&other.speak(Tick::ZERO, LINE, &mut Dice::new(1)).unwrap()).unwrap();
+        let mut say = || Framing::Rtu.decode(&other.speak(Tick::ZERO, LINE, &mut Dice::new(1)).unwrap().0).unwrap();
         assert!(Request::decode(&say().pdu).is_ok());
         assert!(matches!(Reply::decode(&say().pdu), Ok(Reply::Registers(_))));
     }

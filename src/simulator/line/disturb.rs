@@ -103,8 +103,8 @@ impl Disturber {
         self.babblers.iter().filter_map(Babbler::next).min()
     }
 
-    /// What somebody says now unasked.
-    pub(crate) fn babble(&mut self, now: Tick, line: LineSetting) -> Option<Vec<u8>> {
+    /// What somebody says now unasked, and at which setting.
+    pub(crate) fn babble(&mut self, now: Tick, line: LineSetting) -> Option<(Vec<u8>, LineSetting)> {
         let dice = &mut self.dice;
         self.babblers.iter_mut().find(|babbler| babbler.next().is_some_and(|next| next <= now))?.speak(now, line, dice)
     }

@@ -293,12 +293,16 @@ fn in_a_pipe_every_setting_is_a_line_and_with_ndjson_a_record() {
         ),
     ] {
         let err = run(&format!("--lang {lang}")).exits(0).err;
-        assert!(err.lines().next().unwrap().starts_with(first), "{err}");
+        assert!(
+            err.lines().next().unwrap().contains(["listening first", "zugehört"][usize::from(lang == "de")]),
+            "{err}"
+        );
+        assert!(err.lines().nth(1).unwrap().starts_with(first), "{err}");
         assert!(err.lines().any(|line| line.starts_with(each)), "{err}");
     }
     assert_eq!(run("-q").exits(0).err, "");
     let without = run("--no-progress").exits(0).err;
-    assert!(without.lines().count() == 3 && without.contains("found act at 12"), "{without}");
+    assert!(without.lines().count() == 4 && without.contains("found act at 12"), "{without}");
     assert!(without.contains("note: all addresses at 2400 8E1 rtu had their turn"), "{without}");
     let output = run("--format ndjson").exits(0);
     let records: Vec<Value> = output.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();

@@ -78,7 +78,7 @@ fn a_held_run_says_that_it_runs_and_what_an_interrupt_does() {
     assert_eq!(held.err.matches("note: running; Ctrl-C stops: ramp").count(), 1, "{}", held.err);
     let enabled = antrieb("--lang de -a 1 --yes statemachine enable --hold --duration 1s --on-exit quick-stop");
     let enabled = enabled.on(READY).exits(0);
-    assert!(enabled.err.contains(": läuft; Ctrl-C hält an: quick-stop"), "{}", enabled.err);
+    assert!(enabled.err.contains(": läuft; Strg-C hält an: quick-stop"), "{}", enabled.err);
     let quiet = antrieb("-q -a 1 --yes sollwert 25Hz --enable --hold --duration 1s").on(READY).exits(0);
     assert!(!quiet.err.contains("Ctrl-C"), "{}", quiet.err);
     let once = antrieb("-a 1 --yes sollwert 25Hz --enable").on(READY).exits(0);

@@ -12,10 +12,10 @@ impl Motor<'_, '_> {
         self.session.tell(Event::Note(match choice {
             StopChoice::Keep => both!(
                 "running; Ctrl-C ends this program, not the drive (keep)",
-                "läuft; Ctrl-C beendet dieses Programm, nicht den Antrieb (keep)"
+                "läuft; Strg-C beendet dieses Programm, nicht den Antrieb (keep)"
             ),
             choice => {
-                both!("running; Ctrl-C stops: {slug}", "läuft; Ctrl-C hält an: {slug}", slug = choice.slug())
+                both!("running; Ctrl-C stops: {slug}", "läuft; Strg-C hält an: {slug}", slug = choice.slug())
             }
         }));
     }
@@ -26,12 +26,12 @@ impl Motor<'_, '_> {
         self.session.tell(Event::Note(match self.stronger(choice) {
             Some(next) => both!(
                 "stopping: {slug}; another Ctrl-C: {next}",
-                "der Halt läuft: {slug}; noch ein Ctrl-C: {next}",
+                "der Halt läuft: {slug}; noch ein Strg-C: {next}",
                 next = next.slug()
             ),
             None => both!(
                 "stopping: {slug}; another Ctrl-C waits no longer",
-                "der Halt läuft: {slug}; noch ein Ctrl-C wartet ihn nicht ab"
+                "der Halt läuft: {slug}; noch ein Strg-C wartet ihn nicht ab"
             ),
         }));
     }

@@ -49,10 +49,20 @@ impl Search<'_, '_, '_> {
 
     /// What is left takes on a silent line.
     pub(super) fn expected(&self) -> Work {
-        self.searched.iter().map(|searched| self.expected_at(searched)).fold(Work::default(), Work::and)
+        self.expected_until(self.stages.len())
     }
 
-    fn expected_at(&self, searched: &Searched) -> Work {
+    /// What is left of the quick looks: the likeliest addresses at every setting.
+    pub(super) fn likeliest(&self) -> Work {
+        self.expected_until(self.stages.iter().filter(|stage| stage.quick).count())
+    }
+
+    fn expected_until(&self, stages: usize) -> Work {
+        self.searched.iter().map(|searched| self.expected_at(searched, stages)).fold(Work::default(), Work::and)
+    }
+
+    /// What is left at a setting of the first so many rounds.
+    pub(super) fn expected_at(&self, searched: &Searched, stages: usize) -> Work {
         let Tuning { protocol, line } = searched.tuning;
         let before =
             searched.rounds.checked_sub(1).and_then(|round| self.stages.get(round)).filter(|stage| !stage.quick);
@@ -62,7 +72,7 @@ impl Search<'_, '_, '_> {
         if searched.occupied {
             return sum;
         }
-        for &stage in self.stages.iter().skip(searched.rounds) {
+        for &stage in self.stages.iter().take(stages).skip(searched.rounds) {
             let open = searched.open_of(stage.first);
             let done = if stage.quick { &mut looked } else { &mut settled };
             let count = open.saturating_sub(std::mem::replace(done, open));
@@ -77,7 +87,7 @@ impl Search<'_, '_, '_> {
 impl Search<'_, '_, '_> {
     /// Says before it begins how long it lasts, and sets the end that it keeps to.
     pub(super) fn announce(&mut self) {
-        if self.searched.len() == 1 || self.yielded {
+        if self.searched.len() == 1 || self.yielded.is_some() {
             return;
         }
         let expected = self.expected().sum();

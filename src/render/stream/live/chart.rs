@@ -70,7 +70,7 @@ impl Screen {
 
 /// Marks for the times from which there is no value: from the last good sample before to the first one after.
 fn holes(seen: &[&Past], step: f64) -> Vec<f64> {
-    let is_gap = |past: &&Past| past.values.iter().all(Option::is_none);
+    let is_gap = |past: &&Past| past.is_gap;
     let mut marks: Vec<f64> = seen.iter().filter(|past| is_gap(past)).map(|past| past.t).collect();
     for pair in seen.windows(2) {
         if let [before, after] = pair

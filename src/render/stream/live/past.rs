@@ -17,6 +17,8 @@ pub(super) struct Drive {
 pub(super) struct Past {
     pub(super) t: f64,
     pub(super) values: Vec<Option<f64>>,
+    /// No answer came; a value that was not asked for yet is no gap.
+    pub(super) is_gap: bool,
 }
 
 /// Most samples of a drive that are kept.
@@ -45,7 +47,7 @@ impl Drive {
         if self.past.len() == KEPT {
             self.past.pop_front();
         }
-        self.past.push_back(Past { t: float(sample.t), values });
+        self.past.push_back(Past { t: float(sample.t), values, is_gap: sample.error.is_some() });
         self.last = Some(sample.clone());
     }
 }

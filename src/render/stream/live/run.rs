@@ -36,7 +36,7 @@ impl Screen {
         let lang = self.lang;
         let mut keys = match run.phase {
             "ended" => vec![lang.pick("q ends", "q beendet").to_owned()],
-            "stopping" => vec![lang.pick("Ctrl-C: a stronger stop", "Ctrl-C: stärkerer Halt").to_owned()],
+            "stopping" => vec![lang.pick("Ctrl-C: a stronger stop", "Strg-C: stärkerer Halt").to_owned()],
             _ => vec![
                 lang.pick("space stop", "Leertaste Halt").to_owned(),
                 lang.pick("q stop and end", "q Halt und Ende").to_owned(),

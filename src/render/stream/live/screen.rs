@@ -1,7 +1,7 @@
 //! The live view without a terminal: a line for every drive, and the values of one of them.
 
-use super::past::Drive;
-use crate::outcome::{Column, Decimal, Record, RunNews, StreamStart};
+use super::past::{Drive, float};
+use crate::outcome::{Column, Decimal, Record, RunNews, Sample, StreamStart};
 use crate::profile::Lang;
 use crate::render::clean;
 use crate::render::stream::cells::{Board, find, is_number, long, number, seconds, short};
@@ -85,8 +85,6 @@ impl Screen {
                 }
                 self.run = Some(news.clone());
             }
-            // They are told as notes.
-            Record::Trigger(_) | Record::Trip(_) => {}
             Record::Telegram(_) | Record::Search(_) | Record::End(_) => {}
         }
     }
@@ -226,6 +224,9 @@ impl Screen {
             };
             let text = value.map_or_else(|| self.why(drive, column), |value| long(column, value, self.lang));
             let text = if text == shown { String::new() } else { text };
+            let age = drive.last.as_ref().and_then(|sample| age(column, sample));
+            let style = if age.is_some() { Style::new().add_modifier(Modifier::DIM) } else { Style::new() };
+            let text = age.map_or(text, |age| self.lang.pick("{} s ago", "vor {} s").replace("{}", &age));
             let unit = column.unit.as_ref().filter(|_| value.is_some());
             let set = if column.data_set > 0 { format!("@{}", column.data_set) } else { String::new() };
             Row::new([
@@ -235,6 +236,7 @@ impl Screen {
                 Text::raw(unit.map_or_else(String::new, |unit| clean(unit))),
                 Text::raw(clean(&text)),
             ])
+            .style(style)
         });
         let name = if area.width < 60 { Constraint::Fill(1) } else { Constraint::Length(30) };
         let text = if area.width < 60 { Constraint::Length(0) } else { Constraint::Fill(1) };
@@ -254,4 +256,14 @@ impl Screen {
     pub(super) fn tint(&self, color: Color) -> Style {
         if self.color { Style::new().fg(color) } else { Style::new() }
     }
+}
+
+/// A value older than this says so: what is beside it may be of now.
+const OLD: f64 = 1.0;
+
+/// How old a value is when its sample is told, in seconds, if it is not of now.
+fn age(column: &Column, sample: &Sample) -> Option<String> {
+    let value = sample.values.iter().find(|value| column.holds(&value.value))?;
+    let age = float(sample.t) - float(value.t);
+    (age > OLD).then(|| format!("{age:.1}"))
 }

@@ -1,0 +1,118 @@
+//! What is said to a technician at a terminal of 80 columns, in his language.
+
+use crate::run::antrieb;
+use unicode_width::UnicodeWidthStr;
+
+const READY: &str = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1, \"434\" = 2, \"418\" = 0 }\n";
+
+/// Questions, notes, warnings and hints break between words; in a pipe they are lines.
+#[test]
+fn on_a_terminal_prose_is_wrapped_between_words_and_in_a_pipe_it_is_not() {
+    let lines = [
+        "-p sim --lang de -a 1 sollwert 25Hz --enable --hold --duration 1s",
+        "-p sim -a 1 sollwert 25Hz --enable --hold --duration 1s --dead-man --view",
+        "-p sim -a 9 read 372",
+        "-p sim --lang de -a 9 read 372",
+        "-p sim --baud auto --parity auto --protocol auto -a 30-40 scan --within 3s",
+        "-p sim --lang de --baud auto --parity auto --protocol auto -a 30-40 scan --within 3s",
+        "-p sim write 376=1,5",
+    ];
+    for line in lines {
+        let shown = antrieb(line).columns(80).answered("n\n").run().err;
+        let long: Vec<&str> = shown.lines().filter(|line| line.width() > 80 && line.contains(' ')).collect();
+        assert!(long.is_empty(), "{line}: {long:#?}");
+        let piped = antrieb(line).run().err;
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        let only_words = |text: &str| words(text).into_iter().filter(|word| !word.starts_with('[')).collect::<Vec<_>>();
+        for wrapped in only_words(&shown).windows(2).take(3) {
+            assert!(words(&piped).windows(2).any(|pair| pair == wrapped), "{line}: {wrapped:?} of {piped}");
+        }
+    }
+    let hint = antrieb("-p sim -a 9 scan").columns(80).answered("").exits(1).err;
+    assert!(hint.lines().any(|line| line.contains("--baud auto --parity auto --protocol auto")), "{hint}");
+}
+
+#[test]
+fn a_number_without_a_base_says_how_it_was_read() {
+    for (line, other) in [
+        ("decode status 0237", "`antrieb decode status 0x0237`"),
+        ("decode fault 0700", "`antrieb decode fault F0700`"),
+        ("--drive lxm05 decode fault 0700", "`antrieb decode fault E0700`"),
+        ("--lang de decode warnings 1000", "`antrieb decode warnings 0x1000`"),
+    ] {
+        let told = antrieb(line).exits(0).err;
+        assert!(told.contains(other) && told.contains(&line[line.len() - 4..]), "{line}: {told}");
+    }
+    for clear in ["decode status 0x0237", "decode fault F0700", "decode status 567", "decode error 11"] {
+        assert_eq!(antrieb(clear).exits(0).err, "", "{clear}");
+    }
+}
+
+#[test]
+fn german_errors_are_german() {
+    let told = antrieb("--lang de -p sim -a 999 read 372").exits(2).err;
+    assert!(told.starts_with("Fehler: Adresse: erwartet: 0 bis 247"), "{told}");
+    let list = "Nr.;Bezeichnung;Einheit;Typ;Nachkommastellen;Zugriff\nP.372;Drehzahl;1/min;uint;0;rw\n";
+    let told = antrieb("--lang de params import {dir}/a.csv").file("a.csv", list).exits(7).err;
+    assert!(told.contains("a.csv:2: Parameter 372 steht schon in built-in active.toml\n"), "{told}");
+    assert!(told.contains("--replace") && !told.contains("replace = true"), "{told}");
+    let held = antrieb("--lang de -a 1 --yes sollwert 25Hz --enable --hold --duration 1s").on(READY).exits(0).err;
+    assert!(held.contains("Strg-C") && !held.contains("Ctrl-C"), "{held}");
+}
+
+#[test]
+fn what_was_typed_is_said_as_it_was_typed() {
+    let told = antrieb("-p sim -a 1 sollwert 5Hz --hold --duration -3s").exits(2).err;
+    assert!(told.contains("'-3s'") && !told.contains('\u{2212}'), "{told}");
+}
+
+#[test]
+fn a_unit_behind_a_blank_is_named() {
+    for (line, joined) in
+        [("sollwert 25 Hz", "25Hz"), ("write 376 1,5 kW", "376=1,5kW"), ("write 376=1,5 kW", "376=1,5kW")]
+    {
+        for lang in ["en", "de"] {
+            let told = antrieb(&format!("--lang {lang} -p sim -a 1 {line}")).exits(2).err;
+            assert!(told.contains(&format!(": {joined}\n")), "{line}: {told}");
+        }
+    }
+    let told = antrieb("-p sim -a 1 --yes write 376=750W").exits(7).err;
+    assert!(told.contains("'750W' has more decimals than this parameter: its step is 0.1 kW"), "{told}");
+}
+
+#[test]
+fn help_is_a_verb_and_says_in_german_that_it_is_english() {
+    let [word, option] = ["help scan", "scan --help"].map(|line| antrieb(line).exits(0).out);
+    assert_eq!(word, option);
+    assert_eq!(antrieb("help").exits(0).out, antrieb("--help").exits(0).out);
+    let german = antrieb("--lang de scan -h").run().out;
+    assert!(german.lines().nth(1).unwrap().contains("Hilfetexte sind englisch"), "{german}");
+    assert_eq!(german.lines().count(), antrieb("scan -h").exits(0).out.lines().count());
+}
+
+#[test]
+fn a_map_without_an_area_says_so_and_a_list_of_an_old_mac_is_read() {
+    let map = "{\"mbmap\": 2, \"vendor\": \"x\", \"model\": \"y\", \"address_base\": 0, \"registers\": [{\"address\": 1, \"name\": \"speed\", \"type\": \"uint16\"}]}";
+    let told = antrieb("--json params import {dir}/m.json --as mbmap").file("m.json", map).run();
+    assert!(told.out.contains("`area` is missing"), "{}", told.out);
+    let list = "Nr.;Bezeichnung;Einheit;Typ;Nachkommastellen;Zugriff\rP.370;Nennstrom X;A;uint;1;rw\rP.420;Rampe;Hz/s;long;2;rw\r";
+    let read = antrieb("params import {dir}/a.csv").file("a.csv", list).json().exits(0);
+    assert_eq!(read.data("/rows").as_array().unwrap().len(), 2);
+}
+
+/// What was asked, what only had a look, what is left: with the settings by their names.
+#[test]
+fn a_search_that_was_cut_short_names_its_settings() {
+    let told = antrieb("-p sim --baud auto -a 30-60 scan --within 2s").exits(1).err;
+    assert!(told.contains("left open: ") && told.contains("19200 8E1 rtu"), "{told}");
+    assert!(!told.contains("1 other settings"), "{told}");
+    let known = antrieb("-p sim -a 1-200 scan --within 1500ms").exits(0).err;
+    assert!(known.contains("warning: asked: 1-"), "{known}");
+    let saved = antrieb("-p sim --baud auto -a 30-60 scan --within 2s").json().exits(1);
+    assert!(
+        saved.error()["hint"].as_str().unwrap().contains("--baud auto scan --resume RESULT.json"),
+        "{}",
+        saved.error()
+    );
+    assert!(!told.contains("RESULT.json can be gone on with: "), "{told}");
+}
