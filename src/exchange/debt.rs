@@ -283,4 +283,124 @@ mod tests {
         debts.hears(2);
         assert_eq!(debts.until().collect::<Vec<_>>(), [at(2_100)]);
     }
+
+    fn words(words: &[u16]) -> Said {
+        Said::Modbus(crate::protocol::modbus::pdu::Reply::Registers(words.to_vec()))
+    }
+
+    #[test]
+    fn a_reply_pays_what_it_answers_and_what_was_asked_before_it() {
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(600), at(100));
+        assert!(!debts.pays(1, &words(&[1, 2]), at(200)), "two words answer no question for one");
+        assert!(!debts.pays(1, &words(&[1]), at(99)), "nobody answers before he is asked");
+        assert!(!debts.pays(2, &words(&[1]), at(200)), "somebody else");
+        assert!(debts.due(1).is_some());
+        assert!(debts.pays(1, &words(&[1]), at(100)));
+        assert!(debts.due(1).is_none() && !debts.pays(1, &words(&[1]), at(200)), "that was all");
+        // Asked twice it is owed twice.
+        debts.owes(1, question(1), at(800), at(300));
+        debts.owes(1, question(1), at(900), at(400));
+        assert!(debts.pays(1, &words(&[1]), at(500)) && debts.due(1).is_some());
+        assert!(debts.pays(1, &words(&[1]), at(500)) && debts.due(1).is_none());
+    }
+
+    #[test]
+    fn what_came_spoilt_is_late_no_more_and_only_its_copy_is_waited_for() {
+        let late = |debts: &Debts, said: &[u16]| debts.is_late(1, Some(&words(said)));
+        let mut lost = Debts::default();
+        lost.owes(1, question(1), at(500), at(0));
+        assert!(
+            late(&lost, &[7])
+                && !late(&lost, &[7, 8])
+                && !lost.is_late(1, None)
+                && !lost.is_late(2, Some(&words(&[7])))
+        );
+        let mut spoilt = Debts::default();
+        spoilt.may_owe(1, &question(1), at(0));
+        assert!(!late(&spoilt, &[7]) && spoilt.due(1) == Some((at(0), at(7_000))));
+        for (debts, until) in [(&mut lost, LATEST_OF_ALL), (&mut spoilt, COPY_WITHIN)] {
+            debts.settle(1, at(10), at(20));
+            let last = Tick::ZERO + until;
+            assert_eq!(debts.overtaken(1, at(30)).map(Overtaken::until).collect::<Vec<_>>(), [last]);
+            assert_eq!(debts.overtaken(1, last).count(), 0, "then it cannot come any more");
+        }
+        // That a copy comes tells nothing of a line that mixes up telegrams.
+        assert!(spoilt.arrives(1, &words(&[7]), at(40)) && !spoilt.mixes());
+        assert!(lost.arrives(1, &words(&[7]), at(40)) && lost.mixes());
+    }
+
+    #[test]
+    fn of_many_replies_that_were_overtaken_the_latest_are_remembered() {
+        let mut debts = Debts::default();
+        for start in 0..40 {
+            debts.owes(1, question(start), at(500), at(u64::from(start)));
+            debts.settle(1, at(u64::from(start)), at(u64::from(start) + 1));
+        }
+        let known: Vec<u64> = debts.overtaken(1, at(50)).map(|old| old.since.as_micros() / 1_000).collect();
+        assert_eq!(known, (24..40).collect::<Vec<_>>());
+        let mut at_once = Debts::default();
+        for start in 0..40 {
+            at_once.owes(1, question(start), at(500), at(u64::from(start)));
+        }
+        at_once.settle(1, at(40), at(41));
+        assert_eq!(at_once.overtaken(1, at(50)).map(|old| old.since.as_micros() / 1_000).collect::<Vec<_>>(), known);
+        // And no longer than they may come.
+        at_once.owes(1, question(50), at(8_000), at(7_030));
+        at_once.settle(1, at(7_030), at(7_031));
+        assert_eq!(at_once.overtaken(1, at(7_031)).count(), 9, "of 32 to 39, and this one");
+    }
+
+    #[test]
+    fn what_was_asked_behind_a_fence_is_owed_on() {
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(600), at(100));
+        debts.owes(1, question(2), at(700), at(200));
+        debts.owes(1, question(3), at(800), at(300));
+        debts.settle(1, at(200), at(310));
+        assert_eq!((debts.missing(1), debts.due(1)), (vec![question(3)], Some((at(800), at(7_300)))));
+        assert_eq!(
+            debts.overtaken(1, at(310)).map(|old| old.missing.clone()).collect::<Vec<_>>(),
+            [question(1), question(2)]
+        );
+    }
+
+    #[test]
+    fn a_reply_from_before_a_time_may_come_for_seven_seconds() {
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(600), at(100));
+        let is_missing = |station, start, since, now| debts.is_missing(station, &question(start), at(since), at(now));
+        assert_eq!([99, 100, 101].map(|since| is_missing(1, 1, since, 200)), [false, true, true]);
+        assert_eq!([7_099, 7_100].map(|now| is_missing(1, 1, 150, now)), [true, false]);
+        assert!(!is_missing(1, 2, 150, 200) && !is_missing(2, 1, 150, 200));
+    }
+
+    #[test]
+    fn a_fence_that_is_asked_again_is_owed_once_more_and_missing_since_then() {
+        let mut debts = Debts::default();
+        debts.owes_fence(1, question(9), at(0));
+        assert_eq!((debts.missing(1), debts.due(1)), (vec![question(9)], Some((at(0), at(7_000)))));
+        debts.owes(1, question(1), at(600), at(100));
+        debts.owes_fence(1, question(9), at(6_000));
+        assert_eq!(debts.missing(1), [question(9), question(1)], "it keeps its place");
+        debts.owes_fence(1, question(8), at(7_099));
+        assert_eq!(debts.missing(1), [question(9), question(1), question(8)]);
+        debts.owes_fence(1, question(8), at(7_100));
+        assert_eq!(debts.missing(1), [question(9), question(8)], "7 s behind the question nothing answers it");
+        assert_eq!((0..5).filter(|_| debts.pays(1, &words(&[7]), at(8_000))).count(), 5);
+        assert!(debts.due(1).is_none(), "five were owed");
+    }
+
+    #[test]
+    fn only_what_was_doubted_then_is_forgiven() {
+        let left = |start, since| {
+            let mut debts = Debts::default();
+            debts.owes(1, question(1), at(500), at(0));
+            debts.owes(1, question(2), at(500), at(10));
+            debts.settle(1, at(20), at(30));
+            debts.forgives(1, &question(start), at(since));
+            debts.overtaken(1, at(40)).count()
+        };
+        assert_eq!([left(1, 0), left(1, 10), left(2, 0), left(2, 10), left(3, 0)], [1, 2, 2, 1, 2]);
+    }
 }

@@ -70,6 +70,7 @@ mod motion {
     mod stops;
     mod taken;
     mod to_the_letter;
+    mod told_apart;
     mod unmeasured;
 }
 

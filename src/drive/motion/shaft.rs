@@ -191,6 +191,9 @@ mod tests {
             assert_eq!(looks(Movement::Position, &places).1, stands, "{moved}");
             assert!(!looks(Movement::Position, &places[1..]).1, "{moved}: eleven are too few");
         }
+        // It turns back twice; once is no waver.
+        assert!(looks(Movement::Position, &[0, 2, 4, 6, 4, 2, 0, 2, 4, 6, 4, 2]).1);
+        assert!(!looks(Movement::Position, &[0, 2, 4, 6, 8, 10, 9, 8, 7, 5, 3, 1]).1);
         // With a rest between to and fro, which is no turn of its own.
         let rests = [0, 3, 3, 0, 0, 3, 3, 0, 0, 3, 3, 0, 3, 0];
         assert!(looks(Movement::Position, &rests).1);

@@ -18,9 +18,6 @@ impl Master {
         self.orphan = None;
         self.debts.pays(station, &found.said, at);
         self.debts.settle(station, at, at);
-        if let Some(job) = self.job.as_mut().filter(|job| job.station == station) {
-            job.parting = Parting::None;
-        }
         self.heard.note(at, &came, None);
         self.tally.strays += 1;
         self.record(Record { at, verdict: Verdict::Stray { station }, bytes: came });

@@ -331,4 +331,5 @@ fn an_echo_of_the_last_end_that_comes_late_costs_no_repeat() {
         assert!(outcome.is_ok(), "{outcome:?}");
     }
     assert_eq!((line.master.tally().repeats, line.master.tally().garbled), (0, 0));
+    assert!(!line.verdicts().contains(&Verdict::Garbage), "our own end is no garbage");
 }

@@ -1,5 +1,7 @@
 //! The survey on a line on which bytes come at set times.
 
+mod counted;
+
 use super::*;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::pdu::{Reply, Request};

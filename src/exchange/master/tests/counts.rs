@@ -28,6 +28,7 @@ fn everything_on_a_line_is_counted_once() {
     for count in 1..=2 {
         taken(fine.ask(1, READ, &[&[(10, value(1390))]]));
         assert_eq!(told(&fine), [count, count, 0, 0, 0, 0, 0]);
+        assert_eq!(fine.master.tally().waited, Span::from_millis(10).times(count));
     }
     let mut silent = Line::new(Framing::Rtu);
     assert!(silent.ask(1, READ, &[]).is_err());

@@ -53,6 +53,17 @@ fn a_refusal_that_may_be_old_is_nobodys() {
 }
 
 #[test]
+fn what_was_answered_by_a_value_before_may_be_refused_late_all_the_same() {
+    let mut line = Line::new(Framing::Rtu);
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    assert!(line.ask(1, READ, &[]).is_err());
+    let refusal = frame(1, &Reply::Exception { function: 3, code: Exception::DeviceFailure });
+    let replies: [&[(u64, Vec<u8>)]; 2] = [&[(10, refusal), (20, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
 fn a_write_is_told_from_an_older_one_by_its_echo_and_needs_no_fence() {
     let mut line = Line::new(Framing::Rtu);
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
