@@ -135,3 +135,32 @@ fn a_zero_beside_an_internal_setpoint_of_the_same_sign_goes_out_at_once() {
         assert!(questions.is_some_and(|questions| questions <= 3), "{internal} {line}: {}", run.err);
     }
 }
+
+/// Contacts take its power on the way to 0. What its frequency shows from then on is the shaft, and it comes to rest.
+#[test]
+fn a_shaft_that_is_seen_to_coast_to_rest_stands() {
+    for loses_ms in [900, 1_200] {
+        let bench = drive(
+            &format!("{}, \"217\" = 0, \"218\" = 0", super::rig::RUNNING),
+            &format!(
+                "readings = {{ coast_shows = \"shaft\" }}\nramps = {{ up_right = 50, down_right = 5 }}\n[[drive.event]]\n\
+                 at = \"{loses_ms}ms\"\nenable = false"
+            ),
+        );
+        with_motor(
+            "acu",
+            &bench.replace("baud = 115200\n", ""),
+            async |session, target, permit| {
+                session.rest(Span::from_millis(600)).await.unwrap();
+                let family = target.family.clone();
+                let mode = family.modes.first().unwrap();
+                let mut motor = Motor::new(session, target, permit, None);
+                motor.look().await.unwrap();
+                motor.relieve_setpoint(mode, family.role("setpoint-frequency").unwrap()).await.unwrap();
+                let reached = motor.setpoint.as_ref().and_then(|setpoint| setpoint.reached);
+                assert_eq!(reached, Some(true), "{loses_ms}");
+            },
+            |bench| assert_eq!((bench.totals().turning, bench.totals().energised), (0, 0), "{loses_ms}"),
+        );
+    }
+}
