@@ -1793,6 +1793,10 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l interval -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l duration -d 'End after this time' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l count -d 'End after this many rounds' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l textfile -d 'Keep a file with the last round, as OpenMetrics' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l record -d 'Keep what comes in a file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trigger -d 'Wait for something: \'current > 12A\'' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l pre -d 'So long before a trigger is recorded [default: 2s]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l post -d 'So long behind a trigger is recorded [default: 5s]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -1818,6 +1822,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l catalogue -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l reconnect -d 'Wait for a port that is lost, and go on'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l line -d 'One line that is refreshed, in place of the live view'
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l once -d 'End behind the first trigger'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l unpaced -d 'On the bench: do not follow the wall clock'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s q -l quiet -d 'Less on stderr'

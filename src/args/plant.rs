@@ -2,12 +2,13 @@
 
 use super::globals::Globals;
 use super::low::{Environment, Low, Typed};
-use super::project::{PROJECT, device, wrong_in};
+use super::project::{PROJECT, Template, device, wrong_in};
 use super::settings::Settings;
 use crate::failure::Failure;
 use crate::files;
 use crate::text::both;
 use crate::transport::Port;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A drive of a plant, and what it shall have.
@@ -112,6 +113,17 @@ fn check_lines(project: &Path, places: &[Place]) -> Result<(), Failure> {
         return Err(wrong_in(project, &["drives", &place.name], why));
     }
     Ok(())
+}
+
+/// The triggers that have a name: those of the project file before those of the user.
+///
+/// # Errors
+/// A file does not do.
+pub fn templates(settings: &Settings) -> Result<BTreeMap<String, Template>, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    let low = Low::read(globals, environment)?;
+    let (_, project) = low.project();
+    Ok(low.user().triggers.clone().into_iter().chain(project.triggers.clone()).collect())
 }
 
 /// The ports that were typed, or stand in the environment: only their drives are meant then.

@@ -49,6 +49,26 @@ pub(super) struct File {
     pub(super) drives: BTreeMap<String, NamedDrive>,
     #[serde(default)]
     pub(super) groups: BTreeMap<String, Vec<String>>,
+    #[serde(default)]
+    pub(super) triggers: BTreeMap<String, Template>,
+}
+
+/// A trigger with a name, for `monitor`: `[triggers.trip]`.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Template {
+    /// The trigger, as it is typed.
+    pub when: String,
+    /// How long before it is recorded.
+    pub pre: Option<String>,
+    /// How long behind it is recorded.
+    pub post: Option<String>,
+    /// Whether the first one ends the watch.
+    #[serde(default)]
+    pub once: bool,
+    /// The parameters that are watched.
+    #[serde(default)]
+    pub watch: Vec<String>,
 }
 
 /// A port with a name: `[ports.left]`.

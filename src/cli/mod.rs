@@ -11,12 +11,12 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
-use crate::command::{Context, Entry, Flow, Typed, keeper};
+use crate::command::{Context, Entry, Flow, Typed, keeper, recording};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
-use crate::render::{self, Console, Format, Keep, Manner, Patience, Stream, Streams, Terminal, View};
+use crate::render::{self, Console, Format, Keep, Manner, Patience, Place, Stream, Streams, Terminal, View};
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
@@ -95,8 +95,9 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             stream.into_inner().close();
             whole(outcome, entry, format, manner, out.as_mut(), &console)
         }
-        Some(view) => kept(flow)
+        Some(view) => kept(flow.as_ref())
             .and_then(|keep| Ok(Stream::open(view, out.as_mut(), manner, &console)?.beside(keep)))
+            .map(|stream| stream.recorded(recorded(flow, format, globals.force)))
             .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
     };
     match printed {
@@ -266,11 +267,26 @@ fn fits(format: Format, flow: Option<&Flow>) -> Option<Failure> {
 }
 
 /// The file that a stream keeps beside it.
-fn kept(flow: Option<Flow>) -> io::Result<Option<Keep>> {
+fn kept(flow: Option<&Flow>) -> io::Result<Option<Keep>> {
     match flow {
-        Some(Flow::Samples { textfile: Some(path), .. }) => keeper(path).map(|keep| Some(Box::new(keep) as Keep)),
+        Some(Flow::Samples { textfile: Some(path), .. }) => {
+            keeper(path.clone()).map(|keep| Some(Box::new(keep) as Keep))
+        }
         _ => Ok(None),
     }
+}
+
+/// The file that keeps a stream, and in which form.
+fn recorded(flow: Option<Flow>, format: Format, force: bool) -> Option<(View, Place)> {
+    let Some(Flow::Samples { record: Some(path), .. }) = flow else { return None };
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    let view = match ending.as_deref() {
+        Some("csv") => View::Csv,
+        Some("ndjson") => View::Ndjson,
+        _ if format == Format::Csv => View::Csv,
+        _ => View::Ndjson,
+    };
+    Some((view, Box::new(move || Ok(Box::new(recording(&path, force)?) as Box<dyn Write>))))
 }
 
 /// Whether colours may go to stdout: `--color` before NO_COLOR (no-color.org), CLICOLOR and TERM.

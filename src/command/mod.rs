@@ -22,7 +22,7 @@ pub mod statemachine;
 mod verb;
 pub mod write;
 
-pub use monitor::keeper;
+pub use monitor::{keeper, recording};
 pub use verb::{EXAMPLES, Entry, Flow, Typed, Verb, Working, exemplified};
 
 /// Every verb, in the order of the help.

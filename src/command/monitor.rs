@@ -4,15 +4,20 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
+mod record;
+mod trigger;
+
+pub use record::recording;
+
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, plan, read_question, terms};
-use crate::args::{Takes, parse_span};
-use crate::drive::{Item, Rounds, Upper, watch};
-use crate::failure::Failure;
+use crate::args::{Settings, Takes, Template, parse_span, templates};
+use crate::drive::{Chosen, Item, Rounds, Signal, Upper, Window, watch};
+use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{Outcome, Record};
 use crate::profile::{DataSets, Family, Param, Selection, Selector};
-use crate::text::Wrong;
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use std::io;
@@ -69,6 +74,33 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub textfile: Option<PathBuf>,
 
+    /// Keep what comes in a file
+    ///
+    /// CSV if it ends with .csv, or with anything but .ndjson under --format csv; else NDJSON. Each line is written whole. A file that exists is replaced only
+    /// with --force. With --trigger only what lies around a trigger is kept.
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+
+    /// Wait for something: 'current > 12A'
+    ///
+    /// 'state -> fault', 'frequency rising 10Hz' or falling, 'status-word:fault rising'; or the name of one of `[triggers]` in antrieb.toml.
+    /// A comparison triggers when it becomes true; of several triggers any will do. Names are those of `read`, or setpoint, actual, current,
+    /// voltage, fault, warnings. What a trigger looks at is watched too.
+    #[arg(long, value_name = "WHEN")]
+    pub trigger: Vec<String>,
+
+    /// So long before a trigger is recorded [default: 2s]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "trigger", hide_short_help = true)]
+    pub pre: Option<Span>,
+
+    /// So long behind a trigger is recorded [default: 5s]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "trigger", hide_short_help = true)]
+    pub post: Option<Span>,
+
+    /// End behind the first trigger
+    #[arg(long, requires = "trigger")]
+    pub once: bool,
+
     /// On the bench: do not follow the wall clock
     ///
     /// Minutes of the bench take milliseconds.
@@ -82,6 +114,7 @@ impl Verb for Args {
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1,2 monitor --count 3 --interval 500ms",
         "antrieb --port sim -a 1 monitor @actual --duration 1m --unpaced --format csv",
+        "antrieb -p sim monitor --count 9 --record run.csv --trigger 'current > 12A'",
     ];
     const UPPER: Upper = Upper::drive(30)
         .each(12, "parameter in each round")
@@ -89,7 +122,8 @@ impl Verb for Args {
     type Prints = Record;
 
     fn streams(&self) -> Option<Flow> {
-        Some(Flow::Samples { line: self.line, textfile: self.textfile.clone() })
+        let (textfile, record) = (self.textfile.clone(), self.record.clone());
+        Some(Flow::Samples { line: self.line, textfile, record })
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -115,35 +149,120 @@ fn told(path: &Path, error: FileError) -> io::Error {
 
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let selectors: Vec<Selector> = args
-        .params
-        .iter()
-        .map(|text| text.parse().map_err(|error| super::read::select_failure(&error)))
-        .collect::<Result<_, _>>()?;
+    let wanted = Wanted::of(args, context.settings)?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
     // Names are checked before the port is opened: some drive must know all of them.
-    let (family, items) = offline(settings, registry, |family| items(&selectors, family))?;
+    let (family, chosen) = offline(settings, registry, |family| wanted.chosen(family))?;
     if settings.dry_run {
+        let items = chosen.items;
         let sets = items.iter().flat_map(|item| item.sets().wire().into_iter().map(move |set| (item.param(), set)));
         let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
         return plan(context, &family, &questions);
+    }
+    if let Some(path) = &args.record {
+        record::check(path, settings.force)?;
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     if !args.unpaced {
         session.pace();
     }
-    let select = |family: &Family| self::items(&selectors, family);
+    let select = |family: &Family| wanted.chosen(family);
     let Args { interval, duration, count, reconnect, .. } = *args;
-    let rounds = Rounds { interval, duration, count, reconnect };
-    Ok(watch(&mut session, &terms(settings, registry)?, rounds, &addresses, &items, &select).await)
+    let rounds = Rounds { interval, duration, count, reconnect, window: wanted.window };
+    Ok(watch(&mut session, &terms(settings, registry)?, rounds, &addresses, &chosen, &select).await)
 }
+
+/// What is watched and waited for, in words.
+struct Wanted {
+    selectors: Vec<Selector>,
+    triggers: Vec<String>,
+    window: Window,
+}
+
+/// So much around a trigger is recorded, if nobody says otherwise.
+const PRE: Span = Span::from_secs(2);
+const POST: Span = Span::from_secs(5);
+/// What lies before a trigger is kept in memory until it comes.
+const LONGEST_PRE: Span = Span::from_secs(600);
+
+impl Wanted {
+    /// What was typed, and what the project file says of triggers that were called by their names.
+    fn of(args: &Args, settings: &Settings) -> Result<Self, Failure> {
+        let known = templates(settings)?;
+        let mut params = args.params.clone();
+        let (mut pre, mut post, mut once, mut triggers) = (args.pre, args.post, args.once, Vec::new());
+        for text in &args.trigger {
+            let Some(template) = known.get(text.trim()) else {
+                triggers.push(text.clone());
+                continue;
+            };
+            let Template { when, watch, .. } = template;
+            triggers.push(when.clone());
+            params.extend(watch.iter().filter(|_| args.params.is_empty()).cloned());
+            pre = pre.or(time(text, template.pre.as_deref())?);
+            post = post.or(time(text, template.post.as_deref())?);
+            once |= template.once;
+        }
+        if let Some(stranger) = triggers.iter().find(|text| !trigger::is_condition(text)) {
+            let names = known.keys().cloned().collect::<Vec<_>>().join(", ");
+            let message = both!(
+                "there is no trigger '{stranger}' (`[triggers]` has: {names})",
+                "es gibt keinen Auslöser '{stranger}' (`[triggers]` hat: {names})"
+            );
+            return Err(Failure::new(Class::Usage, "usage.trigger", message).hint(trigger::shapes()));
+        }
+        let window = Window { pre: pre.unwrap_or(PRE), post: post.unwrap_or(POST), once };
+        if window.pre > LONGEST_PRE {
+            let message = both!("--pre: expected at most {LONGEST_PRE}", "--pre: erwartet: höchstens {LONGEST_PRE}");
+            return Err(Failure::new(Class::Usage, "usage.pre", message));
+        }
+        let selectors = params.iter().map(|text| text.parse().map_err(|error| super::read::select_failure(&error)));
+        Ok(Wanted { selectors: selectors.collect::<Result<_, _>>()?, triggers, window })
+    }
+
+    /// What that is in a family; what a trigger looks at comes last, unless it is watched anyway.
+    fn chosen(&self, family: &Family) -> Result<Chosen, Failure> {
+        let mut items = items(&self.selectors, family)?;
+        let waited_for = self.triggers.iter().map(|text| trigger::condition(text, family));
+        let waited_for = waited_for.collect::<Result<Vec<_>, _>>()?;
+        for condition in &waited_for {
+            let looked_at = match &condition.signal {
+                Signal::Value(item, _) => Some(Item::clone(item)),
+                Signal::State => family.role("status-word").map(|param| named(param.clone())),
+            };
+            let known = |item: &Item| {
+                items.iter().any(|known| known.param().id == item.param().id && known.sets() == item.sets())
+            };
+            if let Some(item) = looked_at.filter(|item| !known(item)) {
+                items.push(item);
+            }
+        }
+        Ok(Chosen { items, waited_for })
+    }
+}
+
+/// A time of a template.
+fn time(name: &str, text: Option<&str>) -> Result<Option<Span>, Failure> {
+    let wrong = |why: Wrong| {
+        let message = both!("triggers.{name}: {why}", "triggers.{name}: {why}", why = why.0);
+        Failure::new(Class::Data, "data.config", message)
+    };
+    text.map(|text| parse_span(text).map_err(wrong)).transpose()
+}
+
+fn named(param: Param) -> Item {
+    Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true })
+}
+
+/// What a drive does, in the order in which one of it is taken.
+const ACTUAL: &[&str] = &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"];
 
 /// Roles of the default view; of several actual values one will do, and only if its decimals are known.
 const DEFAULT: [&[&str]; 7] = [
     &["status-word"],
     &["setpoint-ramp", "setpoint-bus"],
-    &["actual-frequency", "stator-frequency", "encoder-frequency", "actual-speed"],
+    ACTUAL,
     &["current"],
     &["dc-link-voltage"],
     &["fault"],
@@ -152,12 +271,14 @@ const DEFAULT: [&[&str]; 7] = [
 
 /// What is shown of a drive where nobody names anything.
 pub(super) fn usual(family: &Family) -> Vec<Item> {
-    let one_of = |roles: &&[&str]| {
-        let mut known = roles.iter().filter_map(|role| family.role(role));
-        known.clone().find(|param| param.has_scale()).or_else(|| known.next()).cloned()
-    };
-    let select = |param| Item::new(Selection { param, sets: DataSets::Unnamed, of_group: true });
-    DEFAULT.iter().filter_map(one_of).filter(|param| !moves_on(family, param)).map(select).collect()
+    let usual = DEFAULT.iter().filter_map(|roles| one_of(roles, family));
+    usual.filter(|param| !moves_on(family, param)).map(named).collect()
+}
+
+/// The first parameter with one of these roles; rather one of which a source tells the decimals.
+fn one_of(roles: &[&str], family: &Family) -> Option<Param> {
+    let mut known = roles.iter().filter_map(|role| family.role(role));
+    known.clone().find(|param| param.has_scale()).or_else(|| known.next()).cloned()
 }
 
 /// What the selectors mean in this family; without any, the roles of the default view.

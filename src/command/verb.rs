@@ -52,6 +52,8 @@ pub enum Flow {
         line: bool,
         /// A file that always holds the last round.
         textfile: Option<PathBuf>,
+        /// A file that keeps what comes.
+        record: Option<PathBuf>,
     },
     /// Telegrams.
     Telegrams,

@@ -58,7 +58,7 @@ pub use target::Target;
 pub use terms::{Recognised, Terms, who};
 pub use transfer::Reading;
 pub use upper::{Price, Upper};
-pub use watch::{Item, Rounds, Select, watch};
+pub use watch::{Chosen, Compare, Condition, Item, Rounds, Select, Signal, Test, Window, watch};
 pub use write::{Order, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;

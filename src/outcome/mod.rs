@@ -31,8 +31,8 @@ pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedF
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
-    Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
-    StreamEnd, StreamStart, StreamSummary, WatchedDrive,
+    Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
+    StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits, WatchedDrive,
 };
 pub use transfer::{
     Dataset, DatasetRow, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,

@@ -1,6 +1,6 @@
 //! What `monitor`, `sniff`, a search for settings and a run that is held tell as it comes.
 
-use super::{Decimal, ErrorDoc, SearchNews, State, TelegramDoc, Value, Warning};
+use super::{Decimal, ErrorDoc, Fault, SearchNews, State, TelegramDoc, Value, Warning};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -13,6 +13,10 @@ pub enum Record {
     Start(StreamStart),
     /// The values of one drive in one round.
     Sample(Sample),
+    /// A trigger came true; the next sample is the one that shows it.
+    Trigger(TriggerNews),
+    /// A drive went into a fault, with what was seen of it last; the next sample is the one that shows it.
+    Trip(Box<Trip>),
     /// Where a run that is held has come to; again whenever that changes.
     Run(RunNews),
     /// The port was lost; the samples until `reopened` are gaps.
@@ -48,8 +52,59 @@ pub struct StreamStart {
     pub protocol: &'static str,
     /// Seconds from round to round; 0 is as fast as the line allows.
     pub interval: Decimal,
+    /// What is waited for; missing where nothing is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub waits: Option<Waits>,
     /// One entry a drive.
     pub drives: Vec<WatchedDrive>,
+}
+
+/// What a watch waits for.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Waits {
+    /// The triggers, as they were typed; any of them will do.
+    pub triggers: Vec<String>,
+    /// So many seconds before a trigger are recorded.
+    pub pre: Decimal,
+    /// And so many behind it.
+    pub post: Decimal,
+    /// The first one ends the watch, so long after it.
+    pub once: bool,
+}
+
+/// A trigger that came true.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct TriggerNews {
+    /// Seconds: those of the sample that shows it.
+    pub t: Decimal,
+    /// How many there were, this one included.
+    pub n: u64,
+    /// Address of the drive.
+    pub address: u8,
+    /// The trigger, as it was typed.
+    pub trigger: String,
+}
+
+/// A drive that went into a fault.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Trip {
+    /// Seconds: those of the sample that shows it.
+    pub t: Decimal,
+    /// Address of the drive.
+    pub address: u8,
+    /// The fault; null where it is not watched.
+    pub fault: Option<Fault>,
+    /// What was seen last before it.
+    pub before: Before,
+}
+
+/// What was seen of a drive last before a fault: of each value the last one that could be read.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub struct Before {
+    /// State, if the status word is watched.
+    pub state: Option<State>,
+    /// The values, each with its time.
+    pub values: Vec<SampleValue>,
 }
 
 /// A drive that is watched.
@@ -215,7 +270,7 @@ pub struct StreamEnd {
 /// What `monitor` streamed.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Monitor {
-    /// Why it ended: `count`, `duration`, `interrupted`, `lost`, `no_drive`.
+    /// Why it ended: `count`, `duration`, `trigger` (--once), `interrupted`, `lost`, `no_drive`.
     pub because: &'static str,
     /// Seconds from the start to the end.
     pub t: Decimal,
@@ -225,6 +280,8 @@ pub struct Monitor {
     pub samples: u64,
     /// Samples that are gaps.
     pub gaps: u64,
+    /// Triggers that came true.
+    pub triggers: u64,
 }
 
 /// What was streamed.

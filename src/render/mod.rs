@@ -16,7 +16,7 @@ pub use ask::Terminal;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
 pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};
-pub use stream::{Keep, Key, Keys, Manner, Stream, View};
+pub use stream::{Keep, Key, Keys, Manner, Place, Stream, View};
 
 use crate::text::{Wrong, both};
 use std::str::FromStr;

@@ -206,6 +206,7 @@ mod tests {
             line: String::new(),
             protocol,
             interval: t,
+            waits: None,
             drives,
         };
         assert_eq!(line.record(&Record::Start(start)), None);

@@ -12,6 +12,7 @@ mod judge;
 mod lexium;
 mod matrix;
 mod monitor;
+mod recording;
 mod run;
 
 /// What a drive holds: parameters and data sets.

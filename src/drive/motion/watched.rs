@@ -110,6 +110,7 @@ impl Watched {
             line: session.line().to_string(),
             protocol: session.protocol().name(),
             interval: seconds(EVERY),
+            waits: None,
             drives: vec![Self::drive(target, columns)],
         };
         session.tell(Event::Record(Box::new(Record::Start(start))));

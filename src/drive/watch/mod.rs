@@ -4,9 +4,14 @@
 //! goes on with the next drive. What is sampled goes out as records at once; only the first round is held back until
 //! it is known what there is to watch.
 
+mod item;
+mod moment;
 mod station;
+mod trigger;
+mod trip;
 
-pub use station::Item;
+pub use item::Item;
+pub use trigger::{Compare, Condition, Signal, Test};
 
 use super::{AccessError, Session, Terms, is_over, summary};
 use crate::exchange::Tally;
@@ -31,29 +36,54 @@ pub struct Rounds {
     pub count: Option<u64>,
     /// A lost port is waited for.
     pub reconnect: bool,
+    /// What lies around a trigger.
+    pub window: Window,
+}
+
+/// What lies around a trigger.
+#[derive(Clone, Copy, Debug)]
+pub struct Window {
+    /// So long before it.
+    pub pre: Span,
+    /// So long behind it.
+    pub post: Span,
+    /// The first one ends the watch, so long after it.
+    pub once: bool,
+}
+
+/// What is watched in a drive, and what is waited for in it.
+#[derive(Clone, Debug, Default)]
+pub struct Chosen {
+    /// What is read, in this order.
+    pub items: Vec<Item>,
+    /// The triggers.
+    pub waited_for: Vec<Condition>,
 }
 
 /// What is watched in a drive of a family.
-pub type Select<'a> = dyn Fn(&Family) -> Result<Vec<Item>, Failure> + 'a;
+pub type Select<'a> = dyn Fn(&Family) -> Result<Chosen, Failure> + 'a;
 
-/// Watches until the count or the time is over, the port is lost, or somebody ends it. `items` are watched in a drive until
+/// Watches until the count or the time is over, the port is lost, or somebody ends it. `chosen` is watched in a drive until
 /// it is recognised, what `select` says of its family from then on.
 pub async fn watch(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     rounds: Rounds,
     addresses: &[u8],
-    items: &[Item],
+    chosen: &Chosen,
     select: &Select<'_>,
 ) -> Outcome {
-    let mut stations: Vec<_> = addresses.iter().map(|&address| Station::new(address, items.to_vec())).collect();
+    let items = &chosen.items;
+    let mut stations: Vec<_> = addresses.iter().map(|&address| Station::new(address, items.clone())).collect();
     let mut watch = Watch {
         terms,
         select,
         rounds,
         begin: session.now(),
         held: Some(Vec::new()),
-        tally: Monitor { because: "interrupted", t: decimal(Span::ZERO), rounds: 0, samples: 0, gaps: 0 },
+        triggers: chosen.waited_for.iter().map(|condition| condition.text.clone()).collect(),
+        end: rounds.duration.map(|duration| (session.now() + duration, "duration")),
+        tally: Monitor { because: "interrupted", t: decimal(Span::ZERO), rounds: 0, samples: 0, gaps: 0, triggers: 0 },
         warnings: Vec::new(),
         lost: None,
     };
@@ -74,6 +104,10 @@ struct Watch<'a> {
     begin: Tick,
     /// Records of the first round, until the stream is started.
     held: Option<Vec<Record>>,
+    /// The triggers, as they were typed.
+    triggers: Vec<String>,
+    /// When it ends, and why then.
+    end: Option<(Tick, &'static str)>,
     tally: Monitor,
     warnings: Vec<Warning>,
     /// The port is lost.
@@ -83,7 +117,6 @@ struct Watch<'a> {
 impl Watch<'_> {
     /// Goes round until it is over; returns why it is.
     async fn run(&mut self, session: &mut Session<'_>, stations: &mut [Station]) -> &'static str {
-        let end = self.rounds.duration.map(|duration| self.begin + duration);
         loop {
             let slot = session.now();
             let result = match self.lost.clone() {
@@ -107,7 +140,7 @@ impl Watch<'_> {
                 return "no_drive";
             }
             let next = self.next_slot(slot, session.now());
-            let until = end.map_or(next, |end| end.min(next));
+            let until = self.end.map_or(next, |(end, _)| end.min(next));
             while session.now() < until {
                 let result = match self.lost {
                     Some(_) => self.seek_port(session, until).await,
@@ -119,8 +152,8 @@ impl Watch<'_> {
                     return because;
                 }
             }
-            if end.is_some_and(|end| session.now() >= end) {
-                return "duration";
+            if let Some((_, because)) = self.end.filter(|(end, _)| session.now() >= *end) {
+                return because;
             }
         }
     }
@@ -142,7 +175,10 @@ impl Watch<'_> {
             let Some((_, rest)) = stations.split_at_mut_checked(index) else { break };
             let Some(station) = rest.first_mut() else { break };
             match self.sample(session, station).await {
-                Ok(sample) => self.emit_sample(session, sample),
+                Ok(sample) => {
+                    self.mark_moments(session, station, &sample);
+                    self.emit_sample(session, sample);
+                }
                 Err(failure) => {
                     if failure.class == Class::Port {
                         self.blank(session, rest, &failure);
@@ -329,6 +365,7 @@ impl Watch<'_> {
             line: self.terms.line.to_string(),
             protocol: self.terms.speech.protocol.name(),
             interval: decimal(self.rounds.interval),
+            waits: self.waits(),
             drives: stations.iter().map(|station| self.watched(station)).collect(),
         };
         for record in std::iter::once(Record::Start(start)).chain(held) {
@@ -342,7 +379,7 @@ impl Watch<'_> {
             let mut columns: Vec<Column> = Vec::new();
             for drive in self.terms.registry.drives() {
                 let Some(family) = self.terms.registry.family(&drive.id) else { continue };
-                for item in (self.select)(&family).unwrap_or_default() {
+                for item in (self.select)(&family).unwrap_or_default().items {
                     let new = item.columns(&family).into_iter();
                     columns.extend(new.filter(|new| !columns.iter().any(|known| known.is_of(new))).collect::<Vec<_>>());
                 }

@@ -7,13 +7,17 @@ use crate::render::clean;
 use std::io::{self, Write};
 
 pub(super) struct Csv<'a> {
-    out: &'a mut dyn Write,
+    out: Box<dyn Write + 'a>,
     board: Board,
+    /// Something is waited for: what came true stands in a column of its own.
+    waits: bool,
+    /// What came true with the next sample.
+    triggered: Vec<String>,
 }
 
 impl<'a> Csv<'a> {
-    pub(super) fn new(out: &'a mut dyn Write) -> Self {
-        Csv { out, board: Board::default() }
+    pub(super) fn new(out: Box<dyn Write + 'a>) -> Self {
+        Csv { out, board: Board::default(), waits: false, triggered: Vec::new() }
     }
 
     fn row(&mut self, cells: &[String]) -> io::Result<()> {
@@ -31,16 +35,19 @@ impl<'a> Csv<'a> {
             format!("{}{set}{}", column.slug, if column.scaled { "" } else { ".raw" })
         });
         let first = ["t", "n", "address", "drive", "state"].map(str::to_owned).into_iter();
-        first.chain(columns).chain(["error".to_owned()]).collect()
+        let trigger = self.waits.then(|| "trigger".to_owned());
+        first.chain(columns).chain(["error".to_owned()]).chain(trigger).collect()
     }
 
-    fn cells(&self, sample: &Sample) -> Vec<String> {
+    fn cells(&mut self, sample: &Sample) -> Vec<String> {
         let error = sample.error.as_ref().or_else(|| sample.values.iter().find_map(|value| value.value.error.as_ref()));
         let state = sample.state.as_ref().map_or_else(String::new, |state| state.slug.clone());
         let first = [seconds(sample.t), sample.n.to_string(), sample.address.to_string(), sample.drive.clone(), state];
         let values = self.board.values(sample).map(|(_, value)| value.map_or_else(String::new, number));
         let error = error.map_or_else(String::new, |error| error.code.clone());
-        first.into_iter().chain(values).chain([error]).map(|cell| clean(&cell)).collect()
+        let triggered = std::mem::take(&mut self.triggered).join("; ");
+        let trigger = self.waits.then_some(triggered);
+        first.into_iter().chain(values).chain([error]).chain(trigger).map(|cell| clean(&cell)).collect()
     }
 }
 
@@ -49,9 +56,17 @@ impl Form for Csv<'_> {
         match record {
             Record::Start(start) => {
                 self.board = Board::of(start);
+                self.waits = start.waits.is_some();
                 self.row(&self.head())
             }
-            Record::Sample(sample) => self.row(&self.cells(sample)),
+            Record::Trigger(news) => {
+                self.triggered.push(news.trigger.clone());
+                Ok(())
+            }
+            Record::Sample(sample) => {
+                let cells = self.cells(sample);
+                self.row(&cells)
+            }
             _ => Ok(()),
         }
     }

@@ -11,11 +11,13 @@ mod live;
 mod metrics;
 mod ndjson;
 mod openmetrics;
+mod recorder;
 mod telegrams;
 mod ticker;
 
 pub use live::{Key, Keys};
 pub use openmetrics::Keep;
+pub use recorder::Place;
 
 use super::{Console, Outlet};
 use crate::outcome::{
@@ -99,6 +101,8 @@ pub struct Stream<'a> {
     queue: Option<Outlet>,
     /// What is written beside it.
     beside: Option<openmetrics::Beside>,
+    /// What is kept in a file.
+    recorder: Option<recorder::Recorder>,
     broken: Option<io::Error>,
 }
 
@@ -114,7 +118,7 @@ impl<'a> Stream<'a> {
         let view = if view == View::Live && !live::Terminal::is_there() { View::Lines } else { view };
         let form: Box<dyn Form + 'a> = match view {
             View::Ndjson => Box::new(ndjson::Ndjson::new(Box::new(out), manner.lang)),
-            View::Csv => Box::new(csv::Csv::new(out)),
+            View::Csv => Box::new(csv::Csv::new(Box::new(out))),
             View::Influx => Box::new(influx::Influx::new(out)),
             View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
@@ -132,6 +136,12 @@ impl<'a> Stream<'a> {
     /// The same, with every round as OpenMetrics text beside it.
     pub fn beside(self, keep: Option<Keep>) -> Self {
         Stream { beside: keep.map(openmetrics::Beside::new), ..self }
+    }
+
+    /// The same, kept in a file: as [`View::Csv`], else as [`View::Ndjson`].
+    pub fn recorded(self, kept: Option<(View, Place)>) -> Self {
+        let recorder = kept.map(|(view, place)| recorder::Recorder::new(view, self.manner, place));
+        Stream { recorder, ..self }
     }
 
     /// Begins the stream of a run, for which nobody waits: the terminal is taken over with its first record, and given back by
@@ -161,7 +171,8 @@ impl<'a> Stream<'a> {
     }
 
     fn of(form: Box<dyn Form + 'a>, view: View, manner: Manner, console: &Console, keys: Option<Keys>) -> Self {
-        Stream { form, view, manner, console: console.clone(), keys, queue: None, beside: None, broken: None }
+        let (queue, beside, recorder, broken) = (None, None, None, None);
+        Stream { form, view, manner, console: console.clone(), keys, queue, beside, recorder, broken }
     }
 
     /// Whether a terminal can be taken over.
@@ -193,7 +204,8 @@ impl<'a> Stream<'a> {
         let written = match event {
             Event::Record(record) => {
                 let beside = self.beside.iter_mut().try_for_each(|beside| beside.record(&record));
-                let written = beside.and_then(|()| self.form.record(&record));
+                let kept = beside.and_then(|()| self.recorder.iter_mut().try_for_each(|kept| kept.record(&record)));
+                let written = kept.and_then(|()| self.form.record(&record));
                 written.inspect(|()| self.console.observe(Event::Record(record)))
             }
             Event::Sought(news) if self.view == View::Ndjson => {
@@ -250,7 +262,9 @@ impl<'a> Stream<'a> {
             _ => None,
         };
         let (view, console) = (self.view, self.console.clone());
-        self.form.record(&Record::End(end(outcome, command, summary.clone())))?;
+        let end = Record::End(end(outcome, command, summary.clone()));
+        self.recorder.iter_mut().try_for_each(|kept| kept.record(&end))?;
+        self.form.record(&end)?;
         // Gives the terminal back.
         drop(self);
         if let Some(summary) = summary

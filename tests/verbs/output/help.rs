@@ -105,6 +105,7 @@ fn every_example_works() {
         let line = line.replace("list.csv", "{dir}/list.csv").replace("save pump.toml", "save new.toml");
         let line = line.replace("pump.toml", "{dir}/pump.toml").replace("new.toml", "{dir}/new.toml");
         let line = line.replace("'drive-", "'{dir}/drive-");
+        let line = line.replace("run.csv", "{dir}/run.csv");
         let line = line.replace("plant.toml", "{dir}/plant.toml");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");
         let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");

@@ -85,6 +85,8 @@ impl Screen {
                 }
                 self.run = Some(news.clone());
             }
+            // They are told as notes.
+            Record::Trigger(_) | Record::Trip(_) => {}
             Record::Telegram(_) | Record::Search(_) | Record::End(_) => {}
         }
     }

@@ -97,6 +97,7 @@ fn screen_in(lang: Lang, command: &'static str, drives: u8, samples: &[Option<i6
         line: "19200 8E1".to_owned(),
         protocol: "rtu",
         interval: at(1),
+        waits: None,
         drives: (1..=drives)
             .map(watched)
             .map(|mut drive| {

@@ -1,0 +1,163 @@
+//! `monitor --record`: what is kept of a watch, and what triggers it; on the bench in virtual time.
+
+use crate::run::{Output, antrieb};
+use serde_json::{Value, json};
+
+/// Starts at 2 s by its ramp of 5 Hz/s to 25 Hz, and trips at 9 s.
+const TRIPS: &str = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
+    [[drive.event]]\nat = \"2s\"\nenable = true\n[[drive.event]]\nat = \"9s\"\nfault = \"F0500\"\n";
+
+#[track_caller]
+fn records(text: &str) -> Vec<Value> {
+    text.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"))).collect()
+}
+
+fn of_type<'r>(records: &'r [Value], kind: &str) -> Vec<&'r Value> {
+    records.iter().filter(|record| record["type"] == kind).collect()
+}
+
+fn seconds(record: &Value) -> f64 {
+    record["t"].as_f64().unwrap()
+}
+
+fn value(sample: &Value, slug: &str) -> f64 {
+    let values = sample["values"].as_array().unwrap();
+    values.iter().find(|value| value["slug"] == slug).unwrap()["value"].as_f64().unwrap()
+}
+
+#[track_caller]
+fn tripped(options: &str) -> Output {
+    let line = "-a 1 monitor --interval 0 --duration 20s --unpaced --json --record {dir}/trip.ndjson";
+    antrieb(&format!("{line} {options}")).on(TRIPS).exits(0)
+}
+
+#[test]
+fn a_triggered_record_of_a_trip_holds_the_two_seconds_before_it() {
+    let run = tripped("--trigger 'state -> fault' --once");
+    let records = records(&run.text_of("trip.ndjson"));
+    let validator = jsonschema::validator_for(&serde_json::from_str(&antrieb("schema monitor").exits(0).out).unwrap());
+    let validator = validator.unwrap();
+    assert!(records.iter().all(|record| validator.is_valid(record)), "{records:#?}");
+    assert_eq!((&records[0]["type"], &records.last().unwrap()["type"]), (&json!("start"), &json!("end")));
+    assert_eq!(records[0]["waits"], json!({"triggers": ["state -> fault"], "pre": 2.0, "post": 5.0, "once": true}));
+    let at = seconds(of_type(&records, "trigger")[0]);
+    assert!((9.0..9.3).contains(&at), "{at}");
+    let samples = of_type(&records, "sample");
+    let (first, last) = (seconds(samples[0]), seconds(samples.last().unwrap()));
+    // From the first round that is not older than two seconds, to five seconds behind.
+    let step = seconds(samples[1]) - first;
+    assert!((at - 2.0..at - 2.0 + step).contains(&first), "{first} before {at}");
+    assert!((at + 5.0 - step..=at + 5.0).contains(&last), "{last} behind {at}");
+    // No round is left out, and every value has its own time.
+    let numbers: Vec<_> = samples.iter().map(|sample| sample["n"].as_u64().unwrap()).collect();
+    assert!(numbers.windows(2).all(|pair| pair[1] == pair[0] + 1), "{numbers:?}");
+    for sample in &samples {
+        let times: Vec<_> = sample["values"].as_array().unwrap().iter().map(seconds).collect();
+        assert!(times.windows(2).all(|pair| pair[0] < pair[1]) && times[0] > seconds(sample), "{times:?}");
+        // The round in which it trips has seen the drive running, and stopped.
+        let (t, turns) = (seconds(sample), value(sample, "stator-frequency") > 24.0);
+        assert!((t >= at || turns || t > at - 2.0 * step) && !(t >= at && turns), "{sample:#}");
+    }
+    assert_eq!(records.last().unwrap()["summary"]["because"], "trigger");
+    // What was printed went on as ever: from the start.
+    assert_eq!(self::records(&run.out)[1]["t"], 0.0);
+    assert!(run.err.contains("trigger at 9."), "{}", run.err);
+}
+
+#[test]
+fn a_fault_comes_with_what_was_seen_last_before_it() {
+    let run = tripped("");
+    let records = records(&run.text_of("trip.ndjson"));
+    assert_eq!(run.text_of("trip.ndjson"), run.out, "without a trigger everything is kept");
+    let [trip] = of_type(&records, "trip")[..] else { panic!("{}", run.out) };
+    assert_eq!(trip["fault"]["key"], "F0500");
+    assert_eq!(trip["before"]["state"]["slug"], "operation-enabled");
+    let last = of_type(&records, "sample").into_iter().rfind(|sample| seconds(sample) < seconds(trip)).unwrap();
+    assert_eq!(trip["before"]["values"], last["values"]);
+    assert!(value(&trip["before"], "stator-frequency") > 24.0 && value(&trip["before"], "rms-current") > 0.0);
+    let told = "F0500 Output current overload; seen last before it: Operation enabled, ";
+    assert!(run.err.contains(told), "{}", run.err);
+}
+
+#[test]
+fn a_value_triggers_where_it_passes_its_level_and_repeatedly() {
+    let bench = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
+        [[drive.event]]\nat = \"2s\"\nenable = true\nfor = \"4s\"\n[[drive.event]]\nat = \"16s\"\nenable = true\nfor = \"4s\"\n";
+    let line = "-a 1 monitor 210 --interval 100ms --duration 24s --unpaced --format csv --record {dir}/runs.csv \
+        --pre 500ms --post 1s";
+    let run = antrieb(&format!("{line} --trigger 'frequency rising 10Hz'")).on(bench).exits(0);
+    let text = run.text_of("runs.csv");
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    assert_eq!(reader.headers().unwrap().iter().next_back(), Some("trigger"));
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let triggered: Vec<_> = rows.iter().filter(|row| row.iter().next_back() == Some("frequency rising 10Hz")).collect();
+    assert_eq!(triggered.len(), 2, "{text}");
+    for row in &triggered {
+        let frequency: f64 = row[5].parse().unwrap();
+        assert!((10.0..11.0).contains(&frequency), "{row:?}");
+    }
+    assert_eq!(rows.len(), 2 * (5 + 1 + 10), "half a second before, and one behind: {text}");
+    // A level that is passed already when the watch begins counts as well; an edge has to be seen.
+    let at_once = |trigger: &str| {
+        let line = format!("-p sim -a 1 monitor 210 --count 3 --unpaced --json --trigger '{trigger}'");
+        of_type(&records(&antrieb(&line).exits(0).out), "trigger").len()
+    };
+    assert_eq!((at_once("frequency < 10Hz"), at_once("frequency falling 10Hz"), at_once("state -> fault")), (1, 0, 0));
+}
+
+#[test]
+fn what_a_trigger_looks_at_is_watched_and_nothing_twice() {
+    let slugs = |line: &str| -> Vec<String> {
+        let out = antrieb(&format!("-p sim -a 1 monitor {line} --count 1 --unpaced --json")).exits(0).out;
+        let columns = records(&out)[0]["drives"][0]["columns"].as_array().unwrap().clone();
+        columns.iter().map(|column| column["slug"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(slugs("210 --trigger 'current > 12A'"), ["stator-frequency", "rms-current"]);
+    assert_eq!(slugs("211 --trigger 'current > 12A'"), ["rms-current"]);
+    assert_eq!(slugs("210 --trigger 'state -> fault'"), ["stator-frequency", "status-word"]);
+}
+
+#[test]
+fn a_trigger_has_a_name_in_the_project_file() {
+    let project = "[triggers.trip]\nwhen = \"state -> fault\"\npre = \"1s\"\npost = \"2s\"\nonce = true\nwatch = [\"210\", \"211\"]\n";
+    let line = "-a 1 monitor --interval 0 --unpaced --json --record {dir}/trip.csv --trigger trip";
+    let run = antrieb(line).on(TRIPS).file("antrieb.toml", project).exits(0);
+    let start = &records(&run.out)[0];
+    assert_eq!(start["waits"], json!({"triggers": ["state -> fault"], "pre": 1.0, "post": 2.0, "once": true}));
+    assert!(
+        run.text_of("trip.csv")
+            .starts_with("t,n,address,drive,state,stator-frequency,rms-current,status-word,error,trigger\n")
+    );
+    // What is typed goes before it.
+    let typed = antrieb(line).and("411 --pre 3s").on(TRIPS).file("antrieb.toml", project).exits(0);
+    assert_eq!(records(&typed.out)[0]["waits"]["pre"], 3.0);
+    let unknown = antrieb("-p sim monitor --trigger tripp").file("antrieb.toml", project).exits(2);
+    assert!(unknown.err.contains("there is no trigger 'tripp' (`[triggers]` has: trip)"), "{}", unknown.err);
+    let wrong = project.replace("\"1s\"", "\"soon\"");
+    let wrong = antrieb("-p sim monitor --trigger trip").file("antrieb.toml", &wrong).exits(7);
+    assert!(wrong.err.contains("triggers.trip: "), "{}", wrong.err);
+}
+
+#[test]
+fn nobody_elses_file_is_replaced() {
+    let line = "-p sim -a 1 monitor 210 --count 2 --unpaced --json --record {dir}/old.ndjson";
+    let refused = antrieb(line).file("old.ndjson", "precious\n").exits(7);
+    assert_eq!(refused.text_of("old.ndjson"), "precious\n");
+    assert!(refused.err.contains("--force replaces it") && refused.out.lines().count() == 1, "{}", refused.err);
+    let replaced = antrieb(line).and("--force").file("old.ndjson", "precious\n").exits(0);
+    assert_eq!(replaced.text_of("old.ndjson"), replaced.out);
+    antrieb("-p sim -a 1 monitor 210 --count 2 --unpaced --record {dir}").exits(7);
+    antrieb("-p sim -a 1 monitor 210 --count 2 --unpaced --record {dir}/none/where.csv").exits(3);
+    let dry = antrieb("-p sim -a 1 monitor 210 --dry-run --record {dir}/dry.csv").exits(0);
+    assert!(!dry.directory().join("dry.csv").exists());
+}
+
+#[test]
+fn what_is_no_trigger_is_refused_before_the_port_is_opened() {
+    for (trigger, exit) in
+        [("current >", 2), ("current > 12Hz", 2), ("state -> asleep", 2), ("frobnicate > 3", 7), ("480-483 > 3", 2)]
+    {
+        antrieb(&format!("-p /dev/antrieb-has-no-such-port monitor --trigger '{trigger}'")).exits(exit);
+    }
+    antrieb("-p sim monitor --pre 2s").exits(2);
+}
