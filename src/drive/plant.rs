@@ -8,7 +8,7 @@
 use super::job::Step;
 use super::paramfile::head;
 use super::transaction::{self, Applied, Plan, UndoFile};
-use super::{Interrupt, Recognised, Session, Target, Terms, Upper, is_over};
+use super::{Interrupt, Recognised, Session, Terms, Upper, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{LoadEnd, WriteResult};
@@ -16,7 +16,7 @@ use crate::profile::Family;
 use crate::profile::paramfile::Head;
 use crate::text::both;
 use std::cell::Cell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::pin::pin;
 use std::rc::Rc;
 use std::task::Poll;
@@ -59,8 +59,8 @@ pub struct Found {
 pub struct Done {
     /// How it ended.
     pub applied: Applied,
-    /// Where its undo file stands.
-    pub undo_file: PathBuf,
+    /// Where its undo file stands, unless nothing was written.
+    pub undo_file: Option<PathBuf>,
     /// It was taken back, because another drive failed: a failure for each value that did not come back.
     pub taken_back: Option<Vec<Failure>>,
 }
@@ -135,7 +135,7 @@ impl Line<'_> {
         session.note_interrupts();
         for member in self.members.iter_mut().rev() {
             if let (Some(found), Some(done)) = (&mut member.found, &mut member.applied)
-                && done.applied.ended == LoadEnd::Done
+                && matches!(done.applied.ended, LoadEnd::Done | LoadEnd::Stored)
             {
                 done.taken_back = Some(transaction::take_back(session, &mut found.plan, permit).await);
             }
@@ -177,7 +177,7 @@ impl Member<'_> {
     /// # Errors
     /// Nobody answers, or another drive.
     pub async fn identify(&self, session: &mut Session<'_>) -> Result<Recognised, Failure> {
-        let mut drive = self.recognised(session).await?;
+        let mut drive = self.terms.asked(session, self.address, &self.family).await?;
         if self.product.is_some() {
             drive.product = self.terms.product(session, &drive).await?;
         }
@@ -191,22 +191,6 @@ impl Member<'_> {
         let plan = transaction::plan(session, drive.target, &self.terms, std::mem::take(&mut self.steps)).await?;
         self.found = Some(Found { plan, head });
         Ok(())
-    }
-
-    /// Who is at the address. A family that no question can tell is believed.
-    async fn recognised(&self, session: &mut Session<'_>) -> Result<Recognised, Failure> {
-        let told = self.terms.recognised(session, self.address, false).await;
-        let usual = self.terms.registry.presumed();
-        let tells_nothing = |family: &&Rc<Family>| {
-            family.link.product.is_none() && usual.as_ref().is_none_or(|usual| usual.family != family.family)
-        };
-        match (told, Some(&self.family).filter(tells_nothing)) {
-            (Err(failure), Some(family)) if failure.code == "data.unknown_drive" => {
-                let target = Target::new(self.address, family.clone()).in_word_order(self.terms.word_order);
-                Ok(Recognised { target, evidence: Vec::new(), product: None })
-            }
-            (told, _) => told,
-        }
     }
 
     /// Refuses another drive than the one that was meant.
@@ -249,7 +233,8 @@ impl Member<'_> {
         let undo_file = UndoFile::leave_beside(&self.beside, head, plan)?;
         let applied = transaction::apply(session, plan, &self.terms, permit, &undo_file).await;
         let failures = applied.failures.clone();
-        self.applied = Some(Done { applied, undo_file: Path::to_owned(undo_file.path()), taken_back: None });
+        let undo_file = undo_file.unless(applied.ended == LoadEnd::Untouched);
+        self.applied = Some(Done { applied, undo_file, taken_back: None });
         Ok(failures)
     }
 }

@@ -103,6 +103,38 @@ impl Terms<'_> {
     }
 }
 
+impl Terms<'_> {
+    /// The drive at an address, asked also where its family was named: a number means another thing in another family, so nobody's
+    /// word brings the values of one into a drive that says that it is another. A family that no question can tell is believed,
+    /// and so is `--drive` of a drive that tells nothing.
+    ///
+    /// # Errors
+    /// Nobody answers, or who answers is no drive that we know.
+    pub async fn asked(
+        &self,
+        session: &mut Session<'_>,
+        address: u8,
+        family: &Rc<Family>,
+    ) -> Result<Recognised, Failure> {
+        let asking = Terms { named: None, ..self.clone() };
+        let usual = self.registry.presumed();
+        let tells_nothing =
+            family.link.product.is_none() && usual.as_ref().is_none_or(|usual| usual.family != family.family);
+        let is_believed = |failure: &Failure| match failure.code.as_str() {
+            "data.unknown_drive" => tells_nothing || self.named.is_some(),
+            "refused.busy" => self.named.is_some(),
+            _ => false,
+        };
+        match asking.recognised(session, address, false).await {
+            Err(failure) if is_believed(&failure) => {
+                let target = Target::new(address, family.clone()).in_word_order(self.word_order);
+                Ok(Recognised { target, evidence: Vec::new(), product: None })
+            }
+            told => told,
+        }
+    }
+}
+
 /// Who answers is no drive that we know, or has no time to say so.
 fn unknown(address: u8, busy: bool, told: &Text) -> Failure {
     let failure = match busy {

@@ -63,7 +63,9 @@ impl Target {
         let both =
             route.question(Inquiry::WriteAndRead(cell, kind, bits)).filter(|_| read_back && !self.lacks_exchange);
         let mut question = both.unwrap_or_else(|| plain.clone());
-        let (limits, once) = (session.limits(), Limits { retries: 0, ..session.limits() });
+        let limits = session.limits();
+        // It wears the EEPROM: where its answer is missing or may be another's, the value is read before it goes out again.
+        let once = Limits { retries: 0, witness: !read_back, ..limits };
         let mut tries = 0;
         loop {
             tries += 1;

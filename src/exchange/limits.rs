@@ -23,7 +23,7 @@ pub struct Limits {
     /// busy line. `None`: it waits for its turn, and a line that is never silent fails the question.
     pub insist: Option<Span>,
     /// An answer is asked for once more where it may be another's. Not what is cleared by reading, such as the register
-    /// that tells why a drive said no.
+    /// that tells why a drive said no, and not what wears by being written.
     pub witness: bool,
     /// No answer is believed that may be one to the same question from before this time. What proves a stop is asked so.
     pub since: Option<Tick>,

@@ -41,6 +41,8 @@ pub enum PlantState {
     Planned,
     /// It has every value now, proven.
     Done,
+    /// Every value is stored, proven, but it does not work with all of them.
+    Stored,
     /// Nothing was begun with it; the error says why.
     Skipped,
     /// It was begun, and nothing was changed.

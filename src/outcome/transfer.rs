@@ -73,6 +73,8 @@ pub enum WriteResult {
     Verified,
     /// Echoed; cannot be read back.
     Written,
+    /// Stored, read back, but the drive works with another value (RAM).
+    Stored,
     /// The drive has this value already; nothing was sent.
     Unchanged,
     /// A dry run: nothing was sent.
@@ -177,6 +179,8 @@ pub enum LoadEnd {
     /// The drive has every value, proven.
     #[default]
     Done,
+    /// Every value is stored, proven, but the drive does not work with all of them; the rows say with which.
+    Stored,
     /// Nothing was changed.
     Untouched,
     /// Everything that was written is as it was before, proven.

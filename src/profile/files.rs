@@ -78,6 +78,11 @@ impl FileRules {
         }
     }
 
+    /// Whether it can start a shaft.
+    pub fn may_start(&self, param: &Param) -> bool {
+        self.last.contains(&param.id)
+    }
+
     /// What a write of this parameter may change besides.
     pub fn altered_by(&self, id: u32) -> impl Iterator<Item = u32> {
         self.alters.iter().filter(move |row| row.by == id).flat_map(|row| &row.what).copied()

@@ -197,6 +197,8 @@ const GERMAN: &[(&str, &str)] = &[
     ("undo file", "Datei zum Zurücknehmen"),
     ("done, every value proven", "fertig, jeder Wert geprüft"),
     ("nothing was changed", "nichts wurde geändert"),
+    ("stored only", "nur gespeichert"),
+    ("stored, not all in force", "gespeichert, nicht alles wirkt"),
     ("as before, proven", "wie vorher, geprüft"),
     ("NOT as before", "NICHT wie vorher"),
     ("left out until named", "ausgelassen bis genannt"),

@@ -100,7 +100,8 @@ fn common(files: &[Option<Opened>], targets: &[Option<Target>]) -> Result<Rc<Fam
     let of_file = files.iter().flatten().map(|file| &file.family);
     let of_drive = targets.iter().flatten().map(|target| &target.family);
     for file in files.iter().flatten() {
-        of_file.clone().chain(of_drive.clone()).try_for_each(|family| file.fits(&family.drive))?;
+        of_file.clone().try_for_each(|family| file.fits_file(&family.drive))?;
+        of_drive.clone().try_for_each(|family| file.fits(&family.drive))?;
     }
     let families: Vec<_> = of_file.chain(of_drive).collect();
     match families.as_slice() {

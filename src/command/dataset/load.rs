@@ -18,6 +18,7 @@ use crate::text::both;
 use clap::Args as ClapArgs;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Writes parameter files into a drive: all of it, or nothing.
 ///
@@ -63,7 +64,7 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, &family).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
     let head = head(&session, &drive);
     let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
@@ -80,8 +81,9 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
         (None, file) => UndoFile::leave_beside(file.map_or(Path::new("load"), PathBuf::as_path), &head, &plan)?,
     };
     let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
-    report.undo_file = Some(left.path().display().to_string());
-    Ok(applied(report, plan, done, left.path()).into())
+    let path = left.path().to_owned();
+    report.undo_file = left.unless(done.ended == LoadEnd::Untouched).map(|path| path.display().to_string());
+    Ok(applied(report, plan, done, &path).into())
 }
 
 /// Takes a load back.
@@ -100,7 +102,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let Context { settings, registry, interrupt, observe, ask } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, &family).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
     same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
@@ -146,7 +148,7 @@ async fn permit(
         }
     };
     let unchanged = plan.job.rows.iter().filter(|row| row.result == WriteResult::Unchanged).count();
-    details.extend(plan.notes.iter().cloned());
+    details.extend(plan.notes.iter().cloned().chain(plan.open_memory()));
     if unchanged > 0 {
         details.push(both!(
             "equal already, and not written: {unchanged}",
@@ -208,14 +210,17 @@ pub(in crate::command) fn read_all(
     laid.ok_or_else(|| Failure::new(Class::Usage, "usage.file", both!("expected a file", "erwartet: eine Datei")))
 }
 
-/// The drive, if it is of the family that the file is for.
+/// The drive, if it is of the family that the file is for. It is asked, whatever `--drive` says; with `--force` that is believed.
 async fn same_family(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     address: u8,
-    family: &Family,
+    (family, force): (&Rc<Family>, bool),
 ) -> Result<Recognised, Failure> {
-    let mut drive = terms.recognised(session, address, false).await?;
+    let mut drive = match force {
+        true => terms.recognised(session, address, false).await?,
+        false => terms.asked(session, address, family).await?,
+    };
     drive.product = terms.product(session, &drive).await?;
     let found = &drive.target.family.drive;
     if *found == family.drive {
@@ -227,8 +232,8 @@ async fn same_family(
         of = family.drive
     );
     Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
-        "what two families have in common has the same numbers, not the same meaning",
-        "gleiche Nummern zweier Familien bedeuten nicht dasselbe"
+        "what two families have in common has the same numbers, not the same meaning; --drive is believed with --force alone",
+        "gleiche Nummern zweier Familien bedeuten nicht dasselbe; --drive wird nur mit --force geglaubt"
     )))
 }
 

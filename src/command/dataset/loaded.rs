@@ -2,10 +2,10 @@
 
 use crate::command::{Context, terms, write};
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, Plan};
+use crate::drive::transaction::{Applied, Plan, STORE};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult};
+use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
 use crate::profile::paramfile::{Settings, ranges};
 use crate::profile::{Effective, Family, Role, Type};
 use crate::text::{Text, both};
@@ -182,6 +182,12 @@ pub(in crate::command) fn whole(
         );
         warnings.push(Warning { code: "load.restart".to_owned(), message });
     }
+    let tells = |row: &Written| matches!(row.result, WriteResult::Restored | WriteResult::Unrestored);
+    let is_nothing = plan.job.rows.iter().all(|row| row.result == WriteResult::Unchanged);
+    if load.ended.is_some() && (is_nothing || plan.job.rows.iter().any(tells)) {
+        let open = plan.open_memory();
+        warnings.extend(open.map(|message| Warning { code: "load.open_memory".to_owned(), message }));
+    }
     load.values = plan.job.rows;
     Told { load, warnings, failure }
 }
@@ -192,12 +198,14 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
     report.ended = Some(ended);
     let mut warnings: Vec<Warning> =
         notes.into_iter().map(|message| Warning { code: "load.altered".to_owned(), message }).collect();
-    let file = left.display();
+    let is_of_ram = plan.is_of_ram();
+    let is_lost = failures.iter().any(|failure| !is_of_ram && failure.context.contains(&(STORE, "ram".to_owned())));
     let mut failures = failures.into_iter();
     let failure = failures.next().map(|first| {
         let why = first.message.clone();
         match ended {
             LoadEnd::Done | LoadEnd::Untouched => unchanged(first),
+            LoadEnd::Stored => Failure { message: stored(&why, failures.len() + 1), ..first },
             LoadEnd::Back => partial(
                 first,
                 "partial.put_back",
@@ -212,16 +220,42 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
                 first,
                 "partial.torn",
                 unlike(&why, failures.len()),
-                both!(
-                    "`antrieb dataset undo {file}` brings them back once the drive answers",
-                    "`antrieb dataset undo {file}` holt sie zurück, sobald der Antrieb antwortet"
-                ),
+                by_undo(left, is_lost),
             ),
         }
     });
     let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });
     warnings.extend(more);
     whole(report, plan, warnings, failure)
+}
+
+/// What takes back what did not come back; an undo file knows only what is stored.
+fn by_undo(left: &Path, is_lost: bool) -> Text {
+    let file = left.display();
+    match is_lost {
+        false => both!(
+            "`antrieb dataset undo {file}` brings them back once the drive answers",
+            "`antrieb dataset undo {file}` holt sie zurück, sobald der Antrieb antwortet"
+        ),
+        true => both!(
+            "`antrieb dataset undo {file}` brings back what is stored; what the drive works with (RAM) it does not know: switching \
+             the drive off and on takes it from what is stored, `antrieb write` with @1ram to @4ram sets it",
+            "`antrieb dataset undo {file}` holt zurück, was gespeichert ist; womit der Antrieb arbeitet (RAM), weiß es nicht: Aus- \
+             und Einschalten nimmt dafür das Gespeicherte, `antrieb write` mit @1ram bis @4ram setzt es"
+        ),
+    }
+}
+
+/// Why a drive that has every value does not do by all of them.
+fn stored(why: &Text, count: usize) -> Text {
+    match count {
+        1 => both!("{why}; everything is stored, proven", "{why}; gespeichert ist alles, geprüft", why),
+        _ => both!(
+            "{why}; everything is stored, proven, but {count} values are not in force, the rows say which",
+            "{why}; gespeichert ist alles, geprüft, doch {count} Werte wirken nicht, die Zeilen sagen welche",
+            why
+        ),
+    }
 }
 
 fn partial(first: Failure, code: &str, message: Text, hint: Text) -> Failure {
@@ -236,10 +270,11 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
     let Applied { ended, failures, .. } = undone.unwrap_or_default();
     let is_untouched = ended == LoadEnd::Untouched;
     report.ended = Some(if theirs.is_empty() || is_untouched { ended } else { LoadEnd::Torn });
-    let count = failures.len() + theirs.len();
+    let (count, is_all) = (failures.len() + theirs.len(), theirs.is_empty());
     let mut failures = failures.into_iter().chain(theirs);
     let failure = failures.next().map(|first| match is_untouched {
         true => unchanged(first),
+        false if ended == LoadEnd::Stored && is_all => Failure { message: stored(&first.message, count), ..first },
         false => {
             let message = unlike(&first.message, count);
             Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }

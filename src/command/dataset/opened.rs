@@ -47,16 +47,31 @@ impl Opened {
 
     /// Refuses a drive of another family.
     pub(in crate::command) fn fits(&self, drive: &str) -> Result<(), Failure> {
+        self.is_of(drive, |path, own| {
+            both!(
+                "{path} is for drives of the family {own}, the drive is of the family {drive}",
+                "{path} ist für Antriebe der Familie {own}, der Antrieb ist von der Familie {drive}"
+            )
+        })
+    }
+
+    /// Refuses another file that is for another family.
+    pub(super) fn fits_file(&self, drive: &str) -> Result<(), Failure> {
+        self.is_of(drive, |path, own| {
+            both!(
+                "{path} is for drives of the family {own}, the other file is for the family {drive}",
+                "{path} ist für Antriebe der Familie {own}, die andere Datei für die Familie {drive}"
+            )
+        })
+    }
+
+    fn is_of(&self, drive: &str, wrong: impl Fn(&str, &str) -> Text) -> Result<(), Failure> {
         let own = &self.file.head.drive.family;
         // As the registry knows them.
         if own.eq_ignore_ascii_case(drive) {
             return Ok(());
         }
-        let message = both!(
-            "{path} is for drives of the family {own}, the drive is of the family {drive}",
-            "{path} ist für Antriebe der Familie {own}, der Antrieb ist von der Familie {drive}",
-            path = self.file.path
-        );
+        let message = wrong(&self.file.path, own);
         Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
             "take a file that was saved from such a drive",
             "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde"
@@ -65,7 +80,7 @@ impl Opened {
 
     /// Puts another file of the same family over it.
     pub(super) fn lay_over(&mut self, over: Opened) -> Result<(), Failure> {
-        over.fits(&self.family.drive)?;
+        over.fits_file(&self.family.drive)?;
         self.settings.lay_over(over.settings);
         self.file.path = format!("{}, {}", self.file.path, over.file.path).into();
         // What two files are together nobody has signed.

@@ -193,7 +193,7 @@ fn same_drive(opened: &Opened, at: (u8, u8), product: Option<&str>) -> Result<()
         address = of.address.unwrap_or(0)
     );
     Err(Failure::new(Class::Data, "data.other_drive", message)
-        .hint(both!("without --resume it is saved anew", "ohne --resume wird neu gesichert")))
+        .hint(both!("--force without --resume saves anew", "--force ohne --resume sichert neu")))
 }
 
 /// What an interrupted save had read.

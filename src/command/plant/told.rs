@@ -50,14 +50,15 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
         };
         return (state, loaded::whole(load, plan, Vec::new(), left));
     };
-    load.undo_file = Some(undo_file.display().to_string());
+    load.undo_file = undo_file.as_ref().map(|file| file.display().to_string());
     let state = match applied.ended {
         LoadEnd::Done => PlantState::Done,
+        LoadEnd::Stored => PlantState::Stored,
         LoadEnd::Untouched => PlantState::Untouched,
         LoadEnd::Back => PlantState::Back,
         LoadEnd::Torn => PlantState::Torn,
     };
-    let mut told = loaded::applied(load, plan, applied, &undo_file);
+    let mut told = loaded::applied(load, plan, applied, &undo_file.unwrap_or_default());
     match taken_back {
         None => (state, told),
         Some(back) if back.is_empty() => {

@@ -2,11 +2,14 @@
 
 use super::back::put_back;
 use super::ended::{Applied, untouched};
-use super::plan::{Kept, Plan, is_touched, standstill};
-use super::proof::look;
+use super::meanwhile::still_stands;
+use super::plan::{Kept, Plan, is_touched};
+use super::proof::{in_force, look};
+use super::running::standstill;
 use super::undo_file::UndoFile;
+use super::weigh::place;
 use crate::drive::job::{self, Job, Step};
-use crate::drive::stands::{in_ram, stands_at};
+use crate::drive::stands::{has_ram, in_ram, stands_at};
 use crate::drive::{Session, Terms};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
@@ -25,13 +28,13 @@ pub async fn apply(
     permit: &Permit<Writing>,
     _left: &UndoFile,
 ) -> Applied {
-    // At the question somebody may have started it.
-    let went = match standstill(session, &mut plan.job.target).await {
+    // At the question somebody may have changed something.
+    let went = match still_stands(session, plan).await {
         Err(failure) => Err(failure),
         Ok(()) => forward(session, plan, terms, permit).await,
     };
     let failure = match went {
-        Ok(notes) => return Applied { ended: LoadEnd::Done, failures: Vec::new(), notes },
+        Ok(applied) => return applied,
         Err(failure) => failure,
     };
     let Applied { mut failures, .. } = untouched(plan, failure);
@@ -54,31 +57,40 @@ async fn forward(
     plan: &mut Plan,
     terms: &Terms<'_>,
     permit: &Permit<Writing>,
-) -> Result<Vec<Text>, Failure> {
+) -> Result<Applied, Failure> {
     let total = plan.todo() as u64;
     let mut done = 0;
     for index in 0..plan.job.steps.len() {
-        let job = &mut plan.job;
-        let (Some(step), Some(row)) = (job.steps.get(index), job.rows.get_mut(index)) else { break };
-        if row.result != WriteResult::Planned {
+        let Some(step) = plan.job.steps.get(index).cloned() else { break };
+        let is_planned = |row: &Written| row.result == WriteResult::Planned;
+        if !plan.job.rows.get(index).is_some_and(is_planned) {
             continue;
         }
-        session.tell(writing(done, total, step));
+        session.tell(writing(done, total, &step));
         done += 1;
-        let failure = job::carry_step(session, &mut job.target, step, row, terms, permit).await;
+        // Somebody may start it at any moment.
+        plan.shaft.allows(session, &mut plan.job.target, &step.param).await?;
+        plan.shaft.writes(&plan.job.target, &step.param);
+        let Some(row) = plan.job.rows.get_mut(index) else { break };
+        let failure = job::carry_step(session, &mut plan.job.target, &step, row, terms, permit).await;
+        let result = row.result;
         if let Some(failure) = failure.or_else(|| unproven(row)) {
-            return Err(of(step, failure));
+            plan.doubt(&step, result, &failure);
+            return Err(of(&step, failure));
         }
         look_again(session, plan, index).await?;
     }
-    // The proof comes last: nothing is asked behind it that could find the drive restarted.
     let mut notes = altered(session, plan).await;
     if let Err(failure) = standstill(session, &mut plan.job.target).await
         && failure.class == Class::Forbidden
     {
         notes.push(runs_now(plan.job.target.address));
     }
-    prove(session, plan).await.map(|()| notes)
+    let failures = in_force(session, plan).await?;
+    // The proof comes last: nothing is asked behind it that could find the drive restarted.
+    prove(session, plan).await?;
+    let ended = if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Stored };
+    Ok(Applied { ended, failures, notes })
 }
 
 /// What was asked about as MOTION has come: with its new values the drive runs.
@@ -93,8 +105,7 @@ fn runs_now(address: u8) -> Text {
 
 /// The failure with the place that it is about.
 fn of(step: &Step, failure: Failure) -> Failure {
-    let (label, set) = (step.param.label(), step.set % 5);
-    let place = if set == 0 { label } else { format!("{label}@{set}") };
+    let place = place(step);
     Failure { message: both!("{place}: {why}", "{place}: {why}", why = failure.message), ..failure }
 }
 
@@ -107,6 +118,20 @@ fn unproven(row: &mut Written) -> Option<Failure> {
     let failure = Failure::new(Class::Garbled, "garbled.unproven", message).with("param", row.param);
     row.error = Some(ErrorDoc::from(&failure));
     Some(failure)
+}
+
+/// Error register: the EEPROM did not take it (CM-485 manual 6.6).
+const EEPROM_FAILED: (&str, &str) = ("p11", "6");
+
+impl Plan {
+    /// Where the EEPROM did not take a value, the RAM may have: of a drive that does not show it, nobody knows.
+    fn doubt(&mut self, step: &Step, result: WriteResult, failure: &Failure) {
+        let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED);
+        let is_hidden = has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
+        if is_hidden && (fails || result == WriteResult::Differs) {
+            self.blind.push(Kept::wanted(step));
+        }
+    }
 }
 
 /// What the drive changes by itself behind this write is read again: it decides what is left to do.
@@ -130,7 +155,11 @@ async fn look_again(session: &mut Session<'_>, plan: &mut Plan, written: usize) 
 async fn prove(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
     let in_ram = plan.job.steps.iter().any(|step| step.set >= DataSets::RAM_OFFSET);
     let all = in_ram || !plan.watched.is_empty();
-    let is_due = |row: &Written| row.result == WriteResult::Verified || (all && row.result == WriteResult::Unchanged);
+    let is_due = |row: &Written| match row.result {
+        WriteResult::Verified | WriteResult::Stored => true,
+        WriteResult::Unchanged => all,
+        _ => false,
+    };
     let Job { target, steps, rows } = &mut plan.job;
     let due: Vec<usize> = (0..).zip(rows.iter()).filter(|(_, row)| is_due(row)).map(|(index, _)| index).collect();
     let of = |index: &usize| steps.get(*index).map(Kept::wanted);

@@ -3,9 +3,11 @@
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
 use super::ended::{Applied, untouched};
-use super::plan::{Kept, Plan, is_touched, standstill};
-use super::proof::look;
-use crate::drive::job;
+use super::meanwhile::still_stands;
+use super::plan::{Kept, Plan, is_behind, is_touched};
+use super::proof::{in_force, look};
+use super::running::standstill;
+use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::stands_at;
 use crate::drive::{Order, Session, WriteFate, is_over};
 use crate::failure::{Class, Failure};
@@ -13,15 +15,17 @@ use crate::gate::{Permit, Writing};
 use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
 use crate::profile::{DataSets, FileRules, Role};
 use crate::text::both;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use std::cmp::Reverse;
 
 /// A drive that restarts answers again "after a few seconds" (CM-485 manual 5.2.1); so long it is waited for.
 const LONGEST_RESTART: Span = Span::from_secs(15);
 /// Between two looks for it.
 const PAUSE: Span = Span::from_millis(500);
-/// So many values in a row without an answer tell that nobody is there.
-const NOBODY_AFTER: usize = 3;
+/// So often what came back is looked at anew, where the drive falls silent meanwhile and comes again.
+const LOOKS: usize = 3;
+/// In what is known of a failure: which memory it is about.
+pub const STORE: &str = "store";
 
 /// Puts back what was touched and says what could not be: a failure for each.
 pub(super) async fn put_back(
@@ -33,12 +37,13 @@ pub(super) async fn put_back(
     // Whoever interrupted wants this; who does it again ends it.
     session.note_interrupts();
     session.tell(Event::Note(both!("putting back what was written", "was geschrieben wurde, wird zurückgenommen")));
-    let is_silent = why.iter().any(|failure| matches!(failure.class, Class::Silence | Class::Garbled));
-    let nobody = is_silent && !await_return(session, plan).await;
+    let is_silent = why.iter().any(is_unheard);
+    let mut way = Way::default();
+    let nobody = is_silent && !way.await_return(session, plan).await;
     let order = back_order(plan);
     match nobody {
         true => order.iter().filter_map(|kept| told(plan, kept, Err(unseen(kept)))).collect(),
-        false => restore_all(session, plan, &order, permit).await.failures,
+        false => restore_all(session, plan, &order, permit, way).await.failures,
     }
 }
 
@@ -51,79 +56,119 @@ struct Way {
     is_begun: bool,
     /// Why the session is over.
     over: Option<Failure>,
-    /// Values in a row that brought no answer.
-    silences: usize,
+    /// So long a drive that fell silent is waited for.
+    until: Option<Tick>,
+    /// It was waited for in vain.
+    is_gone: bool,
 }
 
 impl Way {
     /// Whether asking for more is in vain.
     fn is_lost(&self) -> bool {
-        self.over.is_some() || self.silences >= NOBODY_AFTER
+        self.over.is_some() || self.is_gone
     }
 
-    fn count(&mut self, failure: Option<&Failure>) {
+    fn note(&mut self, failure: Option<&Failure>) {
         if self.over.is_none() {
             self.over = failure.filter(|failure| is_over(failure)).cloned();
         }
-        if !self.is_lost() {
-            self.silences = if failure.is_some_and(|it| it.class == Class::Silence) { self.silences + 1 } else { 0 };
-        }
     }
+
+    /// Waits for a drive that does not answer: perhaps it restarts. Asked is now this, now that, each once: no telegram goes out
+    /// more than three times (sources A2). Tells whether anybody is there.
+    async fn await_return(&mut self, session: &mut Session<'_>, plan: &mut Plan) -> bool {
+        let until = *self.until.get_or_insert(session.now() + LONGEST_RESTART);
+        let target = &mut plan.job.target;
+        let status = target.family.role(Role::StatusWord).cloned();
+        let first = plan.job.steps.first().map(|step| (step.param.clone(), step.set));
+        let places: Vec<_> = status.map(|param| (param, 0)).into_iter().chain(first).collect();
+        let retries = session.set_retries(0);
+        self.is_gone = true;
+        for (param, set) in places.iter().cycle() {
+            let found = stands_at(session, target, param, *set).await;
+            self.is_gone = found.is_err_and(|failure| is_unheard(&failure));
+            if !self.is_gone || session.now() >= until || session.rest(PAUSE).await.is_err() {
+                break;
+            }
+        }
+        session.set_retries(retries);
+        !self.is_gone
+    }
+}
+
+/// Whether no valid answer came.
+fn is_unheard(failure: &Failure) -> bool {
+    matches!(failure.class, Class::Silence | Class::Garbled)
 }
 
 /// Brings these values back in this order, and looks at all of them once more at the end: only what that look has seen is said
 /// to be as before.
-async fn restore_all(session: &mut Session<'_>, plan: &mut Plan, order: &[Kept], permit: &Permit<Writing>) -> Way {
-    let (mut way, mut back) = (Way::default(), Vec::new());
+async fn restore_all(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    order: &[Kept],
+    permit: &Permit<Writing>,
+    mut way: Way,
+) -> Way {
+    let mut back = Vec::new();
     for (done, kept) in (0..).zip(order) {
         session.tell(restoring(done, order.len() as u64, kept));
-        let result = match way.is_lost() {
+        let mut result = match way.is_lost() {
             true => Err(unseen(kept)),
             false => restore(session, plan, kept, permit, &mut way.is_begun).await,
         };
-        way.count(result.as_ref().err());
+        way.note(result.as_ref().err());
+        if result.as_ref().is_err_and(|failure| failure.class == Class::Silence)
+            && !way.is_lost()
+            && way.await_return(session, plan).await
+        {
+            result = restore(session, plan, kept, permit, &mut way.is_begun).await;
+            way.note(result.as_ref().err());
+        }
         back.extend(result.is_ok().then(|| kept.clone()));
         way.failures.extend(told(plan, kept, result));
     }
-    let mut seen: Vec<Result<(), Failure>> = back.iter().map(|kept| Err(unseen(kept))).collect();
-    if !way.is_lost() {
-        let looked = look(session, &mut plan.job.target, &back, |index, now| {
-            way.count(now.as_ref().err());
-            if let Some((kept, seen)) = back.get(index).zip(seen.get_mut(index)) {
-                *seen = now.and_then(|now| if now == kept.raw { Ok(()) } else { Err(left(kept)) });
-            }
-            !way.is_lost()
-        });
-        if let Err(failure) = looked.await {
-            // What is stored does not go with the power.
-            let in_ram = back.iter().zip(&mut seen).filter(|(kept, _)| kept.set >= DataSets::RAM_OFFSET);
-            in_ram.for_each(|(_, seen)| *seen = Err(failure.clone()));
-        }
-    }
+    let seen = look_back(session, plan, &back, &mut way).await;
     let wrong = back.iter().zip(seen).filter_map(|(kept, seen)| told(plan, kept, Err(seen.err()?)));
     way.failures.extend(wrong);
     way
 }
 
-/// Waits for a drive that does not answer: perhaps it restarts. Asked is now this, now that, each once: no telegram goes out
-/// more than three times (sources A2). Tells whether anybody is there.
-async fn await_return(session: &mut Session<'_>, plan: &mut Plan) -> bool {
-    let until = session.now() + LONGEST_RESTART;
-    let target = &mut plan.job.target;
-    let status = target.family.role(Role::StatusWord).cloned();
-    let first = plan.job.steps.first().map(|step| (step.param.clone(), step.set));
-    let places: Vec<_> = status.map(|param| (param, 0)).into_iter().chain(first).collect();
-    let retries = session.set_retries(0);
-    let mut is_there = false;
-    for (param, set) in places.iter().cycle() {
-        let found = stands_at(session, target, param, *set).await;
-        is_there = !found.is_err_and(|failure| matches!(failure.class, Class::Silence | Class::Garbled));
-        if is_there || session.now() >= until || session.rest(PAUSE).await.is_err() {
+/// Looks at all that came back, and once more from the beginning where the drive fell silent and came again.
+async fn look_back(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    back: &[Kept],
+    way: &mut Way,
+) -> Vec<Result<(), Failure>> {
+    let mut seen: Vec<Result<(), Failure>> = back.iter().map(|kept| Err(unseen(kept))).collect();
+    for round in 1..=LOOKS {
+        if way.is_lost() {
             break;
         }
+        let mut falls_silent = false;
+        let looked = look(session, &mut plan.job.target, back, |index, now| {
+            way.note(now.as_ref().err());
+            let is_silent = now.as_ref().is_err_and(|failure| failure.class == Class::Silence);
+            falls_silent = is_silent && round < LOOKS;
+            if let Some((kept, seen)) = back.get(index).zip(seen.get_mut(index)) {
+                *seen = now.and_then(|now| if now == kept.raw { Ok(()) } else { Err(left(kept)) });
+            }
+            !way.is_lost() && !falls_silent
+        });
+        let looked = looked.await;
+        if falls_silent && !way.is_lost() {
+            way.await_return(session, plan).await;
+            continue;
+        }
+        if let Err(failure) = looked {
+            // What is stored does not go with the power.
+            let in_ram = back.iter().zip(&mut seen).filter(|(kept, _)| kept.set >= DataSets::RAM_OFFSET);
+            in_ram.for_each(|(_, seen)| *seen = Err(failure.clone()));
+        }
+        break;
     }
-    session.set_retries(retries);
-    is_there
+    seen
 }
 
 /// What is put back, in its order: first what can start a shaft, then what the rest depends on, then the rest from its end.
@@ -141,11 +186,16 @@ fn back_order(plan: &Plan) -> Vec<Kept> {
         by_touched && !named.contains(&(kept.param.id, kept.set))
     };
     order.extend(plan.watched.iter().filter(touches).cloned());
-    order.extend(plan.in_force.iter().cloned());
+    // What is stored takes the RAM with it, there and back; and what it held besides goes with the power.
+    let rows = || plan.job.steps.iter().zip(&plan.job.rows);
+    for (step, row) in rows() {
+        let is_due = |kept: &&Kept| is_touched(row) || row.old_raw != Some(kept.raw);
+        order.extend(plan.behind(step).filter(is_due).cloned());
+    }
     back_sorted(order, rules)
 }
 
-/// The order of putting back: what is stored before what was in force over it.
+/// The order of putting back: what is stored before what was in force over it, whichever data sets either stands for.
 fn back_sorted(mut order: Vec<Kept>, rules: &FileRules) -> Vec<Kept> {
     let ram = DataSets::RAM_OFFSET;
     let rank = |kept: &Kept| rules.rank(&kept.param, kept.set % ram);
@@ -154,7 +204,8 @@ fn back_sorted(mut order: Vec<Kept>, rules: &FileRules) -> Vec<Kept> {
         1 | 2 => 2,
         _ => 0,
     };
-    order.sort_by_key(|kept| (stage(kept), Reverse(rank(kept)), kept.set >= ram));
+    order.sort_by_key(|kept| (stage(kept), kept.set >= ram, Reverse(rank(kept))));
+    order.dedup_by(|one, other| (one.param.id, one.set) == (other.param.id, other.set));
     order
 }
 
@@ -177,9 +228,16 @@ async fn restore(
 ) -> Result<Came, Failure> {
     let Kept { param, set, raw } = kept;
     let target = &mut plan.job.target;
-    if stands_at(session, target, param, *set).await? == *raw {
-        return Ok(Came::Stood);
+    let stands = match stands_at(session, target, param, *set).await {
+        // Four that were one, and are not any more.
+        Err(failure) if failure.class == Class::Refused && set.is_multiple_of(DataSets::RAM_OFFSET) => false,
+        now => now? == *raw,
+    };
+    let is_blind = plan.blind.iter().any(|blind| (blind.param.id, blind.set) == (param.id, *set));
+    if stands {
+        return if is_blind { Err(unshown(kept)) } else { Ok(Came::Stood) };
     }
+    plan.shaft.allows(session, target, param).await?;
     let address = target.address;
     let kind = target.width(session, param, *set).await;
     *is_begun |= kind.is_ok();
@@ -201,37 +259,57 @@ fn left(kept: &Kept) -> Failure {
     Failure::new(Class::Partial, "partial.not_put_back", message).with("param", kept.param.id)
 }
 
+/// The EEPROM did not take the new value, and whether the RAM did the drive does not show.
+fn unshown(kept: &Kept) -> Failure {
+    let message = both!(
+        "{label} is stored as before, but the drive does not show its RAM, which may have the new value until it is switched off",
+        "{label} ist gespeichert wie vorher, der Antrieb zeigt aber sein RAM nicht, in dem bis zum Ausschalten der neue Wert stehen \
+         kann",
+        label = kept.param.label()
+    );
+    Failure::new(Class::Partial, "partial.ram_not_shown", message).with("param", kept.param.id)
+}
+
 fn unseen(kept: &Kept) -> Failure {
     let message =
         both!("{label} was not asked any more", "{label} wurde nicht mehr gefragt", label = kept.param.label());
     Failure::new(Class::Partial, "partial.not_asked", message).with("param", kept.param.id)
 }
 
-/// Says in the row what became of putting it back.
+/// Says in the row what became of putting it back: its own, or that of what is stored before it.
 fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<Failure> {
-    let job = &mut plan.job;
-    let mut rows = job.steps.iter().zip(&mut job.rows);
-    let row = rows.find(|(step, _)| (step.param.id, step.set) == (kept.param.id, kept.set)).map(|(_, row)| row);
+    let is_its = |step: &Step| step.param.id == kept.param.id && step.set == kept.set;
+    let is_over_it = |step: &Step| {
+        let in_ram = kept.set >= DataSets::RAM_OFFSET && step.set < DataSets::RAM_OFFSET;
+        in_ram && step.param.id == kept.param.id && is_behind(kept.set, step.set)
+    };
+    let Job { steps, rows, .. } = &mut plan.job;
+    let own = steps.iter().position(is_its).or_else(|| steps.iter().position(is_over_it));
+    let row = own.and_then(|index| rows.get_mut(index));
     match (result, row) {
         (Ok(came), Some(row)) => {
             // What the drive refused was never another value, and what nobody touched stays so.
-            use WriteResult::{Refused, Skipped, Unchanged};
+            use WriteResult::{Refused, Skipped, Unchanged, Unrestored};
             let keeps = came == Came::Stood && matches!(row.result, Refused | Skipped | Unchanged);
-            row.result = if keeps { row.result } else { WriteResult::Restored };
+            let stays = keeps || row.result == Unrestored;
+            row.result = if stays { row.result } else { WriteResult::Restored };
             None
         }
         (Ok(_), None) => None,
         (Err(failure), row) => {
-            let label = kept.param.label();
+            let (label, in_ram) = (kept.param.label(), kept.set >= DataSets::RAM_OFFSET);
+            let memory = if in_ram { "ram" } else { "eeprom" };
             let failure = Failure {
                 message: both!(
-                    "{label}@{set} may not be as before: {why}",
-                    "{label}@{set} ist vielleicht nicht wie vorher: {why}",
+                    "{label}@{set}{ram} may not be as before: {why}",
+                    "{label}@{set}{ram} ist vielleicht nicht wie vorher: {why}",
                     set = kept.set % 5,
+                    ram = if in_ram { "ram" } else { "" },
                     why = failure.message
                 ),
                 ..failure
             };
+            let failure = failure.with(STORE, memory);
             if let Some(row) = row {
                 row.result = WriteResult::Unrestored;
                 row.error = Some(ErrorDoc::from(&failure));
@@ -243,7 +321,11 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
 
 /// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others.
 pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Applied {
-    if let Err(failure) = standstill(session, &mut plan.job.target).await {
+    let stands = match standstill(session, &mut plan.job.target).await {
+        Ok(()) => still_stands(session, plan).await,
+        runs => runs,
+    };
+    if let Err(failure) = stands {
         return untouched(plan, failure);
     }
     let before = plan.job.rows.clone();
@@ -251,23 +333,28 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
     let todo = rows.filter(|(_, row)| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged));
     let order = todo.map(|(step, _)| Kept::wanted(step)).collect();
     let order = back_sorted(order, &plan.job.target.family.files);
-    let Way { failures, is_begun, over, .. } = restore_all(session, plan, &order, permit).await;
-    if let (Some(over), false) = (over, is_begun) {
+    let Way { mut failures, is_begun, over, .. } = restore_all(session, plan, &order, permit, Way::default()).await;
+    if let (Some(over), false) = (&over, is_begun) {
         plan.job.rows = before;
-        return untouched(plan, over);
+        return untouched(plan, over.clone());
     }
-    let ended = if failures.is_empty() { LoadEnd::Done } else { LoadEnd::Torn };
+    let came_back = failures.is_empty();
+    if over.is_none() {
+        failures.extend(in_force(session, plan).await.unwrap_or_else(|failure| vec![failure]));
+    }
+    let ended = match (failures.is_empty(), came_back) {
+        (true, _) => LoadEnd::Done,
+        (false, true) => LoadEnd::Stored,
+        (false, false) => LoadEnd::Torn,
+    };
     Applied { ended, failures, notes: Vec::new() }
 }
 
 /// Takes back at once what a transaction of this run has done, proven: a failure for each value that did not come back. What
 /// fails does not stop the others.
 pub async fn take_back(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Vec<Failure> {
-    if let Err(failure) = standstill(session, &mut plan.job.target).await {
-        return vec![failure];
-    }
     let order = back_order(plan);
-    restore_all(session, plan, &order, permit).await.failures
+    restore_all(session, plan, &order, permit, Way::default()).await.failures
 }
 
 fn restoring(done: u64, total: u64, kept: &Kept) -> Event {

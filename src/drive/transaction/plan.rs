@@ -1,15 +1,14 @@
 //! What a transaction is going to do: every old value read, every new one checked, nothing sent.
 
 use super::choice::in_sets;
-use crate::drive::job::{self, Job, Step};
-use crate::drive::motion::has_power;
-use crate::drive::stands::{in_ram, stands};
-use crate::drive::{Reader, Session, Target, Terms, describe, is_over};
+use super::running::{Shaft, standstill};
+use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, weigh};
+use crate::drive::job::{Job, Step};
+use crate::drive::stands::{has_ram, in_ram, stands};
+use crate::drive::{Session, Target, Terms, describe};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Decimal, ErrorDoc, Event, WriteResult, Written};
-use crate::profile::paramfile::value_text;
-use crate::profile::value;
-use crate::profile::{DataSets, Family, Param, Role, Sets, Store, Type};
+use crate::outcome::{Event, WriteResult, Written};
+use crate::profile::{DataSets, Family, Param, Sets, Store};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
@@ -20,8 +19,14 @@ pub struct Plan {
     pub job: Job,
     /// What the drive may change by itself behind a write, and is put back with it.
     pub(super) watched: Vec<Kept>,
-    /// What stands in the RAM where something else is stored: a write to the EEPROM goes over it too.
+    /// What stands in the RAM behind the places that are stored: a write to the EEPROM goes over it too.
     pub(super) in_force: Vec<Kept>,
+    /// Somewhere the RAM holds something else than what is told as stored, so this drive tells the two apart.
+    tells_apart: bool,
+    /// Who started the shaft, if it runs.
+    pub(super) shaft: Shaft,
+    /// Places whose RAM may have taken what the EEPROM did not, and of which the drive does not show the RAM.
+    pub(super) blind: Vec<Kept>,
     /// What whoever is asked must know besides.
     pub notes: Vec<Text>,
     /// Why nothing of it may be begun.
@@ -53,12 +58,58 @@ impl Plan {
     pub fn todo(&self) -> usize {
         self.job.rows.iter().filter(|row| row.result == WriteResult::Planned).count()
     }
+
+    /// What nobody can know of a drive whose RAM holds nowhere else than what it tells as stored: the manual leaves open which of
+    /// the two the data sets 0-4 show (docs/open-points.md, `ram_reads`).
+    pub fn open_memory(&self) -> Option<Text> {
+        let target = &self.job.target;
+        let is_open = |step: &Step| has_ram(target, &step.param, step.set);
+        (!self.tells_apart && self.job.steps.iter().any(is_open)).then(|| {
+            both!(
+                "whether drive {address} tells what is stored or what it works with (RAM), its manual leaves open: what was set \
+                 in RAM only may count as stored, and go back as stored; switching it off and on before a load settles that",
+                "ob Antrieb {address} das Gespeicherte zeigt oder das, womit er arbeitet (RAM), lässt seine Anleitung offen: was nur \
+                 im RAM steht, gilt womöglich als gespeichert und kehrt gespeichert zurück; Aus- und Einschalten vor dem Laden klärt das",
+                address = target.address
+            )
+        })
+    }
+
+    /// Whether all that is going to be written goes into the RAM: an undo file is of one memory, and of the EEPROM if both are
+    /// written.
+    pub fn is_of_ram(&self) -> bool {
+        let mut rows = self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| row.result != WriteResult::Unchanged);
+        rows.all(|(step, _)| step.set >= DataSets::RAM_OFFSET)
+    }
+
+    /// Places of the rows of which this holds, those of one parameter together.
+    pub(super) fn groups(&self, holds: impl Fn(&Written) -> bool) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (index, row) in self.job.rows.iter().enumerate().filter(|(_, row)| holds(row)) {
+            let same = |group: &&mut Vec<usize>| {
+                let first = group.first().and_then(|first| self.job.rows.get(*first));
+                first.is_some_and(|first| first.param == row.param)
+            };
+            match groups.last_mut().filter(same) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
+    }
+
+    /// What the drive worked with behind a place that is stored, as far as it showed that.
+    pub(super) fn behind<'p>(&'p self, step: &'p Step) -> impl Iterator<Item = &'p Kept> {
+        let is_its = |kept: &&Kept| kept.param.id == step.param.id && is_behind(kept.set, step.set);
+        self.in_force.iter().filter(move |kept| step.set < DataSets::RAM_OFFSET && is_its(kept))
+    }
 }
 
 /// Whether the value of a row may have been changed.
 pub(super) fn is_touched(row: &Written) -> bool {
-    use WriteResult::{Differs, Refused, Restored, Unknown, Unrestored, Verified};
-    let is_begun = matches!(row.result, Verified | WriteResult::Written | Differs | Unknown | Restored | Unrestored);
+    use WriteResult::{Differs, Refused, Restored, Stored, Unknown, Unrestored, Verified};
+    let is_begun =
+        matches!(row.result, Verified | WriteResult::Written | Stored | Differs | Unknown | Restored | Unrestored);
     // Refused by the drive; what we refuse is never begun.
     is_begun || row.result == Refused
 }
@@ -76,28 +127,6 @@ pub async fn plan(
     prepare(session, target, terms, steps, &Purpose::Forward).await
 }
 
-/// The code of a drive that runs.
-pub const RUNNING: &str = "forbidden.running";
-/// The code of a value that cannot be read on the way back.
-const UNREAD: &str = "partial.unread";
-/// So many values in a row that do not come tell that nobody is there.
-const MOST_SILENCES: usize = 2;
-
-/// Where a transaction goes.
-pub(super) enum Purpose {
-    /// To new values.
-    Forward,
-    /// Back from these, by number and data set; what is not named was changed by the drive itself.
-    Back(BTreeMap<(u32, u8), i64>),
-}
-
-impl Purpose {
-    /// Whether a value that does not come keeps nobody from bringing the others.
-    fn bears(&self, failure: &Failure, silences: usize) -> bool {
-        matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
-    }
-}
-
 /// See [`plan`].
 pub(super) async fn prepare(
     session: &mut Session<'_>,
@@ -106,22 +135,22 @@ pub(super) async fn prepare(
     steps: Vec<Step>,
     purpose: &Purpose,
 ) -> Result<Plan, Failure> {
-    let mut failures = match standstill(session, &mut target).await {
+    let failures = match standstill(session, &mut target).await {
         Ok(()) => Vec::new(),
         Err(failure) if failure.class == Class::Forbidden => vec![failure],
         Err(failure) => return Err(failure),
     };
-    let (mut planned, mut rows) = (Vec::new(), Vec::new());
-    let (mut in_force, mut notes, mut silences) = (Vec::new(), Vec::new(), 0);
-    let total = steps.len() as u64;
+    let mut plan = Plan::empty(target, failures);
+    let (mut silences, total) = (0, steps.len() as u64);
     for group in grouped(steps) {
         let Some(param) = group.first().map(|step| step.param.clone()) else { continue };
-        session.tell(reading_of(planned.len() as u64, total, &param));
+        session.tell(reading_of(plan.job.steps.len() as u64, total, &param));
+        let target = &mut plan.job.target;
         if let Some(kind) = group.first().and_then(|step| step.kind) {
             target.set_width(param.id, kind);
         }
         let sets: Vec<u8> = group.iter().map(|step| step.set).collect();
-        let old = stands(session, &mut target, &param, &sets).await;
+        let old = stands(session, target, &param, &sets).await;
         let old: BTreeMap<u8, _> = match old {
             Err(failure) if purpose.bears(&failure, silences) => {
                 silences += 1;
@@ -133,184 +162,74 @@ pub(super) async fn prepare(
             }
         };
         let told: Vec<u8> = old.iter().filter(|(_, raw)| raw.is_ok()).map(|(set, _)| *set).collect();
-        let ram = in_ram(session, &mut target, &param, &told).await?;
-        for step in spread(group, &old) {
-            let old = old.get(&step.set).cloned().unwrap_or_else(|| Err(unread(&param)));
-            let beneath: Vec<(u8, i64)> = ram.iter().filter(|(set, _)| is_behind(*set, step.set)).copied().collect();
-            let stored = old.as_ref().ok().copied();
-            let (row, failure) = weigh(session, &target, terms, (&step, purpose), (old, &beneath));
-            for (set, raw) in beneath.into_iter().filter(|(_, raw)| stored.is_some_and(|stored| stored != *raw)) {
-                notes.extend(differs_in_ram(&param, (set, raw), &row, purpose));
-                in_force.push(Kept { param: param.clone(), set, raw });
-            }
-            failures.extend(failure);
-            planned.push(step);
-            rows.push(row);
-        }
+        let ram = in_ram(session, target, &param, &told).await?;
+        plan.take(session, terms, purpose, spread(group, &old), &Stand { old, ram });
     }
-    let job = Job { target, steps: planned, rows };
-    let watched = Vec::new();
-    let mut plan = Plan { job, watched, in_force, notes, failures, eeprom_writes: 0, eeprom_writes_back: 0 };
     plan.watch(session).await?;
     plan.count();
     Ok(plan)
 }
 
-/// Refuses a drive that runs, or does not say in a state that we know that it does not (CM-485 manual 6.6, cause 8): some parameters cannot be written then, which ones no source tells, and the others would change
-/// a shaft that turns.
-pub(super) async fn standstill(session: &mut Session<'_>, target: &mut Target) -> Result<(), Failure> {
-    let address = target.address;
-    if target.family.role(Role::StatusWord).is_none() {
-        // A family of the user's own that tells no state.
-        return Ok(());
-    }
-    let mut reader = Reader::new(session, target);
-    let state = reader.vital_role(Role::StatusWord).await?.and_then(|value| value.word?.state);
-    if let Some(failure) = reader.into_failures().0.into_iter().next() {
-        return Err(failure);
-    }
-    let Some(state) = state.filter(|state| has_power(&state.slug) != Some(false)) else { return Ok(()) };
-    let message = both!(
-        "drive {address} runs ({state}): a file is written to a drive that does not run",
-        "Antrieb {address} läuft ({state}): eine Datei wird in einen Antrieb geschrieben, der nicht läuft",
-        state = state.name
-    );
-    Err(Failure::new(Class::Forbidden, RUNNING, message).with("address", address).hint(both!(
-        "stop it first, such as with `antrieb statemachine disable`; `antrieb write` writes single values to a drive that runs",
-        "ihn zuerst anhalten, etwa mit `antrieb statemachine disable`; `antrieb write` schreibt einzelne Werte in einen \
-         laufenden Antrieb"
-    )))
+/// What stands at the places of one parameter, by data set as on the wire.
+struct Stand {
+    old: BTreeMap<u8, Result<i64, Failure>>,
+    ram: Vec<(u8, i64)>,
 }
 
-/// The row of a value, and why it cannot be written.
-fn weigh(
-    session: &Session<'_>,
-    target: &Target,
-    terms: &Terms<'_>,
-    (step, purpose): (&Step, &Purpose),
-    (old, in_ram): (Result<i64, Failure>, &[(u8, i64)]),
-) -> (Written, Option<Failure>) {
-    let row = describe::to_write(target.address, &target.family, &step.param, step.set, step.raw);
-    let mut row = Written { node: session.node(), ..row };
-    if let Ok(old) = old {
-        row.old_raw = Some(old);
-        row.old = value::digits(&step.param, old).map(|(raw, decimals)| Decimal { raw, decimals });
+impl Plan {
+    fn empty(target: Target, failures: Vec<Failure>) -> Self {
+        Plan {
+            job: Job { target, steps: Vec::new(), rows: Vec::new() },
+            watched: Vec::new(),
+            in_force: Vec::new(),
+            tells_apart: false,
+            shaft: Shaft::default(),
+            blind: Vec::new(),
+            notes: Vec::new(),
+            failures,
+            eeprom_writes: 0,
+            eeprom_writes_back: 0,
+        }
     }
-    let is_in_force = || in_ram.iter().all(|(_, raw)| *raw == step.raw);
-    let kind = target.known_width(step.param.id).or(step.kind);
-    let verdict = match (old, purpose) {
-        (Ok(old), Purpose::Forward) if old == step.raw && is_in_force() => {
-            row.result = WriteResult::Unchanged;
-            return (row, None);
-        }
-        // An undo file states what was stored.
-        (Ok(old), Purpose::Back(_)) if old == step.raw => {
-            row.result = WriteResult::Unchanged;
-            return (row, None);
-        }
-        (old @ Ok(_), Purpose::Forward) => {
-            if old == Ok(step.raw) {
-                row.note = Some(both!(
-                    "stored already, but the drive works with another value (RAM)",
-                    "schon gespeichert, der Antrieb arbeitet aber mit einem anderen Wert (RAM)"
-                ));
+
+    /// Takes in the steps of one parameter. What is stored already, but is not what the drive works with, goes into the RAM alone:
+    /// the EEPROM bears nothing for it.
+    fn take(&mut self, session: &Session<'_>, terms: &Terms<'_>, purpose: &Purpose, steps: Vec<Step>, at: &Stand) {
+        for step in steps {
+            let old = at.old.get(&step.set).cloned().unwrap_or_else(|| Err(unread(&step.param)));
+            let beneath = || at.ram.iter().filter(|(set, _)| is_behind(*set, step.set)).copied();
+            self.in_force.extend(beneath().map(|(set, raw)| Kept { param: step.param.clone(), set, raw }));
+            let stored = old.clone().ok();
+            let apart: Vec<(u8, i64)> = beneath().filter(|(_, raw)| stored.is_some_and(|old| old != *raw)).collect();
+            self.tells_apart |= !apart.is_empty();
+            let in_ram_alone = matches!(purpose, Purpose::Forward) && stored == Some(step.raw);
+            let result = self.add((session, terms, purpose), step.clone(), old, None);
+            for (set, raw) in apart {
+                if in_ram_alone {
+                    let step = Step { set, ..step.clone() };
+                    self.add((session, terms, purpose), step, Ok(raw), Some(not_in_force()));
+                } else {
+                    self.notes.extend(differs_in_ram(&step.param, (set, raw), result, purpose));
+                }
             }
-            let known = kind.ok_or_else(|| job::no_width(&step.param));
-            known.and_then(|kind| fits(step, Some(kind)))
         }
-        (Ok(old), Purpose::Back(from)) => stands_as_left(step, old, from),
-        (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
-        (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
-    };
-    job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, step, kind)));
-    let failure = verdict.err();
-    if let Some(failure) = &failure {
-        let is_unknown = failure.code == UNREAD;
-        row.result = if is_unknown { WriteResult::Unrestored } else { WriteResult::Refused };
-        row.error = Some(ErrorDoc::from(failure));
     }
-    (row, failure)
-}
 
-/// What forbids a value that is to be written, as far as that can be told without asking: the line, the range, the type if it is
-/// known.
-///
-/// # Errors
-/// What forbids it.
-pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
-    let Step { param, raw, .. } = step;
-    let label = param.label();
-    if job::cuts(param) {
-        let message = both!(
-            "{label} cuts the line at once, and what cuts the line cannot be taken back over it",
-            "{label} kappt die Leitung sofort, und was sie kappt, lässt sich über sie nicht zurücknehmen"
-        );
-        return Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
-            "`antrieb line set` and `antrieb protocol set` change it and follow the drive",
-            "`antrieb line set` und `antrieb protocol set` stellen es um und folgen dem Antrieb"
-        )));
+    /// Adds a step with what stands there; what is to become of it.
+    fn add(
+        &mut self,
+        (session, terms, purpose): (&Session<'_>, &Terms<'_>, &Purpose),
+        step: Step,
+        old: Result<i64, Failure>,
+        note: Option<Text>,
+    ) -> WriteResult {
+        let (row, failure) = weigh(session, &self.job.target, terms, (&step, purpose), old);
+        let result = row.result;
+        self.failures.extend(failure);
+        self.job.rows.push(Written { note: note.or(row.note), ..row });
+        self.job.steps.push(step);
+        result
     }
-    let wrong = |code: &str, error: value::ValueError| {
-        let message =
-            both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", slug = param.slug, why = error.text());
-        Failure::new(Class::Data, code, message).with("param", param.id).hint(both!(
-            "--except {id} leaves it out",
-            "--except {id} lässt es weg",
-            id = param.id
-        ))
-    };
-    value::check_range(*raw, param).map_err(|error| wrong("data.range", error))?;
-    let typed = kind.map_or(Ok(()), |kind| value::check_type(*raw, kind, param));
-    typed.map_err(|error| wrong("data.width", error))
-}
-
-/// Whether a value still is what the transaction made of it: what somebody has changed since is his.
-fn stands_as_left(step: &Step, now: i64, from: &BTreeMap<(u32, u8), i64>) -> Result<(), Failure> {
-    let Some(left) = from.get(&(step.param.id, step.set)).filter(|left| **left != now) else { return Ok(()) };
-    let shown = |raw| value_text(&step.param, raw);
-    let message = both!(
-        "{label} reads as {now}, which is neither the value before the load ({before}) nor the one that it was to write ({left})",
-        "{label} liest sich als {now}; das ist weder der Wert vor dem Laden ({before}) noch der, den es schreiben sollte ({left})",
-        label = place(step),
-        now = shown(now),
-        before = shown(step.raw),
-        left = shown(*left)
-    );
-    Err(Failure::new(Class::Forbidden, "forbidden.changed_since", message).hint(both!(
-        "somebody has changed it since, or it is another drive; --force takes it back all the same",
-        "jemand hat es seitdem geändert, oder es ist ein anderer Antrieb; --force nimmt es trotzdem zurück"
-    )))
-}
-
-/// What cannot be read cannot be put back, so it is not written.
-fn no_way_back(param: &Param, failure: Failure) -> Failure {
-    let message = both!(
-        "{label}: {why}; what cannot be read cannot be taken back",
-        "{label}: {why}; was sich nicht lesen lässt, lässt sich nicht zurücknehmen",
-        label = param.label(),
-        why = failure.message
-    );
-    let hint = both!(
-        "is it the drive, and the module, that the file was made for? --except leaves parameters out",
-        "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except lässt Parameter weg"
-    );
-    Failure { message, ..failure }.hint(hint)
-}
-
-/// A value that cannot be read is not brought back: nobody could tell whether somebody has changed it since.
-fn not_told(param: &Param, failure: Failure) -> Failure {
-    let message = both!(
-        "{label} is left as it is, because it cannot be read: {why}",
-        "{label} bleibt, wie er ist, weil er sich nicht lesen lässt: {why}",
-        label = param.label(),
-        why = failure.message
-    );
-    Failure { message, code: UNREAD.to_owned(), ..failure }
-}
-
-fn unread(param: &Param) -> Failure {
-    let message = both!("{label} was not read", "{label} wurde nicht gelesen", label = param.label());
-    Failure::new(Class::Garbled, "garbled.unread", message)
 }
 
 /// Data set 0 that turned out to be four which differ is written set by set.
@@ -381,34 +300,9 @@ impl Plan {
     }
 }
 
-/// What is to be said of a value in force that is not the one that is stored.
-fn differs_in_ram(param: &Param, (set, raw): (u8, i64), row: &Written, purpose: &Purpose) -> Option<Text> {
-    let (label, set) = (param.label(), set - DataSets::RAM_OFFSET);
-    let raw = value_text(param, raw);
-    match (purpose, row.result) {
-        (Purpose::Forward, _) => Some(both!(
-            "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced, and an undo file \
-             brings back only what is stored",
-            "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt, und eine Datei \
-             zum Zurücknehmen bringt nur das Gespeicherte zurück"
-        )),
-        (Purpose::Back(_), WriteResult::Unchanged) => Some(both!(
-            "{label}@{set}: what is stored is as before; the drive works with {raw} (RAM) until it is switched off",
-            "{label}@{set}: gespeichert ist der Wert von vorher; der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)"
-        )),
-        (Purpose::Back(_), _) => None,
-    }
-}
-
 /// Whether a data set in RAM is the one in force behind one of the EEPROM; behind data set 0 all of them are.
 pub(super) fn is_behind(ram: u8, stored: u8) -> bool {
     [0, ram - DataSets::RAM_OFFSET].contains(&stored)
-}
-
-/// A parameter with its data set, as people name it.
-fn place(step: &Step) -> String {
-    let label = step.param.label();
-    if step.set.is_multiple_of(5) { label } else { format!("{label}@{}", step.set % 5) }
 }
 
 /// Cells of the EEPROM that a write wears at most.

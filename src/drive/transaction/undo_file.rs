@@ -1,7 +1,8 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
-use super::plan::{Plan, Purpose, prepare};
+use super::plan::{Plan, prepare};
+use super::weigh::Purpose;
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
 use crate::drive::{Session, Target, Terms};
@@ -27,6 +28,12 @@ impl UndoFile {
     /// Where it stands.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Where it stands, unless nothing was written: then it is of no use, and is taken away.
+    pub fn unless(self, is_untouched: bool) -> Option<PathBuf> {
+        let is_gone = is_untouched && files::remove(&self.path).is_ok();
+        (!is_gone).then_some(self.path)
     }
 
     /// Writes it under this name, which must be free.
@@ -75,9 +82,8 @@ fn unwritten(path: &Path, error: &FileError) -> Failure {
 fn text(head: &Head, plan: &Plan) -> String {
     let (mut old, mut new) = (Settings::default(), Settings::default());
     let rows = plan.job.steps.iter().zip(&plan.job.rows).filter(|(_, row)| row.result == WriteResult::Planned);
-    let mut ram = false;
-    for (step, row) in rows {
-        ram |= step.set >= DataSets::RAM_OFFSET;
+    let ram = plan.is_of_ram();
+    for (step, row) in rows.filter(|(step, _)| ram == (step.set >= DataSets::RAM_OFFSET)) {
         let kind = step.kind.or(plan.job.target.known_width(step.param.id));
         let of = |raw: i64| Setting { param: step.param.clone(), set: step.set % 5, raw, kind, at: nowhere() };
         if let Some(before) = row.old_raw {
@@ -85,7 +91,7 @@ fn text(head: &Head, plan: &Plan) -> String {
             new.insert(of(step.raw));
         }
     }
-    for kept in &plan.watched {
+    for kept in plan.watched.iter().filter(|kept| ram == (kept.set >= DataSets::RAM_OFFSET)) {
         let (param, set, raw) = (kept.param.clone(), kept.set % 5, kept.raw);
         if old.exactly(param.id, set).is_none() {
             old.insert(Setting { param, set, raw, kind: None, at: nowhere() });

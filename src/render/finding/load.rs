@@ -51,6 +51,7 @@ fn place(left: &crate::outcome::NotLoaded) -> String {
 fn ended(ended: LoadEnd) -> &'static str {
     match ended {
         LoadEnd::Done => "done, every value proven",
+        LoadEnd::Stored => "stored, not all in force",
         LoadEnd::Untouched => "nothing was changed",
         LoadEnd::Back => "as before, proven",
         LoadEnd::Torn => "NOT as before",

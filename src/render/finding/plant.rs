@@ -195,6 +195,7 @@ fn state(state: PlantState) -> &'static str {
         PlantState::Same => "equal",
         PlantState::Planned => "planned",
         PlantState::Done => "done",
+        PlantState::Stored => "stored, not all in force",
         PlantState::Skipped => "skipped",
         PlantState::Untouched => "nothing was changed",
         PlantState::Back => "as before, proven",

@@ -54,6 +54,7 @@ pub(super) fn result(result: WriteResult) -> &'static str {
     match result {
         WriteResult::Verified => "verified",
         WriteResult::Written => "written",
+        WriteResult::Stored => "stored only",
         WriteResult::Unchanged => "unchanged",
         WriteResult::Planned => "planned",
         WriteResult::Refused => "refused",

@@ -218,6 +218,8 @@ pub(crate) enum Action {
     PowerCycle,
     /// Off the bus for so long.
     Silent(Span),
+    /// Somebody else sets this parameter, in this data set (0-9), to this raw value.
+    Set(u32, u8, i64),
     /// Writes to this parameter or register are refused from now on.
     Refuses(u16),
     Mains(bool),

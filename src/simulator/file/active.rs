@@ -3,17 +3,19 @@
 use super::reader::{BenchError, BenchFile, Model, PARITIES, decimal};
 use super::tables::{DriveTable, EventTable, NodeTable, RampTable};
 use crate::profile::value::check_width;
-use crate::profile::{Family, Sets, Type};
+use crate::profile::{Family, Param, Sets, Type};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::vabus::{Data, SystemNode};
 use crate::simulator::device::active::line::BAUD_RATES;
 use crate::simulator::device::active::setup::Setup;
+use crate::simulator::device::active::store::Fault as CellFault;
 use crate::simulator::device::active::{Active, Node};
 use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::shaft::Ramps;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use toml::{Spanned, Value};
 
 /// Steepest ramp, 0.01 Hz/s: the range of P.424 and P.425 (CM-485 manual 11.2).
@@ -43,6 +45,13 @@ impl BenchFile<'_> {
             self.ramps(ramps, &mut setup.ramps)?;
         }
         self.equip(&row.modules, &row.set, family, &mut setup)?;
+        for (key, word) in &row.eeprom {
+            let (param, set) = self.cell(key, word.span(), family, &setup.modules)?;
+            if set >= RAM_OFFSET {
+                return Err(self.error(word.span(), format!("eeprom \"{key}\": expected no RAM")));
+            }
+            setup.faulty.push((param.id, set, self.word("eeprom", word, FAULTS)?));
+        }
         Ok(setup)
     }
 
@@ -195,6 +204,33 @@ impl BenchFile<'_> {
         Ok(())
     }
 
+    /// A parameter with its data set, 5-9 in the RAM, as the keys of `set` name them.
+    fn cell<'f>(
+        &self,
+        key: &str,
+        span: Range<usize>,
+        family: Option<&'f Family>,
+        modules: &[String],
+    ) -> Result<(&'f Param, u8), BenchError> {
+        let refuse = |message: &str| self.error(span.clone(), format!("set \"{key}\": {message}"));
+        let (number, set) = match key.split_once('@') {
+            None => (key, Some(0)),
+            Some((number, text)) => {
+                let ram = text.strip_suffix("ram");
+                let set = ram.unwrap_or(text).parse().ok().filter(|set| (1..=4u8).contains(set));
+                (number, set.map(|set| if ram.is_some() { set + RAM_OFFSET } else { set }))
+            }
+        };
+        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram"))?;
+        let param = number.parse().ok().and_then(|number| family?.param(number));
+        let param = param.filter(|param| param.module.as_ref().is_none_or(|module| modules.contains(module)));
+        let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number"))?;
+        if set != 0 && param.sets != Some(Sets::Four) {
+            return Err(refuse("exists once; expected no data set"));
+        }
+        Ok((param, set))
+    }
+
     /// A row of `set`: number, data set, raw value.
     fn value(
         &self,
@@ -204,21 +240,7 @@ impl BenchFile<'_> {
         modules: &[String],
     ) -> Result<(u32, u8, i64), BenchError> {
         let refuse = |message: String| self.error(value.span(), format!("set \"{key}\": {message}"));
-        let (number, set) = match key.split_once('@') {
-            None => (key, Some(0)),
-            Some((number, text)) => {
-                let ram = text.strip_suffix("ram");
-                let set = ram.unwrap_or(text).parse().ok().filter(|set| (1..=4u8).contains(set));
-                (number, set.map(|set| if ram.is_some() { set + RAM_OFFSET } else { set }))
-            }
-        };
-        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram".to_owned()))?;
-        let param = number.parse().ok().and_then(|number| family?.param(number));
-        let param = param.filter(|param| param.module.as_ref().is_none_or(|module| modules.contains(module)));
-        let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number".to_owned()))?;
-        if set != 0 && param.sets != Some(Sets::Four) {
-            return Err(refuse("exists once; expected no data set".to_owned()));
-        }
+        let (param, set) = self.cell(key, value.span(), family, modules)?;
         let decimals = param.decimals_or_zero();
         let raw = match value.get_ref() {
             Value::String(text) => match text.strip_prefix("0x") {
@@ -231,8 +253,15 @@ impl BenchFile<'_> {
         check_width(raw, kind, decimals).map_err(|error| refuse(error.to_string()))?;
         Ok((param.id, set, raw))
     }
+
     /// What an event does.
-    pub(crate) fn active_events(&self, table: &Spanned<EventTable>, model: Model) -> Result<Vec<Event>, BenchError> {
+    pub(crate) fn active_events(
+        &self,
+        table: &Spanned<EventTable>,
+        model: Model,
+        family: Option<&Family>,
+        modules: &[String],
+    ) -> Result<Vec<Event>, BenchError> {
         let row = table.get_ref();
         let trigger = self.trigger(table)?;
         if row.class.is_some() || row.qualifier.is_some() {
@@ -245,6 +274,10 @@ impl BenchFile<'_> {
         actions.extend(row.warning.map(Action::Warning));
         if let Some(silent) = &row.silent {
             actions.push(Action::Silent(self.time("silent", silent)?));
+        }
+        for (key, value) in &row.set {
+            let (number, set, raw) = self.value(key, value, family, modules)?;
+            actions.push(Action::Set(number, set, raw));
         }
         actions.extend(row.refuses.map(Action::Refuses));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
@@ -264,7 +297,7 @@ impl BenchFile<'_> {
             actions.push(Action::Torque(self.torque(torque)?));
         }
         if actions.is_empty() {
-            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, refuses, mains, \
+            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, mains, \
                            enable, stoa, stob, start_right, start_left or torque";
             return Err(self.error(table.span(), message.to_owned()));
         }
@@ -284,5 +317,8 @@ impl BenchFile<'_> {
     }
 }
 
+/// How an EEPROM takes a write.
+const FAULTS: &[(&str, CellFault)] =
+    &[("refuses", CellFault::Refuses), ("keeps", CellFault::Keeps), ("not-in-force", CellFault::NotInForce)];
 /// RAM data sets are numbered 5 above their EEPROM twins (CM-485 manual 7).
 const RAM_OFFSET: u8 = 5;

@@ -149,7 +149,7 @@ impl BenchFile<'_> {
         let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
         let others =
             others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
-        let others = others || row.lasts.is_some();
+        let others = others || row.lasts.is_some() || !row.set.is_empty();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
             let message =
@@ -186,6 +186,7 @@ fn foreign_key(row: &DriveTable) -> Option<&'static str> {
         ("torque", row.torque.is_some()),
         ("ramps", row.ramps.is_some()),
         ("modules", !row.modules.is_empty()),
+        ("eeprom", !row.eeprom.is_empty()),
         ("registers", !row.registers.is_empty()),
         ("busy", row.busy),
         ("nodes", !row.nodes.is_empty()),

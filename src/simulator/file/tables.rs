@@ -63,6 +63,8 @@ pub(crate) struct DriveTable {
     pub(crate) nodes: Vec<Spanned<NodeTable>>,
     pub(crate) servo: Option<Spanned<ServoTable>>,
     #[serde(default)]
+    pub(crate) eeprom: BTreeMap<String, Spanned<String>>,
+    #[serde(default)]
     pub(crate) readings: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
     pub(crate) event: Vec<Spanned<EventTable>>,
@@ -127,6 +129,8 @@ pub(crate) struct EventTable {
     pub(crate) power_cycle: Option<bool>,
     pub(crate) silent: Option<Spanned<String>>,
     pub(crate) refuses: Option<u16>,
+    #[serde(default)]
+    pub(crate) set: BTreeMap<String, Spanned<Value>>,
     pub(crate) mains: Option<bool>,
     pub(crate) enable: Option<bool>,
     pub(crate) stoa: Option<Spanned<bool>>,

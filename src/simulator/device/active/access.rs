@@ -94,6 +94,7 @@ impl Active {
         }
         let value = match self.actual(number) {
             Some(value) => value,
+            None if address.set() >= 5 && self.has(Reading::RamNotShown) => return Err(Cause::WriteOnly),
             None => {
                 let in_force = if self.has(Reading::ReadsInForce) && address.set() < 5 { 5 } else { 0 };
                 self.cell_value(number, spec, address.set() + in_force)?
@@ -144,6 +145,9 @@ impl Active {
         if number == 30 {
             self.drop_dc_brake(in_ram);
         }
+        if !in_ram && cells(&spec, set % 5).any(|target| self.store.refuses((number, target))) {
+            return Err(Cause::Eeprom);
+        }
         Ok(Effect::None)
     }
 
@@ -185,6 +189,19 @@ impl Active {
             return Err(Cause::Set);
         }
         Ok(spec)
+    }
+
+    /// Somebody else sets a value, by the data set 0-9.
+    pub(crate) fn set_by_hand(&mut self, now: Tick, number: u32, set: u8, value: i64) {
+        self.catch_up(now);
+        let Some(spec) = self.specs.get(&number).cloned() else { return };
+        for target in cells(&spec, set % 5) {
+            if set < 5 && !spec.volatile {
+                self.store.equip((number, target), value);
+            }
+            self.store.write_ram((number, target), value);
+        }
+        self.react(now);
     }
 
     /// EEPROM cells written.

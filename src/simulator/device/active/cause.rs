@@ -7,6 +7,7 @@ pub(crate) enum Cause {
     Set = 2,
     WriteOnly = 3,
     ReadOnly = 4,
+    Eeprom = 6,
     Running = 8,
     SetsDiffer = 9,
     Type = 10,

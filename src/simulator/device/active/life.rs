@@ -3,7 +3,7 @@
 use super::line::values;
 use super::machine::Automaton;
 use super::setup::{Contacts, Setup};
-use super::state::Active;
+use super::state::{Active, cells};
 use crate::profile::Family;
 use crate::simulator::device::contract::NodeSetting;
 use crate::tick::{Span, Tick};
@@ -17,6 +17,10 @@ impl Active {
         let values = [values(place), setup.values.clone()].concat();
         let (stored, in_ram): (Vec<_>, Vec<_>) = values.into_iter().partition(|(_, set, _)| *set < 5);
         let mut active = Active::equipped(setup, &stored, family);
+        for &(number, set, fault) in &setup.faulty {
+            let cells = active.specs.get(&number).map(|spec| cells(spec, set));
+            cells.into_iter().flatten().for_each(|set| active.store.spoil((number, set), fault));
+        }
         match active.acu || active.contacts.mains {
             true => active.power_up(Tick::ZERO, Tick::ZERO),
             false => active.power_down(Tick::ZERO),

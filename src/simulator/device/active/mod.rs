@@ -15,7 +15,7 @@ pub(crate) mod readings;
 pub(crate) mod setup;
 mod spec;
 mod state;
-mod store;
+pub(crate) mod store;
 mod vabus;
 mod values;
 

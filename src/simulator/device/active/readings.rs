@@ -7,6 +7,7 @@ use crate::simulator::device::readings::{self, OpenQuestion, row};
 pub(crate) enum Reading {
     ControlByEdge,
     ReadsInForce,
+    RamNotShown,
     UnknownIsException2,
     SetAsAsked,
     LineReplyLost,
@@ -30,7 +31,7 @@ impl readings::Reading for Reading {
         // CM-485 manual 9.1.2, 10.2
         row("control_word", &[("level", None), ("edge", Some(R::ControlByEdge))]),
         // CM-485 manual 7
-        row("ram_reads", &[("eeprom", None), ("in-force", Some(R::ReadsInForce))]),
+        row("ram_reads", &[("eeprom", None), ("in-force", Some(R::ReadsInForce)), ("refused", Some(R::RamNotShown))]),
         // CM-485 manual 6.4 against 8.1.3
         row("unknown_parameter", &[("4", None), ("2", Some(R::UnknownIsException2))]),
         row("set_character", &[("folded", None), ("as-asked", Some(R::SetAsAsked))]),

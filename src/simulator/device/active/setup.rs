@@ -1,6 +1,7 @@
 //! Everything that makes an ACT or ACU before it is switched on.
 
 use super::readings::Readings;
+use super::store::Fault;
 use crate::simulator::device::shaft::Ramps;
 use std::collections::BTreeMap;
 
@@ -27,6 +28,8 @@ pub(crate) struct Setup {
     pub(crate) modules: Vec<String>,
     /// Number, data set (0 for all), raw value.
     pub(crate) values: Vec<(u32, u8, i64)>,
+    /// Number, data set (0 for all), and how its EEPROM takes a write.
+    pub(crate) faulty: Vec<(u32, u8, Fault)>,
     /// Texts of string parameters.
     pub(crate) texts: BTreeMap<u32, Vec<u8>>,
 }
@@ -43,6 +46,7 @@ impl Setup {
             ramps: RAMPS,
             modules: Vec::new(),
             values: Vec::new(),
+            faulty: Vec::new(),
             texts: BTreeMap::new(),
         }
     }

@@ -1,0 +1,190 @@
+//! One value of a plan: whether it is to be written, whether it may be, and why not.
+
+use crate::drive::job::{self, Step};
+use crate::drive::{Session, Target, Terms, describe, is_over};
+use crate::failure::{Class, Failure};
+use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
+use crate::profile::paramfile::value_text;
+use crate::profile::{DataSets, Param, Type, value};
+use crate::text::{Text, both};
+use std::collections::BTreeMap;
+
+/// The code of a value that cannot be read on the way back.
+const UNREAD: &str = "partial.unread";
+/// So many values in a row that do not come tell that nobody is there.
+const MOST_SILENCES: usize = 2;
+
+/// Where a transaction goes.
+pub(super) enum Purpose {
+    /// To new values.
+    Forward,
+    /// Back from these, by number and data set; what is not named was changed by the drive itself.
+    Back(BTreeMap<(u32, u8), i64>),
+}
+
+impl Purpose {
+    /// Whether a value that does not come keeps nobody from bringing the others.
+    pub(super) fn bears(&self, failure: &Failure, silences: usize) -> bool {
+        matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
+    }
+}
+
+/// The row of a value, and why it cannot be written.
+pub(super) fn weigh(
+    session: &Session<'_>,
+    target: &Target,
+    terms: &Terms<'_>,
+    (step, purpose): (&Step, &Purpose),
+    old: Result<i64, Failure>,
+) -> (Written, Option<Failure>) {
+    let row = describe::to_write(target.address, &target.family, &step.param, step.set, step.raw);
+    let mut row = Written { node: session.node(), ..row };
+    if let Ok(old) = old {
+        row.old_raw = Some(old);
+        row.old = value::digits(&step.param, old).map(|(raw, decimals)| Decimal { raw, decimals });
+    }
+    let kind = target.known_width(step.param.id).or(step.kind);
+    let verdict = match (old, purpose) {
+        (Ok(old), _) if old == step.raw => {
+            row.result = WriteResult::Unchanged;
+            return (row, None);
+        }
+        (Ok(_), Purpose::Forward) => {
+            let known = kind.ok_or_else(|| job::no_width(&step.param));
+            known.and_then(|kind| fits(step, Some(kind)))
+        }
+        (Ok(old), Purpose::Back(from)) => stands_as_left(step, old, from),
+        (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
+        (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
+    };
+    job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, step, kind)));
+    let failure = verdict.err();
+    if let Some(failure) = &failure {
+        let is_unknown = failure.code == UNREAD;
+        row.result = if is_unknown { WriteResult::Unrestored } else { WriteResult::Refused };
+        row.error = Some(ErrorDoc::from(failure));
+    }
+    (row, failure)
+}
+
+/// What forbids a value that is to be written, as far as that can be told without asking: the line, the range, the type if it is
+/// known.
+///
+/// # Errors
+/// What forbids it.
+pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
+    let Step { param, raw, .. } = step;
+    let label = param.label();
+    if job::cuts(param) {
+        let message = both!(
+            "{label} cuts the line at once, and what cuts the line cannot be taken back over it",
+            "{label} kappt die Leitung sofort, und was sie kappt, lässt sich über sie nicht zurücknehmen"
+        );
+        return Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
+            "`antrieb line set` and `antrieb protocol set` change it and follow the drive",
+            "`antrieb line set` und `antrieb protocol set` stellen es um und folgen dem Antrieb"
+        )));
+    }
+    let wrong = |code: &str, error: value::ValueError| {
+        let message =
+            both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", slug = param.slug, why = error.text());
+        Failure::new(Class::Data, code, message).with("param", param.id).hint(both!(
+            "--except {id} leaves it out",
+            "--except {id} lässt es weg",
+            id = param.id
+        ))
+    };
+    value::check_range(*raw, param).map_err(|error| wrong("data.range", error))?;
+    let typed = kind.map_or(Ok(()), |kind| value::check_type(*raw, kind, param));
+    typed.map_err(|error| wrong("data.width", error))
+}
+
+/// Whether a value still is what the transaction made of it: what somebody has changed since is his.
+fn stands_as_left(step: &Step, now: i64, from: &BTreeMap<(u32, u8), i64>) -> Result<(), Failure> {
+    // What was to come into all four data sets stands under 0, also where they differ by now.
+    let all = step.set - step.set % DataSets::RAM_OFFSET;
+    let left = from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all)));
+    let Some(left) = left.filter(|left| **left != now) else { return Ok(()) };
+    let shown = |raw| value_text(&step.param, raw);
+    let message = both!(
+        "{label} reads as {now}, which is neither the value before the load ({before}) nor the one that it was to write ({left})",
+        "{label} liest sich als {now}; das ist weder der Wert vor dem Laden ({before}) noch der, den es schreiben sollte ({left})",
+        label = place(step),
+        now = shown(now),
+        before = shown(step.raw),
+        left = shown(*left)
+    );
+    Err(Failure::new(Class::Forbidden, "forbidden.changed_since", message).hint(both!(
+        "somebody has changed it since, or it is another drive; --force takes it back all the same",
+        "jemand hat es seitdem geändert, oder es ist ein anderer Antrieb; --force nimmt es trotzdem zurück"
+    )))
+}
+
+/// What cannot be read cannot be put back, so it is not written.
+fn no_way_back(param: &Param, failure: Failure) -> Failure {
+    let message = both!(
+        "{label}: {why}; what cannot be read cannot be taken back",
+        "{label}: {why}; was sich nicht lesen lässt, lässt sich nicht zurücknehmen",
+        label = param.label(),
+        why = failure.message
+    );
+    let hint = both!(
+        "is it the drive, and the module, that the file was made for? --except leaves parameters out",
+        "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except lässt Parameter weg"
+    );
+    Failure { message, ..failure }.hint(hint)
+}
+
+/// A value that cannot be read is not brought back: nobody could tell whether somebody has changed it since.
+fn not_told(param: &Param, failure: Failure) -> Failure {
+    let message = both!(
+        "{label} is left as it is, because it cannot be read: {why}",
+        "{label} bleibt, wie er ist, weil er sich nicht lesen lässt: {why}",
+        label = param.label(),
+        why = failure.message
+    );
+    Failure { message, code: UNREAD.to_owned(), ..failure }
+}
+
+pub(super) fn unread(param: &Param) -> Failure {
+    let message = both!("{label} was not read", "{label} wurde nicht gelesen", label = param.label());
+    Failure::new(Class::Garbled, "garbled.unread", message)
+}
+
+/// Why a value that is stored already is written, into the RAM alone.
+pub(super) fn not_in_force() -> Text {
+    both!(
+        "stored already, but the drive works with another value (RAM)",
+        "schon gespeichert, der Antrieb arbeitet aber mit einem anderen Wert (RAM)"
+    )
+}
+
+/// What is to be said of a value in force that is not the one that is stored.
+pub(super) fn differs_in_ram(
+    param: &Param,
+    (set, raw): (u8, i64),
+    result: WriteResult,
+    purpose: &Purpose,
+) -> Option<Text> {
+    let (label, set) = (param.label(), set - DataSets::RAM_OFFSET);
+    let raw = value_text(param, raw);
+    match (purpose, result) {
+        (Purpose::Forward, _) => Some(both!(
+            "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced, and an undo file \
+             brings back only what is stored",
+            "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt, und eine Datei \
+             zum Zurücknehmen bringt nur das Gespeicherte zurück"
+        )),
+        (Purpose::Back(_), WriteResult::Unchanged) => Some(both!(
+            "{label}@{set}: what is stored is as before; the drive works with {raw} (RAM) until it is switched off",
+            "{label}@{set}: gespeichert ist der Wert von vorher; der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)"
+        )),
+        (Purpose::Back(_), _) => None,
+    }
+}
+
+/// A parameter with its data set, as people name it.
+pub(super) fn place(step: &Step) -> String {
+    let label = step.param.label();
+    if step.set.is_multiple_of(5) { label } else { format!("{label}@{}", step.set % 5) }
+}
