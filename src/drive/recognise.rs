@@ -72,8 +72,12 @@ pub async fn recognise(
         inquest.introduction().await?;
     }
     if inquest.finding.drive.is_none() {
-        let answer = inquest.session.ask(address, question).await?;
+        let answer = inquest.session.ask(address, question.clone()).await?;
         inquest.goes_on(&answer, keep_register).await?;
+    }
+    if inquest.finding.drive.is_none() && inquest.fell_silent {
+        // Many slaves ignore codes that they do not know; who is gone answers nothing any more.
+        inquest.session.ask(address, question).await?;
     }
     Ok(inquest.finding)
 }
@@ -128,11 +132,13 @@ struct Inquest<'q, 's> {
     finding: Finding,
     /// It has described itself, whatever it said.
     introduced: bool,
+    /// It did not answer what an ACTIVE answers.
+    fell_silent: bool,
 }
 
 impl<'q, 's> Inquest<'q, 's> {
     fn new(session: &'q mut Session<'s>, registry: &'q Registry, route: Route) -> Self {
-        Inquest { session, registry, route, finding: Finding::default(), introduced: false }
+        Inquest { session, registry, route, finding: Finding::default(), introduced: false, fell_silent: false }
     }
 
     /// Asks on from the answer for the status word.

@@ -63,6 +63,12 @@ pub enum ValueError {
         /// Upper limit.
         max: String,
     },
+    /// Larger than what any type holds.
+    #[error("{}", self.text().en)]
+    TooLarge {
+        /// What came.
+        value: String,
+    },
     /// Does not fit into the width of the type.
     #[error("{}", self.text().en)]
     Width {
@@ -111,6 +117,9 @@ impl ValueError {
             ),
             ValueError::Range { value, min, max } => {
                 both!("{value} is out of the range {min} … {max}", "{value} liegt außerhalb des Bereichs {min} … {max}")
+            }
+            ValueError::TooLarge { value } => {
+                both!("{value} is more than any parameter holds", "{value} ist mehr, als irgendein Parameter fasst")
             }
             ValueError::Width { value, kind } => {
                 both!("{value} does not fit into a {kind}", "{value} passt nicht in den Typ {kind}")
@@ -179,7 +188,7 @@ pub fn parse_decimal(text: &str, decimals: u8) -> Result<i64, ValueError> {
 fn shifted(text: &str, decimals: u8, power: i32) -> Result<i64, ValueError> {
     let no_number = || ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() };
     // It is a number, but no drive has one so large.
-    let too_large = || ValueError::Width { value: text.to_owned(), kind: "long" };
+    let too_large = || ValueError::TooLarge { value: text.to_owned() };
     let (negative, digits) = match text.strip_prefix(['-', '−']) {
         Some(rest) => (true, rest),
         None => (false, text.strip_prefix('+').unwrap_or(text)),

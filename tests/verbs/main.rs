@@ -19,6 +19,7 @@ mod run;
 mod parameters {
     mod comparing;
     mod loading;
+    mod memory;
     mod own_family;
     mod plant;
     mod reading;

@@ -1,6 +1,7 @@
 //! `dataset check`: does a drive hold what its file says?
 
 use super::opened::Opened;
+use super::scope::Picks;
 use super::weighing::{Weighed, against_drive, told};
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, plan, read_question, terms};
@@ -16,6 +17,8 @@ pub(super) struct Options {
     /// A file of `dataset save`; {address} in its name: one a drive
     #[arg(value_name = "FILE")]
     file: PathBuf,
+    #[command(flatten)]
+    picks: Picks,
     /// Show the differences as lines of both files
     #[arg(long)]
     unified: bool,
@@ -26,7 +29,9 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
     let named = context.settings.drive.as_deref();
     let open = |address: &u8| {
         let path = options.file.to_string_lossy().replace(super::save::ADDRESS, &address.to_string());
-        Opened::read(path.as_ref(), context.registry, named)
+        let mut file = Opened::read(path.as_ref(), context.registry, named)?;
+        file.pick(&options.picks.choice())?;
+        Ok::<_, Failure>(file)
     };
     let files = addresses.iter().map(open).collect::<Result<Vec<_>, _>>()?;
     if let (true, Some(file)) = (context.settings.dry_run, files.first()) {

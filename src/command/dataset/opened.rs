@@ -1,6 +1,7 @@
 //! A parameter file that the user named: read, and taken by the catalogue of its family.
 
 use crate::drive::paramfile::broken;
+use crate::drive::transaction::Choice;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::paramfile::{ParamFile, Settings};
@@ -15,6 +16,8 @@ pub(in crate::command) struct Opened {
     pub(in crate::command) file: ParamFile,
     pub(in crate::command) family: Rc<Family>,
     pub(in crate::command) settings: Settings,
+    /// Whether it was edited, if only some of it is left.
+    edited: Option<bool>,
 }
 
 impl Opened {
@@ -40,7 +43,7 @@ impl Opened {
             ))
         })?;
         let settings = file.settings(&family).map_err(|fault| broken(&fault))?;
-        let opened = Opened { file, family, settings };
+        let opened = Opened { file, family, settings, edited: None };
         named.map_or(Ok(()), |named| opened.fits(named))?;
         Ok(opened)
     }
@@ -88,9 +91,15 @@ impl Opened {
         Ok(())
     }
 
+    /// Keeps of it what is meant; whether it was edited is told of the whole.
+    pub(in crate::command) fn pick(&mut self, choice: &Choice) -> Result<(), Failure> {
+        self.edited = self.is_edited();
+        choice.pick(&mut self.settings, &self.family)
+    }
+
     /// Whether it was changed since it was saved; `None` if it carries no signature.
     pub(super) fn is_edited(&self) -> Option<bool> {
         let saved = self.file.head.saved.signature.as_ref()?;
-        Some(*saved != self.settings.signature(&self.family.drive).to_string())
+        self.edited.or_else(|| Some(*saved != self.settings.signature(&self.family.drive).to_string()))
     }
 }

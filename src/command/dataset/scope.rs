@@ -7,9 +7,27 @@ use clap::Args as ClapArgs;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// Which values of parameter files are meant.
+/// Which values of parameter files are written.
 #[derive(Clone, Debug, Default, ClapArgs)]
 pub(in crate::command) struct Scope {
+    #[command(flatten)]
+    picks: Picks,
+    /// Write to RAM only, until power-off
+    #[arg(long)]
+    ram: bool,
+}
+
+impl Scope {
+    /// What it picks of a file.
+    pub(in crate::command) fn choice(&self) -> Choice {
+        let store = if self.ram { Store::Ram } else { Store::Eeprom };
+        Choice { store, ..self.picks.choice() }
+    }
+}
+
+/// Which values of parameter files are meant.
+#[derive(Clone, Debug, Default, ClapArgs)]
+pub(in crate::command) struct Picks {
     /// Only these groups and parameters: motor,ramps,480-483
     ///
     /// `params` lists parameters; groups are those of `read @GROUP`. Settings of a bus are written only if they are named here, such as
@@ -22,17 +40,13 @@ pub(in crate::command) struct Scope {
     /// Only these data sets, 0 for what exists once: 1-3
     #[arg(long, value_name = "SETS", value_delimiter = ',')]
     sets: Vec<SetRange>,
-    /// Write to RAM only, until power-off
-    #[arg(long)]
-    ram: bool,
 }
 
-impl Scope {
-    /// What it picks of a file.
+impl Picks {
+    /// What they pick of a file.
     pub(in crate::command) fn choice(&self) -> Choice {
-        let store = if self.ram { Store::Ram } else { Store::Eeprom };
         let sets = self.sets.iter().flat_map(|range| range.0.clone()).collect();
-        Choice { only: self.only.clone(), except: self.except.clone(), sets, store }
+        Choice { only: self.only.clone(), except: self.except.clone(), sets, store: Store::Eeprom }
     }
 }
 

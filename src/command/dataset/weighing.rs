@@ -157,8 +157,12 @@ impl Weighed {
         let compared = compare(&a.settings, &b.settings, all, &failures, &family);
         let names = [&a.side.name, &b.side.name];
         let unified = is_unified.then(|| unified(names, &compared.differences, &family));
-        let missing = a.failure().or_else(|| b.failure());
-        let count = compared.differences.len();
+        let silent = a.failure().or_else(|| b.failure());
+        // What a side was asked for and did not tell is neither the same nor different.
+        let untold = compared.differences.iter().filter_map(|row| row.error.as_ref()).count();
+        let count = compared.differences.len() - untold;
+        let unread =
+            compared.differences.iter().find_map(|row| failures.get(&row.param)).map(|why| unread(untold, count, why));
         let differ = (count > 0).then(|| differing(count));
         let none = (compared.count == 0).then(nothing_to_compare);
         let part = [&a, &b].into_iter().find(|one| one.is_part).map(|one| incomplete(&one.side.name));
@@ -166,6 +170,7 @@ impl Weighed {
             one.side.signature = Some(one.settings.signature(&family.drive).to_string());
         }
         let warnings = [&a, &b].into_iter().flat_map(Weight::warnings).collect();
+        let missing = silent.or(unread);
         let is_open = missing.is_some() || part.is_some() || compared.count == 0;
         let equal = if is_open { None } else { Some(count == 0) };
         let comparison = Comparison {
@@ -231,6 +236,22 @@ pub(in crate::command) async fn against_target(
     let mut b = Weight::of(&Which::Drive(None), None, Some(target), &file.family)?;
     b.fill(session, &mut a).await;
     Ok(Weighed::of(a, b, false, is_unified))
+}
+
+/// What a drive refused to tell can be anything.
+fn unread(untold: usize, differ: usize, why: &Failure) -> Failure {
+    let some = Text::count(
+        untold as u64,
+        ["value could not be read", "values could not be read"],
+        ["Wert ließ sich nicht lesen", "Werte ließen sich nicht lesen"],
+    );
+    let others = match differ {
+        0 => Text::default(),
+        1 => both!(", 1 differs", ", 1 ist verschieden"),
+        _ => both!(", {differ} differ", ", {differ} sind verschieden"),
+    };
+    let message = both!("{some}{others}; {why}", "{some}{others}; {why}", some, others, why = why.message);
+    Failure { class: Class::Partial, code: "partial.unread".to_owned(), message, ..why.clone() }
 }
 
 fn differing(count: usize) -> Failure {

@@ -3,15 +3,16 @@
 use super::lines::{Wanted, on_lines, wanted};
 use super::{project, told};
 use crate::args::Takes;
+use crate::command::dataset::scope::Picks;
 use crate::command::dataset::weighing::{Weighed, against_target};
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, read_question, telegram_reader};
 use crate::drive::paramfile::of_file;
 use crate::drive::plant::{Line, side_by_side};
-use crate::drive::transaction::Choice;
+use crate::drive::transaction::{Choice, NO_VALUES};
 use crate::drive::{Upper, is_over};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, PlantCheck, PlantComparison};
+use crate::outcome::{Data, Document, Event, OrPlan, Outcome, Plan, PlantCheck, PlantComparison};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -20,7 +21,10 @@ use clap::Args as ClapArgs;
 /// Asked is what the files hold, and nothing else, all ports at once, the drives of a line in turn. A drive that does not answer, or
 /// is another one than antrieb.toml says, is named (exit 9).
 #[derive(Clone, Debug, ClapArgs)]
-pub struct Args {}
+pub struct Args {
+    #[command(flatten)]
+    picks: Picks,
+}
 
 impl Verb for Args {
     const NAME: &'static str = "check";
@@ -34,12 +38,32 @@ impl Verb for Args {
     type Prints = Document<OrPlan<PlantCheck>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
-        Box::pin(run(context))
+        Box::pin(run(self, context))
     }
 }
 
-async fn run(context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let wanted = wanted(context, &Choice::everything())?;
+async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let mut wanted = wanted(context, &Choice::everything())?;
+    let choice = args.picks.choice();
+    let mut none = Vec::new();
+    for (index, one) in wanted.iter_mut().enumerate() {
+        match one.opened.pick(&choice) {
+            // Others may have some of it.
+            Err(failure) if failure.code == NO_VALUES => none.push((index, failure)),
+            picked => picked?,
+        }
+    }
+    if let (Some((_, failure)), true) = (none.first(), none.len() == wanted.len()) {
+        return Err(failure.clone());
+    }
+    for (index, _) in none.into_iter().rev() {
+        let name = wanted.remove(index).place.name;
+        let note = both!(
+            "{name}: its files hold nothing of what is meant",
+            "{name}: von dem, was gemeint ist, steht in den Dateien nichts"
+        );
+        (context.observe)(Event::Note(note));
+    }
     let settings = context.settings;
     if settings.dry_run {
         return Ok(dry_run(&wanted));
@@ -104,7 +128,7 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome 
             Some(failure) if failure.class != Class::No => failures.push((called.clone(), failure)),
             Some(_) => {
                 differing.push(called.clone());
-                values += comparison.differences.len() as u64;
+                values += comparison.differences.iter().filter(|row| row.error.is_none()).count() as u64;
             }
             None => {}
         }

@@ -205,6 +205,11 @@ pub(in crate::drive) async fn carry_step(
         Err((error, otherwise)) => {
             row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
             let mut failure = error.failure(address, Some(&target.family));
+            if failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED)
+                && has_ram(target, &step.param, step.set)
+            {
+                failure.message = perhaps_in_ram(failure.message, &step.param, step.set);
+            }
             if row.result == WriteResult::Skipped {
                 failure.message = both!(
                     "{why}; P.{param} was not begun",
@@ -219,6 +224,19 @@ pub(in crate::drive) async fn carry_step(
     let failure = failure?.with("param", step.param.id);
     row.error = Some(ErrorDoc::from(&failure));
     Some(failure)
+}
+
+/// Error register: the EEPROM did not take it (CM-485 manual 6.6).
+pub(in crate::drive) const EEPROM_FAILED: (&str, &str) = ("p11", "6");
+
+/// A write to the EEPROM goes into the RAM too (CM-485 manual 7), perhaps also where the EEPROM does not take it.
+fn perhaps_in_ram(why: Text, param: &Param, set: u8) -> Text {
+    let id = param.id;
+    both!(
+        "{why}; the drive may work with the new value all the same: `antrieb read {id}@{set}ram` tells",
+        "{why}; der Antrieb kann trotzdem mit dem neuen Wert arbeiten: `antrieb read {id}@{set}ram` sagt es",
+        why
+    )
 }
 
 /// What became of a write behind which the drive has another address at once: there it is asked.

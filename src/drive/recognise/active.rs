@@ -40,7 +40,10 @@ impl Inquest<'_, '_> {
                 (told(No::Exception(code)), tells, true)
             }
             Ok(_) => (Text::name("-"), stranger, false),
-            Err(error) => (missing(&error), stranger, false),
+            Err(error) => {
+                self.fell_silent = true;
+                (missing(&error), stranger, false)
+            }
         };
         self.finding.note(asked, answered, tells);
         Ok(known)

@@ -120,13 +120,10 @@ fn unproven(row: &mut Written) -> Option<Failure> {
     Some(failure)
 }
 
-/// Error register: the EEPROM did not take it (CM-485 manual 6.6).
-const EEPROM_FAILED: (&str, &str) = ("p11", "6");
-
 impl Plan {
     /// Where the EEPROM did not take a value, the RAM may have: of a drive that does not show it, nobody knows.
     fn doubt(&mut self, step: &Step, result: WriteResult, failure: &Failure) {
-        let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED);
+        let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == job::EEPROM_FAILED);
         let is_hidden = has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
         if is_hidden && (fails || result == WriteResult::Differs) {
             self.blind.push(Kept::wanted(step));

@@ -6,7 +6,7 @@ use super::ended::{Applied, untouched};
 use super::meanwhile::still_stands;
 use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::proof::{in_force, look};
-use super::running::standstill;
+use super::running::{RUNNING, standstill};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::stands_at;
 use crate::drive::{Order, Session, WriteFate, is_over};
@@ -56,6 +56,8 @@ struct Way {
     is_begun: bool,
     /// Why the session is over.
     over: Option<Failure>,
+    /// The drive ran when something was to be written.
+    runs: Option<Failure>,
     /// So long a drive that fell silent is waited for.
     until: Option<Tick>,
     /// It was waited for in vain.
@@ -69,6 +71,9 @@ impl Way {
     }
 
     fn note(&mut self, failure: Option<&Failure>) {
+        if self.runs.is_none() {
+            self.runs = failure.filter(|failure| failure.code == RUNNING).cloned();
+        }
         if self.over.is_none() {
             self.over = failure.filter(|failure| is_over(failure)).cloned();
         }
@@ -79,9 +84,12 @@ impl Way {
     async fn await_return(&mut self, session: &mut Session<'_>, plan: &mut Plan) -> bool {
         let until = *self.until.get_or_insert(session.now() + LONGEST_RESTART);
         let target = &mut plan.job.target;
-        let status = target.family.role(Role::StatusWord).cloned();
+        // Not what was asked just now.
+        let roles = [Role::StatusWord, Role::Fault].map(|role| target.family.role(role).cloned());
         let first = plan.job.steps.first().map(|step| (step.param.clone(), step.set));
-        let places: Vec<_> = status.map(|param| (param, 0)).into_iter().chain(first).collect();
+        let roles: Vec<_> = roles.into_iter().flatten().map(|param| (param, 0)).collect();
+        let first = first.filter(|_| roles.len() < 2);
+        let places: Vec<_> = roles.into_iter().chain(first).collect();
         let retries = session.set_retries(0);
         self.is_gone = true;
         for (param, set) in places.iter().cycle() {
@@ -333,10 +341,11 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
     let todo = rows.filter(|(_, row)| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged));
     let order = todo.map(|(step, _)| Kept::wanted(step)).collect();
     let order = back_sorted(order, &plan.job.target.family.files);
-    let Way { mut failures, is_begun, over, .. } = restore_all(session, plan, &order, permit, Way::default()).await;
-    if let (Some(over), false) = (&over, is_begun) {
+    let Way { mut failures, is_begun, over, runs, .. } =
+        restore_all(session, plan, &order, permit, Way::default()).await;
+    if let (Some(why), false) = (over.clone().or(runs), is_begun) {
         plan.job.rows = before;
-        return untouched(plan, over.clone());
+        return untouched(plan, why);
     }
     let came_back = failures.is_empty();
     if over.is_none() {

@@ -22,6 +22,9 @@ pub struct Choice {
     pub store: Store,
 }
 
+/// The code of a file of which nothing is meant.
+pub const NO_VALUES: &str = "data.no_values";
+
 /// Everything readable: naming it asks for nothing in particular.
 const EVERYTHING: &str = "all";
 
@@ -64,6 +67,40 @@ impl Choice {
         }
         steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
         Ok((steps, left_out))
+    }
+
+    /// Keeps of a file what is picked, as it is compared: also settings of a bus.
+    ///
+    /// # Errors
+    /// A word names neither a group nor a parameter of the family, or nothing is left.
+    pub fn pick(&self, settings: &mut Settings, family: &Family) -> Result<(), Failure> {
+        let (only, except) = (named(&self.only, family)?, named(&self.except, family)?);
+        let mut picked = Settings::default();
+        for setting in settings.iter() {
+            let id = setting.param.id;
+            if (!self.only.is_empty() && !only.contains(&id)) || except.contains(&id) {
+                continue;
+            }
+            match self.sets.is_empty() {
+                true => drop(picked.insert(setting.clone())),
+                false => self.places(setting, settings).into_iter().for_each(|step| {
+                    picked.insert(Setting { set: step.set, ..setting.clone() });
+                }),
+            }
+        }
+        if picked.is_empty() {
+            let message = both!(
+                "there is nothing to compare: of the {count} values of the file none is meant",
+                "es gibt nichts zu vergleichen: von den {count} Werten der Datei ist keiner gemeint",
+                count = settings.len()
+            );
+            return Err(Failure::new(Class::Data, NO_VALUES, message).hint(both!(
+                "--only, --except and --sets pick what is compared",
+                "--only, --except und --sets wählen aus, was verglichen wird"
+            )));
+        }
+        *settings = picked;
+        Ok(())
     }
 
     /// The places of a setting: of one for all four data sets each that has no value of its own.

@@ -20,7 +20,7 @@ mod weigh;
 
 pub use apply::apply;
 pub use back::{STORE, take_back, undo};
-pub use choice::Choice;
+pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
 pub use plan::{Plan, plan};
 pub use running::RUNNING;

@@ -78,7 +78,8 @@ impl Plan {
     /// Whether all that is going to be written goes into the RAM: an undo file is of one memory, and of the EEPROM if both are
     /// written.
     pub fn is_of_ram(&self) -> bool {
-        let mut rows = self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| row.result != WriteResult::Unchanged);
+        let mut rows =
+            self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| row.result != WriteResult::Unchanged);
         rows.all(|(step, _)| step.set >= DataSets::RAM_OFFSET)
     }
 

@@ -62,7 +62,8 @@ pub(super) async fn in_force(session: &mut Session<'_>, plan: &mut Plan) -> Resu
         let steps: Vec<(usize, Step)> =
             group.into_iter().filter_map(|index| Some((index, plan.job.steps.get(index)?.clone()))).collect();
         let shown = steps.iter().filter(|(_, step)| plan.behind(step).next().is_some());
-        let (sets, param) = (shown.map(|(_, step)| step.set).collect::<Vec<_>>(), steps.first().map(|one| &one.1.param));
+        let (sets, param) =
+            (shown.map(|(_, step)| step.set).collect::<Vec<_>>(), steps.first().map(|one| &one.1.param));
         let Some(param) = param.filter(|_| !sets.is_empty()) else { continue };
         let now = in_ram(session, &mut plan.job.target, param, &sets).await?;
         for (index, step) in &steps {

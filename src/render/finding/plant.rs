@@ -176,7 +176,7 @@ impl Page {
                 self.family(&one.comparison.b.drive).to_owned(),
                 self.word(stands).to_owned(),
                 one.comparison.compared.to_string(),
-                one.comparison.differences.len().to_string(),
+                one.comparison.differences.iter().filter(|row| row.error.is_none()).count().to_string(),
             ]
         });
         let head = ["name", ">addr", "drive", "state", ">compared", ">different"];

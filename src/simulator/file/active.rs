@@ -44,9 +44,10 @@ impl BenchFile<'_> {
         if let Some(ramps) = &row.ramps {
             self.ramps(ramps, &mut setup.ramps)?;
         }
+        setup.four.clone_from(&row.four);
         self.equip(&row.modules, &row.set, family, &mut setup)?;
         for (key, word) in &row.eeprom {
-            let (param, set) = self.cell(key, word.span(), family, &setup.modules)?;
+            let (param, set) = self.cell(key, word.span(), family, &setup)?;
             if set >= RAM_OFFSET {
                 return Err(self.error(word.span(), format!("eeprom \"{key}\": expected no RAM")));
             }
@@ -118,7 +119,10 @@ impl BenchFile<'_> {
                     let text = text.ok_or_else(|| self.error(value.span(), message()))?;
                     setup.texts.insert(param.id, text.characters().to_vec());
                 }
-                None => setup.values.push(self.value(key, value, family, &setup.modules)?),
+                None => {
+                    let row = self.value(key, value, family, setup)?;
+                    setup.values.push(row);
+                }
             }
         }
         Ok(())
@@ -210,7 +214,7 @@ impl BenchFile<'_> {
         key: &str,
         span: Range<usize>,
         family: Option<&'f Family>,
-        modules: &[String],
+        setup: &Setup,
     ) -> Result<(&'f Param, u8), BenchError> {
         let refuse = |message: &str| self.error(span.clone(), format!("set \"{key}\": {message}"));
         let (number, set) = match key.split_once('@') {
@@ -223,9 +227,9 @@ impl BenchFile<'_> {
         };
         let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram"))?;
         let param = number.parse().ok().and_then(|number| family?.param(number));
-        let param = param.filter(|param| param.module.as_ref().is_none_or(|module| modules.contains(module)));
+        let param = param.filter(|param| param.module.as_ref().is_none_or(|module| setup.modules.contains(module)));
         let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number"))?;
-        if set != 0 && param.sets != Some(Sets::Four) {
+        if set != 0 && param.sets != Some(Sets::Four) && !setup.four.contains(&param.id) {
             return Err(refuse("exists once; expected no data set"));
         }
         Ok((param, set))
@@ -237,10 +241,10 @@ impl BenchFile<'_> {
         key: &str,
         value: &Spanned<Value>,
         family: Option<&Family>,
-        modules: &[String],
+        setup: &Setup,
     ) -> Result<(u32, u8, i64), BenchError> {
         let refuse = |message: String| self.error(value.span(), format!("set \"{key}\": {message}"));
-        let (param, set) = self.cell(key, value.span(), family, modules)?;
+        let (param, set) = self.cell(key, value.span(), family, setup)?;
         let decimals = param.decimals_or_zero();
         let raw = match value.get_ref() {
             Value::String(text) => match text.strip_prefix("0x") {
@@ -260,7 +264,7 @@ impl BenchFile<'_> {
         table: &Spanned<EventTable>,
         model: Model,
         family: Option<&Family>,
-        modules: &[String],
+        setup: &Setup,
     ) -> Result<Vec<Event>, BenchError> {
         let row = table.get_ref();
         let trigger = self.trigger(table)?;
@@ -276,7 +280,7 @@ impl BenchFile<'_> {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
         for (key, value) in &row.set {
-            let (number, set, raw) = self.value(key, value, family, modules)?;
+            let (number, set, raw) = self.value(key, value, family, setup)?;
             actions.push(Action::Set(number, set, raw));
         }
         actions.extend(row.refuses.map(Action::Refuses));

@@ -51,7 +51,7 @@ impl BenchFile<'_> {
         let nodes = self.nodes(row, model)?;
         let registers = self.registers(row)?;
         for event in &row.event {
-            station.script.extend(self.active_events(event, model, family.as_deref(), &setup.modules)?);
+            station.script.extend(self.active_events(event, model, family.as_deref(), &setup)?);
         }
         let device: Box<dyn Device> = match model {
             Model::Foreign => Box::new(Foreign::new(&registers, row.busy)),

@@ -187,6 +187,7 @@ fn foreign_key(row: &DriveTable) -> Option<&'static str> {
         ("ramps", row.ramps.is_some()),
         ("modules", !row.modules.is_empty()),
         ("eeprom", !row.eeprom.is_empty()),
+        ("four", !row.four.is_empty()),
         ("registers", !row.registers.is_empty()),
         ("busy", row.busy),
         ("nodes", !row.nodes.is_empty()),

@@ -63,6 +63,8 @@ pub(crate) struct DriveTable {
     pub(crate) nodes: Vec<Spanned<NodeTable>>,
     pub(crate) servo: Option<Spanned<ServoTable>>,
     #[serde(default)]
+    pub(crate) four: Vec<u32>,
+    #[serde(default)]
     pub(crate) eeprom: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
     pub(crate) readings: BTreeMap<String, Spanned<String>>,

@@ -28,6 +28,8 @@ pub(crate) struct Setup {
     pub(crate) modules: Vec<String>,
     /// Number, data set (0 for all), raw value.
     pub(crate) values: Vec<(u32, u8, i64)>,
+    /// Parameters that exist in four data sets, where no source says so.
+    pub(crate) four: Vec<u32>,
     /// Number, data set (0 for all), and how its EEPROM takes a write.
     pub(crate) faulty: Vec<(u32, u8, Fault)>,
     /// Texts of string parameters.
@@ -46,6 +48,7 @@ impl Setup {
             ramps: RAMPS,
             modules: Vec::new(),
             values: Vec::new(),
+            four: Vec::new(),
             faulty: Vec::new(),
             texts: BTreeMap::new(),
         }

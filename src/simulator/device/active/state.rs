@@ -55,6 +55,9 @@ impl Active {
             heard: None,
             backwards: false,
         };
+        for (number, spec) in &mut active.specs {
+            spec.four |= setup.four.contains(number);
+        }
         for (&number, spec) in &active.specs {
             for set in cells(spec, 0) {
                 equip(&mut active.store, spec, (number, set), spec.factory);

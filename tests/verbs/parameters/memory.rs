@@ -1,0 +1,289 @@
+//! What a load says of a drive whose two memories do not go together, that somebody else writes, or that starts meanwhile.
+
+use crate::run::{Output, Run, antrieb};
+use antrieb::simulator::Bench;
+use antrieb::tick::Tick;
+use antrieb::transport::witness;
+use serde_json::Value;
+
+fn file(values: &str) -> String {
+    format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n{values}\n")
+}
+
+fn bench(keys: &str) -> String {
+    format!("[[drive]]\nmodel = \"act\"\n{keys}\n")
+}
+
+fn load(keys: &str, values: &str) -> Run {
+    antrieb("-a 1 --yes -v dataset load {dir}/f.toml").on(&bench(keys)).file("f.toml", &file(values))
+}
+
+/// The bench that a run has left.
+struct Left(Bench, Tick);
+
+fn left() -> Left {
+    let (bench, at) = witness::left().unwrap();
+    Left(bench, at)
+}
+
+impl Left {
+    /// EEPROM and RAM of a cell of the only drive.
+    fn cell(&self, number: u32, set: u8) -> (Option<i64>, Option<i64>) {
+        let drive = self.0.drives().next().unwrap();
+        (drive.eeprom(number, set), drive.ram(number, set))
+    }
+
+    /// Writes to the EEPROM.
+    fn worn(&self) -> u64 {
+        self.0.totals().eeprom_writes
+    }
+
+    /// Another command on it, in the directory of the last one.
+    fn then(self, ended: Output, line: &str) -> Run {
+        witness::stands(self.0, self.1);
+        ended.then(&format!("-p sim:{{dir}}/bench.toml {line}"))
+    }
+}
+
+fn result(document: &Value, number: u32, set: u8) -> &str {
+    let rows = document["data"]["values"].as_array().unwrap();
+    let row = rows.iter().find(|row| row["param"] == number && row["data_set"] == set).unwrap();
+    row["result"].as_str().unwrap()
+}
+
+#[test]
+fn what_the_ram_took_and_the_eeprom_did_not_is_put_back() {
+    for manner in ["refuses", "keeps"] {
+        // As the first value, and behind another.
+        for (values, written) in [("\"480@2\" = -12.5", false), ("\"372@1\" = 1440\n\"480@2\" = -12.5", true)] {
+            let keys = format!("set = {{ \"480\" = 5 }}\neeprom = {{ \"480@2\" = \"{manner}\" }}");
+            let ended = load(&keys, values).json().exits(9);
+            assert_eq!(ended.data("/ended"), "back", "{manner}: {:#}", ended.value);
+            assert_eq!(result(&ended.value, 480, 2), "restored", "{manner}");
+            let left = left();
+            assert_eq!(left.cell(480, 2), (Some(500), Some(500)), "{manner}");
+            assert_eq!(left.cell(372, 1), (Some(1390), Some(1390)), "{manner} {written}");
+        }
+    }
+}
+
+#[test]
+fn what_the_ram_may_have_taken_is_named_where_the_drive_does_not_show_it() {
+    for manner in ["refuses", "keeps"] {
+        let keys = format!(
+            "set = {{ \"480\" = 5 }}\neeprom = {{ \"480@2\" = \"{manner}\" }}\nreadings = {{ ram_reads = \"refused\" }}"
+        );
+        let ended = load(&keys, "\"480@2\" = -12.5").json().exits(9);
+        assert_eq!(ended.data("/ended"), "torn", "{manner}: {:#}", ended.value);
+        assert_eq!(result(&ended.value, 480, 2), "unrestored", "{manner}");
+        assert!(ended.value.to_string().contains("does not show its RAM"), "{manner}: {:#}", ended.value);
+    }
+    // `write` proves nothing of the RAM, and says so.
+    let keys = "eeprom = { \"480@2\" = \"refuses\" }";
+    let ended = antrieb("-a 1 --yes write 480@2=7").on(&bench(keys)).exits(6);
+    assert!(ended.err.contains("`antrieb read 480@2ram` tells"), "{}", ended.err);
+}
+
+#[test]
+fn what_is_only_stored_is_no_success_and_wears_the_eeprom_once() {
+    let keys = "set = { \"480\" = 5 }\neeprom = { \"480@2\" = \"not-in-force\" }";
+    let ended = load(keys, "\"480@2\" = -12.5\n\"372@1\" = 1440").json().exits(9);
+    assert_eq!(ended.data("/ended"), "stored", "{:#}", ended.value);
+    assert_eq!((result(&ended.value, 480, 2), result(&ended.value, 372, 1)), ("stored", "verified"));
+    assert_eq!(ended.error()["code"], "partial.not_in_force");
+    let seen = left();
+    assert_eq!((seen.cell(480, 2), seen.worn()), ((Some(-1250), Some(500)), 2));
+    // The same once more brings it into force, and leaves the EEPROM alone.
+    let first = load(keys, "\"480@2\" = -12.5\n\"372@1\" = 1440").exits(9);
+    let again = left().then(first, "-a 1 --yes dataset load {dir}/f.toml").exits(0);
+    let seen = left();
+    assert_eq!((seen.cell(480, 2), seen.worn()), ((Some(-1250), Some(-1250)), 2), "{}", again.err);
+}
+
+#[test]
+fn what_somebody_changed_since_stays_also_where_no_source_tells_the_data_sets() {
+    let keys = "four = [419]\nset = { \"419\" = 60, \"419@3\" = 43.21 }";
+    let undo = format!("{}[undo]\nvalues = {{ 419 = 60 }}\n", file("419 = 50"));
+    let run = |more: &str| {
+        antrieb(&format!("-a 1 --yes dataset undo {{dir}}/u.toml {more}")).on(&bench(keys)).file("u.toml", &undo)
+    };
+    let ended = run("").exits(9);
+    assert!(ended.err.contains("43.21 Hz, which is neither"), "{}", ended.err);
+    let seen = left();
+    assert_eq!((seen.cell(419, 3).0, seen.cell(419, 1).0), (Some(4321), Some(5000)));
+    run("--force").exits(0);
+    assert_eq!(left().cell(419, 3).0, Some(5000));
+}
+
+#[test]
+fn what_was_in_force_goes_back_behind_what_is_stored_whichever_data_sets_either_stands_for() {
+    let keys = format!(
+        "four = [419]\nset = {{ \"419@3ram\" = 43.21 }}\n[[drive.event]]\nafter_telegrams = 1\nrefuses = {}",
+        2 << 12 | 480
+    );
+    let ended = load(&keys, "419 = 60\n\"480@2\" = 7").json().exits(9);
+    assert_eq!(ended.data("/ended"), "back", "{:#}", ended.value);
+    let seen = left();
+    assert_eq!((seen.cell(419, 3), seen.cell(419, 1)), ((Some(5000), Some(4321)), (Some(5000), Some(5000))));
+}
+
+#[test]
+fn only_the_cell_that_is_not_in_force_is_written_and_only_in_the_ram() {
+    let ended = load("four = [419]\nset = { \"419\" = 60, \"419@3ram\" = 43.21 }", "419 = 60").json().exits(0);
+    let seen = left();
+    assert_eq!((seen.cell(419, 3), seen.worn()), ((Some(6000), Some(6000)), 0), "{:#}", ended.value);
+    assert_eq!(ended.data("/eeprom_writes"), 0);
+}
+
+/// A drive that something happens to at every telegram of a load; how it ended, and what stands in 480@2.
+fn at_every_telegram(keys: &str, event: &str, values: &str, mut judge: impl FnMut(usize, u8, &Value, &Left)) {
+    for step in 1..60 {
+        let keys = format!("{keys}\n[[drive.event]]\nafter_telegrams = {step}\n{event}");
+        let ended = load(&keys, values).json();
+        judge(step, ended.exit, &ended.value, &left());
+    }
+}
+
+#[test]
+fn what_somebody_sets_while_the_question_stands_is_not_written_over() {
+    let mut seen = 0;
+    at_every_telegram(
+        "set = { \"480\" = 5 }",
+        "set = { \"480@2\" = 7.77 }",
+        "\"480@2\" = -12.5\n372 = 1440",
+        |step, exit, document, left| {
+            let now = left.cell(480, 2).0;
+            let error = &document["error"]["code"];
+            if error == "forbidden.changed_meanwhile" {
+                seen += 1;
+                assert_eq!((exit, now), (8, Some(777)), "{step}: {document:#}");
+                assert_eq!((document["data"]["ended"].as_str(), left.worn()), (Some("untouched"), 0), "{step}");
+                assert_eq!(result(document, 480, 2), "skipped", "{step}");
+                assert!(document["data"]["undo_file"].is_null(), "{step}");
+            }
+            assert!(exit != 0 || now == Some(-1250) || now == Some(777), "{step}: {now:?}");
+        },
+    );
+    assert!(seen >= 2, "{seen}");
+}
+
+#[test]
+fn nothing_is_written_to_a_drive_that_starts_on_the_way() {
+    let mut ends = std::collections::BTreeSet::new();
+    at_every_telegram(
+        "start_right = false\nset = { \"412\" = 0, \"480\" = 5 }",
+        "start_right = true",
+        "\"480@2\" = -12.5\n372 = 1440\n424 = 20",
+        |step, exit, document, left| {
+            let now = left.cell(480, 2).0;
+            let ended = document["data"]["ended"].as_str().map(str::to_owned);
+            ends.insert((exit, ended.clone()));
+            let rows = document["data"]["values"].as_array().cloned().unwrap_or_default();
+            let has = |result: &str| rows.iter().any(|row| row["result"] == result);
+            match (exit, ended.as_deref()) {
+                (0, Some("done")) => assert!(
+                    now == Some(-1250) && document["warnings"].to_string().contains("RUNS")
+                        || document["warnings"].as_array().unwrap().is_empty(),
+                    "{step}: {document:#}"
+                ),
+                (8, _) => assert_eq!((left.worn(), now), (0, Some(500)), "{step}"),
+                // What was written stays in a drive that runs, and each value of it is named.
+                (9, Some("torn")) => {
+                    assert!(has("unrestored") && !has("restored"), "{step}: {document:#}");
+                    assert!(document["error"]["message"].as_str().unwrap().contains("runs"), "{step}: {document:#}");
+                }
+                other => panic!("{step}: {other:?} {document:#}"),
+            }
+        },
+    );
+    assert!([0, 8, 9].iter().all(|exit| ends.iter().any(|end| end.0 == *exit)), "{ends:?}");
+}
+
+#[test]
+fn a_write_that_is_confirmed_is_not_sent_again_whatever_else_comes() {
+    // One reply is lost, late or garbled; whatever comes of it, no cell is written more than the plan says.
+    for kind in [
+        "kind = \"lost\"",
+        "kind = \"garbled\"",
+        "kind = \"late\"\nby = \"550ms\"",
+        "kind = \"doubled\"\nby = \"30ms\"",
+    ] {
+        for step in 1..40 {
+            let keys = format!("reply_delay = \"8ms\"\n[[disturb]]\nonce = {step}\n{kind}");
+            let ended = load(&keys, "\"480@2\" = -12.5\n372 = 1440\n\"424@1\" = 20").json();
+            let most = ended.value["data"]["eeprom_writes"].as_u64().unwrap_or(0);
+            let left = left();
+            assert!(left.worn() <= most, "{kind} at {step}: {} of {most}: {:#}", left.worn(), ended.value);
+            assert!(ended.exit != 0 || left.cell(480, 2).0 == Some(-1250), "{kind} at {step}");
+        }
+    }
+}
+
+#[test]
+fn that_the_drive_may_tell_what_is_in_force_is_said_where_it_matters() {
+    let keys = "set = { \"480\" = 5, \"480@2ram\" = -12.5 }\nreadings = { ram_reads = \"in-force\" }";
+    let ended = load(keys, "\"480@2\" = -12.5").json().exits(0);
+    let told = |warnings: &Value| warnings.to_string().contains("load.open_memory");
+    assert!(told(&ended.value["warnings"]), "{:#}", ended.value);
+    // A drive that tells the two apart has shown it.
+    let apart = load("set = { \"480@2ram\" = 7 }", "\"480@2\" = 5").json().exits(0);
+    assert!(!told(&apart.value["warnings"]), "{:#}", apart.value);
+}
+
+#[test]
+fn a_file_for_another_family_is_not_written_because_of_drive() {
+    let text = file("372 = 1440").replace("act", "acu");
+    let run = |more: &str| {
+        antrieb(&format!("-a 1 --drive acu --yes {more} dataset load {{dir}}/f.toml"))
+            .on(&bench(""))
+            .file("f.toml", &text)
+    };
+    let refused = run("").json().exits(7);
+    assert_eq!((refused.error()["code"].as_str(), left().worn()), (Some("data.other_family"), 0));
+    run("--force").exits(0);
+}
+
+#[test]
+fn a_drive_that_restarts_on_the_way_back_is_waited_for() {
+    // A refusal, and at each telegram behind it 6 s of silence.
+    for step in 14..44 {
+        let keys = format!(
+            "[[drive.event]]\nafter_telegrams = 1\nrefuses = {}\n\
+             [[drive.event]]\nafter_telegrams = {step}\nsilent = \"6s\"",
+            2 << 12 | 480
+        );
+        let ended = load(&keys, "\"480@2\" = 7\n372 = 1440\n\"424@1\" = 20").json();
+        let end = ended.value["data"]["ended"].as_str();
+        assert!(end != Some("torn"), "{step}: {:#}", ended.value);
+        assert_eq!(left().cell(372, 1).0, Some(1390), "{step}");
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_not_different() {
+    let check = |values: &str, more: &str| {
+        antrieb(&format!("-a 1 dataset check {{dir}}/x.toml {more}"))
+            .on(&bench(""))
+            .file("x.toml", &file(values))
+            .json()
+    };
+    let unread = check("372 = 1390\n\"382@1\" = 7", "").exits(9);
+    assert_eq!(unread.error()["code"], "partial.unread", "{}", unread.error());
+    assert!(unread.data("/comparisons/0/equal").is_null(), "{:#}", unread.value);
+    let both = check("372 = 1391\n\"382@1\" = 7", "").exits(9);
+    assert!(both.error()["message"].as_str().unwrap().contains("1 differs"), "{}", both.error());
+    assert_eq!(check("", "").exits(7).error()["code"], "data.no_values");
+    // Of a file only what is meant.
+    check("372 = 1391\n480 = 5", "").exits(1);
+    check("372 = 1391\n480 = 5", "--except motor").exits(0);
+    check("372 = 1391\n480 = 5", "--only 480 --sets 2-3").exits(0);
+    check("372 = 1391", "--only 480").exits(7);
+}
+
+#[test]
+fn who_is_gone_is_silent_and_no_stranger() {
+    for step in 1..4 {
+        let keys = format!("[[drive.event]]\nafter_telegrams = {step}\nsilent = \"10h\"");
+        load(&keys, "372 = 1440").exits(4);
+    }
+}
