@@ -449,6 +449,9 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l except -d 'Without these groups and parameters' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l sets -d 'Only these data sets, 0 for what exists once: 1-3' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -657,6 +660,9 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l dry-run -d 'Sh
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l only -d 'Only these groups and parameters: motor,ramps,480-483' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l except -d 'Without these groups and parameters' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l sets -d 'Only these data sets, 0 for what exists once: 1-3' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r

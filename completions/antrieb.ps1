@@ -533,6 +533,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;dataset;check' {
+            [CompletionResult]::new('--only', '--only', [CompletionResultType]::ParameterName, 'Only these groups and parameters: motor,ramps,480-483')
+            [CompletionResult]::new('--except', '--except', [CompletionResultType]::ParameterName, 'Without these groups and parameters')
+            [CompletionResult]::new('--sets', '--sets', [CompletionResultType]::ParameterName, 'Only these data sets, 0 for what exists once: 1-3')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -778,6 +781,9 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;check' {
+            [CompletionResult]::new('--only', '--only', [CompletionResultType]::ParameterName, 'Only these groups and parameters: motor,ramps,480-483')
+            [CompletionResult]::new('--except', '--except', [CompletionResultType]::ParameterName, 'Without these groups and parameters')
+            [CompletionResult]::new('--sets', '--sets', [CompletionResultType]::ParameterName, 'Only these data sets, 0 for what exists once: 1-3')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
