@@ -39,6 +39,7 @@ const UNTAKEN_BY_WISH: Duration = Duration::from_secs(2);
 /// Runs the program and returns its exit code. Nothing is read but what is handed in here, the files that the settings
 /// name, and the port.
 pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) -> u8 {
+    signals::outlive_limits();
     let Streams { mut out, queued, err, input, out_is_terminal, err_is_terminal, input_is_terminal, width, patience } =
         streams;
     let helped = typed::helped(arguments);

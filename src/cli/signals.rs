@@ -120,14 +120,16 @@ const ALWAYS: &[(Wish, &[c_int])] = &[(Wish::End, &[SIGINT, SIGTERM]), (Wish::Ha
 #[cfg(unix)]
 const OVER_A_SHAFT: &[(Wish, &[c_int])] = &[
     (Wish::End, &[SIGQUIT]),
-    (Wish::Hangup, &[SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGIO]),
+    (Wish::Hangup, &[SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ, SIGIO]),
     (Wish::Freeze, &[SIGTSTP]),
 ];
 
-/// What no verb may die of: a file that has reached its limit (`ulimit -f`) is a write that fails, as on a full disk, and whoever
-/// writes it says so. It stays so to the end, because the last that is written is the report.
-#[cfg(unix)]
-const UNHEARD: c_int = SIGXFSZ;
+/// A file that has reached its limit (`ulimit -f`) is a write that fails, as on a full disk, and whoever writes it says so: nothing
+/// dies of it in the middle, up to the report at the end.
+pub(super) fn outlive_limits() {
+    #[cfg(unix)]
+    let _cannot_be_had = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
+}
 
 /// The signals of a run.
 pub(super) struct Signals {
@@ -142,7 +144,6 @@ impl Signals {
         if turns {
             render::write_from_the_background();
         }
-        let _its_default_is_gone = signal(SignalKind::from_raw(UNHEARD));
         let rows = ALWAYS.iter().chain(if turns { OVER_A_SHAFT } else { &[] });
         for (wish, number) in rows.flat_map(|(wish, numbers)| numbers.iter().map(|number| (*wish, *number))) {
             let Ok(mut signal) = signal(SignalKind::from_raw(number)) else { continue };
@@ -179,7 +180,9 @@ impl Signals {
 /// who takes nothing holds nobody.
 pub(super) fn act_as_usual() {
     #[cfg(unix)]
-    for number in [ALWAYS, OVER_A_SHAFT].into_iter().flatten().flat_map(|row| row.1) {
+    for number in
+        [ALWAYS, OVER_A_SHAFT].into_iter().flatten().flat_map(|row| row.1).filter(|number| **number != SIGXFSZ)
+    {
         let _cannot_be_had = signal_hook::flag::register_conditional_default(*number, Arc::new(AtomicBool::new(true)));
     }
 }

@@ -262,7 +262,9 @@ fn every_point(spoken: &Spoken, mode: &Mode, family: &Family) -> Result<Vec<setp
     let mut said = Vec::new();
     for point in &spoken.points {
         let one = setpoint::parse(family, mode, &point.text).map_err(|error| match error {
-            value::ValueError::Width { value, kind } => beyond(&family.param_or_unknown(mode.setpoint), value, kind),
+            value::ValueError::Width { value, .. } | value::ValueError::TooLarge { value } => {
+                beyond(&family.param_or_unknown(mode.setpoint), value)
+            }
             error => at_point(spoken, point, error.text()),
         })?;
         if said.first().is_some_and(|first: &setpoint::Said| first.by_speed != one.by_speed) {
@@ -320,11 +322,11 @@ fn check_codes(args: &Args, mode: &Mode, family: &Family, schedule: &Schedule) -
 }
 
 /// A number that is larger than any that can be sent.
-fn beyond(param: &Param, value: String, kind: &'static str) -> Failure {
+fn beyond(param: &Param, value: String) -> Failure {
     let largest = if value.starts_with(['-', '−']) { i64::MIN } else { i64::MAX };
     let error = match check_range(largest, param) {
         Err(value::ValueError::Range { min, max, .. }) => value::ValueError::Range { value, min, max },
-        _ => value::ValueError::Width { value, kind },
+        _ => value::ValueError::TooLarge { value },
     };
     out_of_range(param, &error)
 }

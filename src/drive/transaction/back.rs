@@ -84,8 +84,8 @@ impl Way {
     async fn await_return(&mut self, session: &mut Session<'_>, plan: &mut Plan) -> bool {
         let until = *self.until.get_or_insert(session.now() + LONGEST_RESTART);
         let target = &mut plan.job.target;
-        // Not what was asked just now.
-        let roles = [Role::StatusWord, Role::Fault].map(|role| target.family.role(role).cloned());
+        // Not first what was asked last: the place, or the state before a write.
+        let roles = [Role::Fault, Role::StatusWord].map(|role| target.family.role(role).cloned());
         let first = plan.job.steps.first().map(|step| (step.param.clone(), step.set));
         let roles: Vec<_> = roles.into_iter().flatten().map(|param| (param, 0)).collect();
         let first = first.filter(|_| roles.len() < 2);

@@ -66,10 +66,10 @@ impl Plan {
         let is_open = |step: &Step| has_ram(target, &step.param, step.set);
         (!self.tells_apart && self.job.steps.iter().any(is_open)).then(|| {
             both!(
-                "whether drive {address} tells what is stored or what it works with (RAM), its manual leaves open: what was set \
-                 in RAM only may count as stored, and go back as stored; switching it off and on before a load settles that",
-                "ob Antrieb {address} das Gespeicherte zeigt oder das, womit er arbeitet (RAM), lässt seine Anleitung offen: was nur \
-                 im RAM steht, gilt womöglich als gespeichert und kehrt gespeichert zurück; Aus- und Einschalten vor dem Laden klärt das",
+                "drive {address} may tell what it works with (RAM) as stored, which its manual leaves open: what was set in RAM only counts \
+                 as stored then; switching it off and on before a load settles that",
+                "Antrieb {address} zeigt vielleicht das, womit er arbeitet (RAM), als gespeichert, was seine Anleitung offen lässt: was \
+                 nur im RAM steht, gilt dann als gespeichert; Aus- und Einschalten vor dem Laden klärt das",
                 address = target.address
             )
         })

@@ -106,7 +106,7 @@ fn a_large_unit_ends_where_no_drive_has_such_a_number() {
     let hertz = param("Hz", 9);
     assert_eq!(parse("9 kHz", &hertz, &[]), Ok(9_000_000_000_000));
     assert_eq!(parse_decimal("0", 200), Ok(0), "no zeros are written down for nothing");
-    assert!(matches!(parse_decimal("1", 20), Err(ValueError::Width { .. })), "20 zeros are a number still");
+    assert!(matches!(parse_decimal("1", 20), Err(ValueError::TooLarge { .. })), "20 zeros are a number still");
     assert!(matches!(parse_decimal("1", 21), Err(ValueError::NotANumber { .. })));
 }
 
