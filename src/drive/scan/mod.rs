@@ -107,6 +107,8 @@ pub struct Searched {
     pub wanted: Vec<u8>,
     /// Addresses that have had their time.
     pub asked: BTreeSet<u8>,
+    /// Addresses that were asked at all.
+    seen: BTreeSet<u8>,
     /// Addresses where only garbage came.
     pub garbled: BTreeSet<u8>,
     /// So many of the rounds are over here.
@@ -139,10 +141,9 @@ impl Searched {
         self.asked.clone()
     }
 
-    /// Addresses that had a quick look and not their time.
+    /// Addresses that were asked and have not had their time.
     pub fn glimpsed(&self) -> BTreeSet<u8> {
-        let looked = self.wanted.iter().take(self.looked);
-        looked.filter(|address| !self.asked.contains(address)).copied().collect()
+        self.seen.difference(&self.asked).copied().collect()
     }
 
     /// How many of the first addresses have not had their time.

@@ -395,6 +395,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
         self.yields_to(survey.is_shared().then_some(Talker::Master));
         let garbled: Vec<u8> = if visit.stage.quick { visit.garbled.clone() } else { survey.garbled().collect() };
         let Some(searched) = self.searched.get_mut(visit.index) else { return };
+        searched.seen.extend(survey.attendance().keys());
         searched.hint |= !garbled.is_empty() || !survey.strangers().is_empty();
         searched.occupied |= survey.is_occupied();
         let is_over = self.ends_at.is_some_and(|at| now >= at);
@@ -424,6 +425,7 @@ fn unsearched(plan: &ScanPlan, tuning: Tuning) -> Searched {
         tuning,
         wanted,
         asked,
+        seen: BTreeSet::new(),
         garbled: BTreeSet::new(),
         rounds: 0,
         looked: 0,

@@ -55,7 +55,7 @@ pub fn mbmap(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let lines = lines_of_registers(&text);
     let mut found = Imported { format: "mbmap", encoding, own: device.own(&map), ..Imported::default() };
     found.notes.extend(line_note(&map));
-    let mut seen = BTreeMap::new();
+    let (mut seen, mut unbounded) = (BTreeMap::new(), Vec::new());
     for (index, register) in registers.iter().enumerate() {
         let line = lines.get(index).copied().unwrap_or(1);
         let draft = register.as_object().ok_or_else(|| both!("no object", "kein Objekt"));
@@ -67,6 +67,10 @@ pub fn mbmap(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
         match draft {
             Ok(draft) => {
                 seen.insert(draft.id, line);
+                let has = |key: &str| register.get(key).is_some();
+                if (has("min") || has("max")) && draft.limits[..2].iter().all(Option::is_none) {
+                    unbounded.push(draft.id.to_string());
+                }
                 found.drafts.push(draft);
             }
             Err(why) => found.left_out.push(LeftOut { line, why }),
@@ -79,7 +83,19 @@ pub fn mbmap(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
             "{silent} Register ohne \"access\" werden als nur lesbar genommen"
         ));
     }
+    if !unbounded.is_empty() {
+        found.notes.push(open_ranges(&unbounded.join(", ")));
+    }
     Ok(found)
+}
+
+fn open_ranges(registers: &str) -> Text {
+    both!(
+        "the ranges (min, max) of these registers are not taken, so nothing beyond them is refused: {registers}; they are scaled, and no \
+         source tells whether their limits are",
+        "die Bereiche (min, max) dieser Register sind nicht übernommen, deshalb wird nichts außerhalb zurückgewiesen: {registers}; sie sind \
+         skaliert, und keine Quelle sagt, ob ihre Grenzen es auch sind"
+    )
 }
 
 fn twice(id: u32, first: usize) -> Text {

@@ -117,7 +117,13 @@ fn what_would_have_been_right_is_listed() {
     let expected = "'mark' is neither a number nor one of the values of this parameter (expected: 0 = Even, 1 = Odd)";
     assert_eq!(told, expected);
     let bare = parse("mark", &param("", 0), &[]).unwrap_err().to_string();
-    assert_eq!(bare, "'mark' is neither a number nor one of the values of this parameter");
+    assert_eq!(bare, "'mark' is no number");
+    let range = Param { min: Some(1), max: Some(80), ..param("kHz", 1) };
+    let range = parse("mark", &range, &[]).unwrap_err().to_string();
+    assert_eq!(range, "'mark' is no number (expected: 0.1 … 8.0)");
+    let many: Vec<_> = (0..9).map(|raw| (raw, ["One", "Eins"])).collect();
+    let many = parse("mark", &param("", 0), &many).unwrap_err().to_string();
+    assert!(many.contains(", 7 = One, … (`antrieb params ") && many.ends_with(" lists all))"), "{many}");
 }
 
 #[test]

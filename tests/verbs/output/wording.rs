@@ -95,6 +95,13 @@ fn a_map_without_an_area_says_so_and_a_list_of_an_old_mac_is_read() {
     let map = "{\"mbmap\": 2, \"vendor\": \"x\", \"model\": \"y\", \"address_base\": 0, \"registers\": [{\"address\": 1, \"name\": \"speed\", \"type\": \"uint16\"}]}";
     let told = antrieb("--json params import {dir}/m.json --as mbmap").file("m.json", map).run();
     assert!(told.out.contains("`area` is missing"), "{}", told.out);
+    let ranged =
+        map.replace("\"uint16\"", "\"int16\", \"area\": \"holding\", \"scale\": 0.1, \"min\": -20, \"max\": 20");
+    let told = antrieb("params import {dir}/m.json").file("m.json", &ranged).exits(0).out;
+    assert!(
+        told.contains("the ranges (min, max) of these registers are not taken") && told.contains("refused: 1;"),
+        "{told}"
+    );
     let list = "Nr.;Bezeichnung;Einheit;Typ;Nachkommastellen;Zugriff\rP.370;Nennstrom X;A;uint;1;rw\rP.420;Rampe;Hz/s;long;2;rw\r";
     let read = antrieb("params import {dir}/a.csv").file("a.csv", list).json().exits(0);
     assert_eq!(read.data("/rows").as_array().unwrap().len(), 2);
@@ -107,7 +114,7 @@ fn a_search_that_was_cut_short_names_its_settings() {
     assert!(told.contains("left open: ") && told.contains("19200 8E1 rtu"), "{told}");
     assert!(!told.contains("1 other settings"), "{told}");
     let known = antrieb("-p sim -a 1-200 scan --within 1500ms").exits(0).err;
-    assert!(known.contains("warning: asked: 1-"), "{known}");
+    assert!(known.contains("warning: asked: 1-") && known.contains("-200 at 19200 8E1 rtu"), "{known}");
     let saved = antrieb("-p sim --baud auto -a 30-60 scan --within 2s").json().exits(1);
     assert!(
         saved.error()["hint"].as_str().unwrap().contains("--baud auto scan --resume RESULT.json"),

@@ -68,7 +68,7 @@ impl Search<'_, '_, '_> {
         let occupied = self.searched.iter().any(|searched| searched.occupied);
         // Of a line that is never silent that is told.
         let Some(to) = talker.filter(|&to| to == Talker::Master || !occupied) else { return };
-        let unasked = self.searched.iter().all(|searched| searched.looked == 0);
+        let unasked = self.searched.iter().all(|searched| searched.rounds == 0);
         let Talk { bursts, listened, .. } = self.talk;
         let yielded = Yielded { to, bursts, listened, unasked };
         match self.plan.force {

@@ -166,6 +166,25 @@ fn lines_of_a_chart_end_where_a_gap_begins() {
     assert_eq!(screen.turned_to, 0);
 }
 
+/// A run is seen before its values are asked for, and while it stops nothing is asked for besides.
+#[test]
+fn what_was_not_asked_for_yet_is_no_gap_and_what_is_old_says_so() {
+    let changed = |n: u64, change: &dyn Fn(&mut Sample)| match sample(1, n, Some(2_500)) {
+        Record::Sample(mut sample) => {
+            change(&mut sample);
+            Record::Sample(sample)
+        }
+        other => other,
+    };
+    let mut screen = screen(1, &[]);
+    (0..3).for_each(|n| screen.record(&changed(n, &|sample| sample.values.clear())));
+    let page = drawn(&screen, 100, 30).join("\n");
+    assert!(page.contains("gaps: 0") && !page.contains('×'), "{page}");
+    screen.record(&changed(4, &|sample| sample.values.iter_mut().skip(1).for_each(|value| value.t = at(1))));
+    let page = drawn(&screen, 100, 30).join("\n");
+    assert_eq!(page.matches("3.0 s ago").count(), watched(1).columns.len() - 1, "{page}");
+}
+
 #[test]
 fn axes_hold_all_values_at_round_numbers() {
     assert_eq!(bounds([0.0].into_iter()), (0.0, 1.0));
