@@ -286,6 +286,8 @@ impl List<'_> {
                 .collect()
         };
         draft.unconfirmed = list("unconfirmed");
+        // Of a family of its own that is so wherever nothing is said (`catalogue::merge`).
+        draft.unconfirmed.retain(|field| !self.wishes.own || field != "volatile");
         draft.drives = list("drives");
         let [en, de] =
             ["note_en", "note_de"].map(|field| self.text(record, field).or_else(|| self.text(record, "note")));
