@@ -71,6 +71,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "state" -d 'Shows a 
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sollwert" -d 'Shows setpoint and actual value, or gives one'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "setpoint" -d 'Shows setpoint and actual value, or gives one'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "monitor" -d 'Watches drives: state, setpoint, actual value, current, fault'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plot" -d 'Draws a record of `monitor`: setpoint, actual value, current over time'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "protocol" -d 'Shows or changes what a drive speaks: RTU, ASCII, VABus'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes speed, parity or address of a drive, and follows it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
@@ -1838,6 +1839,26 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l no-config -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l svg -d 'Write a picture' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l from -d 'From this time of the record on' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l to -d 'Until this time of the record' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l band -d 'How near its end is settled, in percent' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l measure -d 'Overshoot, settling time, slope; min, max, mean, RMS'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r

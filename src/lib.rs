@@ -62,6 +62,7 @@ pub mod profile;
 pub mod protocol;
 #[cfg(feature = "cli")]
 pub mod render;
+pub mod scope;
 pub mod simulator;
 pub mod text;
 pub mod tick;

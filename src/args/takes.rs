@@ -60,6 +60,12 @@ impl Takes {
         silent: &["dry_run", "yes"],
         refused: &[OF_A_LINE, &["address", "protocol", "word_order"]],
     };
+    /// Draws what was recorded, without a line.
+    pub const DRAWS: Takes = Takes {
+        first: &["address", "format", "lang"],
+        silent: &["drive", "dry_run", "yes"],
+        refused: &[OF_A_LINE, &["protocol", "word_order"]],
+    };
     /// Is a line itself.
     pub const SERVES: Takes =
         Takes { first: &["format", "lang", "quiet", "catalogue"], silent: &["yes"], refused: &[OF_A_LINE, OF_A_DRIVE] };

@@ -10,6 +10,7 @@ pub mod line;
 pub mod monitor;
 pub mod params;
 pub mod plant;
+pub mod plot;
 pub mod protocol;
 pub mod read;
 mod rehearse;
@@ -40,6 +41,7 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<statemachine::Args>(),
     verb::entry::<sollwert::Args>(),
     verb::entry::<monitor::Args>(),
+    verb::entry::<plot::Args>(),
     verb::entry::<protocol::Args>(),
     verb::entry::<line::Args>(),
     verb::entry::<params::Args>(),

@@ -11,6 +11,7 @@ mod motion;
 mod offline;
 mod paramfile;
 mod plant;
+mod plot;
 mod relocation;
 mod stream;
 mod transfer;
@@ -29,6 +30,7 @@ pub use motion::{
 pub use offline::{ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
+pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
     Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
@@ -146,6 +148,8 @@ pub enum Data {
     Sniff(Sniff),
     /// `simulate`
     Simulate(Simulate),
+    /// `plot`
+    Plot(Plot),
     /// `monitor`, behind its stream
     Monitor(Monitor),
     /// `--dry-run` of a verb that reads

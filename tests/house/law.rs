@@ -9,6 +9,7 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
     ("gate", &["text"]),
     ("outcome", &["failure", "text"]),
     ("profile", &["text"]),
+    ("scope", &["text"]),
     ("protocol", &["text", "tick"]),
     ("exchange", &["protocol", "tick"]),
     ("simulator", &["protocol", "profile", "text", "tick"]),
@@ -65,7 +66,7 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
             "protocol::Protocol",
         ],
     ),
-    ("command", &["args", "drive", "profile", "gate", "outcome", "failure", "files", "text", "tick"]),
+    ("command", &["args", "drive", "profile", "scope", "gate", "outcome", "failure", "files", "text", "tick"]),
     ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure", "text", "tick"]),
 ];
 

@@ -12,6 +12,7 @@ mod judge;
 mod lexium;
 mod matrix;
 mod monitor;
+mod plotting;
 mod recording;
 mod run;
 

@@ -238,6 +238,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("sniff", &["refused", "partial"], "it asks nobody, and hears what there is"),
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
 
@@ -382,6 +383,8 @@ cases! {
     line_partial: 9, "-a 1,7 line show";
 
     simulate_fine: 0, "simulate --for 1ms --tcp 127.0.0.1:0";
+
+    plot_fine: 0, "plot {dir}/record.csv --measure";
 
     monitor_fine: 0, "-a 1,2 monitor --count 2";
     monitor_silence: 4, "-a 7 monitor 411 --count 1";

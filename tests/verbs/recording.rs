@@ -4,7 +4,7 @@ use crate::run::{Output, antrieb};
 use serde_json::{Value, json};
 
 /// Starts at 2 s by its ramp of 5 Hz/s to 25 Hz, and trips at 9 s.
-const TRIPS: &str = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
+pub(crate) const TRIPS: &str = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
     [[drive.event]]\nat = \"2s\"\nenable = true\n[[drive.event]]\nat = \"9s\"\nfault = \"F0500\"\n";
 
 #[track_caller]

@@ -13,6 +13,7 @@ mod page;
 mod paramfile;
 mod params;
 mod plant;
+mod plot;
 mod read;
 mod relocation;
 mod scan;
@@ -70,6 +71,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Decode(found) => found,
         Data::Sniff(found) => found,
         Data::Simulate(found) => found,
+        Data::Plot(found) => found,
         Data::Monitor(found) => found,
         Data::Plan(found) => found,
         Data::Motion(found) => found,

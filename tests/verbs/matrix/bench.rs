@@ -27,6 +27,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
         "base.toml",
         "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n30 = 210\n372 = 1440\n\"392@1\" = 2\n10 = 3\n210 = 5\n410 = 7\n",
     ),
+    ("record.csv", include_str!("../record.csv")),
     ("pump.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n\"480@1\" = \"20 Hz\"\n"),
     ("same.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n"),
     ("wild.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n418 = \"1200 Hz\"\n372 = 1440\n"),

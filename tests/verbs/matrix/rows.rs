@@ -33,6 +33,7 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "plan" | "apply" => of_plant(&list(&data["drives"]), "values"),
         "check" => of_plant(&list(&data["drives"]), "differences"),
         "sniff" => list(&data["telegrams"]),
+        "plot" => list(&data["curves"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
         "decode" => vec![data.clone()],

@@ -106,6 +106,7 @@ fn every_example_works() {
         let line = line.replace("pump.toml", "{dir}/pump.toml").replace("new.toml", "{dir}/new.toml");
         let line = line.replace("'drive-", "'{dir}/drive-");
         let line = line.replace("run.csv", "{dir}/run.csv");
+        let line = line.replace("record.csv", "{dir}/record.csv").replace("ramp.svg", "{dir}/ramp.svg");
         let line = line.replace("plant.toml", "{dir}/plant.toml");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");
         let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");
@@ -117,6 +118,7 @@ fn every_example_works() {
         let ended = antrieb(&paced)
             .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
             .file("bench.toml", bench)
+            .file("record.csv", include_str!("../record.csv"))
             .file("list.csv", "Nr.;Name\n1500;Head\n")
             .file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\nvalues.372 = 1390\n")
             .file("base.toml", BASE)

@@ -58,6 +58,7 @@ const TYPED: &[(&str, &[&str])] = &[
     ),
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),
+    ("plot", &["plot {dir}/record.csv --measure"]),
     ("init", &["init {dir}/new.toml -a 1-9"]),
     ("plan", &["plan --config {dir}/plant.toml"]),
     ("apply", &["apply --config {dir}/plant.toml --yes"]),
@@ -67,6 +68,7 @@ const TYPED: &[(&str, &[&str])] = &[
 /// Files that are there besides.
 const FILES: &[(&str, &str)] = &[
     ("heard", HEARD),
+    ("record.csv", include_str!("../record.csv")),
     (
         "plant.toml",
         "[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n[drives.pump-1]\naddress = 1\nfiles = [\"pump.toml\"]\n",

@@ -1,0 +1,306 @@
+//! A record of `monitor` as curves, states and moments.
+
+use crate::drive::describe;
+use crate::failure::{Class, Failure};
+use crate::files;
+use crate::profile::{Family, Param, Registry};
+use crate::scope::{Mark, MarkKind, Part, Stretch};
+use crate::text::{Text, both};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// What a record holds of one drive.
+#[derive(Debug, Default)]
+pub(super) struct Track {
+    /// Family.
+    pub(super) drive: String,
+    pub(super) columns: Vec<Column>,
+    rows: Vec<Row>,
+    pub(super) marks: Vec<Mark>,
+}
+
+/// A value that was recorded.
+#[derive(Debug)]
+pub(super) struct Column {
+    /// Slug, with its data set: `fixed-frequency-1@2`.
+    pub(super) key: String,
+    pub(super) number: Option<u32>,
+    pub(super) name: Text,
+    pub(super) unit: String,
+    pub(super) part: Part,
+    pub(super) points: Vec<(f64, Option<f64>)>,
+}
+
+/// A round.
+#[derive(Debug)]
+struct Row {
+    t: f64,
+    state: Option<(String, Text)>,
+    is_gap: bool,
+}
+
+/// The drives of a record, by address.
+pub(super) fn read(path: &Path, registry: &Registry) -> Result<BTreeMap<u8, Track>, Failure> {
+    let shown = path.display();
+    let wrong = |why: Text| Failure::new(Class::Data, "data.record", both!("{shown}: {why}", "{shown}: {why}", why));
+    let text = files::read(path, files::RECORDING).map_err(|error| wrong(error.text()))?;
+    let mut reader = Reader { registry, tracks: BTreeMap::new(), roles: BTreeMap::new() };
+    let read = if text.starts_with('{') { reader.ndjson(&text) } else { reader.csv(&text) };
+    let expected = |line: usize| {
+        wrong(both!(
+            "line {line}: expected a record of `monitor` (--record, --format ndjson or csv)",
+            "Zeile {line}: erwartet wird eine Aufzeichnung von `monitor` (--record, --format ndjson oder csv)"
+        ))
+    };
+    read.map_err(expected)?;
+    reader.tracks.retain(|_, track| !track.rows.is_empty());
+    if reader.tracks.is_empty() {
+        return Err(wrong(both!("there is no sample in it", "es steht kein Messpunkt darin")));
+    }
+    Ok(reader.tracks)
+}
+
+/// A record on its way in.
+struct Reader<'r> {
+    registry: &'r Registry,
+    tracks: BTreeMap<u8, Track>,
+    /// What the parameters of the drives are to them.
+    roles: BTreeMap<(u8, u64), String>,
+}
+
+impl Reader<'_> {
+    /// One record a line; the error is the line that is none.
+    fn ndjson(&mut self, text: &str) -> Result<(), usize> {
+        for (index, line) in text.lines().enumerate() {
+            let record: Value = serde_json::from_str(line).map_err(|_| index + 1)?;
+            self.record(&record).ok_or(index + 1)?;
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, record: &Value) -> Option<()> {
+        let address = || u8::try_from(record["address"].as_u64()?).ok();
+        match record["type"].as_str()? {
+            "start" => {
+                for drive in record["drives"].as_array()? {
+                    let address = u8::try_from(drive["address"].as_u64()?).ok()?;
+                    for column in drive["columns"].as_array()? {
+                        if let (Some(param), Some(role)) = (column["param"].as_u64(), column["role"].as_str()) {
+                            self.roles.insert((address, param), role.to_owned());
+                        }
+                    }
+                }
+            }
+            "sample" => self.sample(address()?, record)?,
+            "trigger" => self.mark(address()?, record, MarkKind::Trigger, Text::name(record["trigger"].as_str()?))?,
+            "trip" => {
+                let fault = record["fault"].as_object();
+                let drive = self.tracks.get(&address()?).map(|track| track.drive.as_str()).unwrap_or_default();
+                let code = record["fault"]["code"].as_u64().and_then(|code| u32::try_from(code).ok());
+                let known =
+                    self.registry.family(drive).zip(code).and_then(|(family, code)| describe::fault(&family, code));
+                let told = fault.and_then(|fault| {
+                    Some(format!("{} {}", fault.get("key")?.as_str()?, fault.get("name")?.as_str()?))
+                });
+                let told = known.map(|fault| fault.told()).or(told.map(Text::name));
+                self.mark(address()?, record, MarkKind::Fault, told.unwrap_or_else(fault_word))?;
+            }
+            _ => {}
+        }
+        Some(())
+    }
+
+    fn mark(&mut self, address: u8, record: &Value, kind: MarkKind, text: Text) -> Option<()> {
+        let t = record["t"].as_f64()?;
+        self.tracks.entry(address).or_default().marks.push(Mark { t, kind, text });
+        Some(())
+    }
+
+    fn sample(&mut self, address: u8, record: &Value) -> Option<()> {
+        let drive = record["drive"].as_str()?;
+        let family = self.registry.family(drive);
+        let track = self.tracks.entry(address).or_default();
+        track.drive = drive.to_owned();
+        let state = record["state"]["slug"].as_str().map(|slug| {
+            let printed = record["state"]["name"].as_str().unwrap_or(slug);
+            (slug.to_owned(), state_name(family.as_deref(), slug, printed))
+        });
+        let values = record["values"].as_array()?;
+        let is_unheard = |told: &Value| told["error"]["code"].as_str().is_some_and(is_gap);
+        let (t, is_gap) = (record["t"].as_f64()?, is_unheard(record) || values.iter().any(is_unheard));
+        track.rows.push(Row { t, state, is_gap });
+        for value in values {
+            let (slug, set) = (value["slug"].as_str()?, value["data_set"].as_u64()?);
+            let number = value["param"].as_u64()?;
+            let key = if set > 0 { format!("{slug}@{set}") } else { slug.to_owned() };
+            let role = self.roles.get(&(address, number)).map(String::as_str);
+            let param = family.as_ref().and_then(|family| family.param(u32::try_from(number).ok()?));
+            let column = track.column(&key, || Column {
+                key: key.clone(),
+                number: u32::try_from(number).ok(),
+                name: name(param, value["name"].as_str().unwrap_or(slug), set),
+                unit: value["unit"].as_str().unwrap_or_default().to_owned(),
+                part: role.map_or(Part::Other, part),
+                points: Vec::new(),
+            });
+            column.points.push((value["t"].as_f64()?, value["value"].as_f64()));
+        }
+        Some(())
+    }
+
+    /// A row a sample, under a head line; the error is the line that is none.
+    fn csv(&mut self, text: &str) -> Result<(), usize> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let head: Vec<String> = reader.headers().map_err(|_| 1usize)?.iter().map(str::to_owned).collect();
+        if head.get(..5).is_none_or(|first| *first != ["t", "n", "address", "drive", "state"]) {
+            return Err(1);
+        }
+        for (index, row) in reader.records().enumerate() {
+            let row = row.map_err(|_| index + 2)?;
+            self.row(&head, &row).ok_or(index + 2)?;
+        }
+        Ok(())
+    }
+
+    fn row(&mut self, head: &[String], row: &csv::StringRecord) -> Option<()> {
+        let cell = |name: &str| row.get(head.iter().position(|head| head == name)?).filter(|cell| !cell.is_empty());
+        let (t, address, drive) = (cell("t")?.parse().ok()?, cell("address")?.parse().ok()?, cell("drive")?);
+        let family = self.registry.family(drive);
+        let track = self.tracks.entry(address).or_default();
+        track.drive = drive.to_owned();
+        let slug = cell("state");
+        let state = slug.map(|slug| (slug.to_owned(), state_name(family.as_deref(), slug, slug)));
+        let values = head.iter().zip(row).skip(5).filter(|(key, _)| !["error", "trigger"].contains(&key.as_str()));
+        let is_gap = cell("error").is_some_and(is_gap);
+        let is_fault = |slug: &str| slug.starts_with("fault");
+        let before = track.rows.iter().rev().find_map(|row| row.state.as_ref()).map(|state| is_fault(&state.0));
+        if before == Some(false) && slug.is_some_and(is_fault) {
+            track.marks.push(Mark { t, kind: MarkKind::Fault, text: fault_word() });
+        }
+        if let Some(trigger) = cell("trigger") {
+            track.marks.push(Mark { t, kind: MarkKind::Trigger, text: Text::name(trigger) });
+        }
+        track.rows.push(Row { t, state, is_gap });
+        // A raw value is none in its unit.
+        for (key, cell) in values.filter(|(key, _)| !key.ends_with(".raw")) {
+            let (slug, set) =
+                key.split_once('@').map_or((key.as_str(), 0), |(slug, set)| (slug, set.parse().unwrap_or(0)));
+            let param = family.as_ref().and_then(|family| family.params.values().find(|param| param.slug == slug));
+            if param.is_some_and(|param| !param.has_scale() || param.bits.is_some()) {
+                continue;
+            }
+            let role = param.zip(family.as_ref()).and_then(|(param, family)| role_of(param, family));
+            let column = track.column(key, || Column {
+                key: key.clone(),
+                number: param.map(|param| param.id),
+                name: name(param, slug, set),
+                unit: param.and_then(|param| param.unit.clone()).unwrap_or_default(),
+                part: role.map_or(Part::Other, part),
+                points: Vec::new(),
+            });
+            column.points.push((t, cell.parse().ok()));
+        }
+        Some(())
+    }
+}
+
+impl Track {
+    /// The column with this key; a new one if there is none.
+    fn column(&mut self, key: &str, new: impl FnOnce() -> Column) -> &mut Column {
+        let at = self.columns.iter().position(|column| column.key == key).unwrap_or_else(|| {
+            self.columns.push(new());
+            self.columns.len() - 1
+        });
+        &mut self.columns[at]
+    }
+
+    /// From its first moment to its last one.
+    pub(super) fn ends(&self) -> (f64, f64) {
+        let times = || self.columns.iter().flat_map(|column| column.points.iter().map(|point| point.0));
+        let first = self.rows.first().map_or(0.0, |row| row.t);
+        (first, times().chain(self.rows.iter().map(|row| row.t)).fold(first, f64::max))
+    }
+
+    /// How long each state was seen.
+    pub(super) fn states(&self) -> Vec<Stretch> {
+        let mut states: Vec<Stretch> = Vec::new();
+        let mut now: Option<&str> = None;
+        for row in &self.rows {
+            if let Some(last) = states.last_mut().filter(|_| now.is_some()) {
+                last.to = row.t;
+            }
+            let state = row.state.as_ref();
+            if let Some((slug, name)) = state.filter(|(slug, _)| now != Some(slug)) {
+                let is_fault = slug.starts_with("fault");
+                states.push(Stretch { from: row.t, to: row.t, name: name.clone(), is_fault });
+            }
+            now = state.map(|(slug, _)| slug.as_str());
+        }
+        if let Some(last) = states.last_mut().filter(|_| now.is_some()) {
+            last.to = self.ends().1;
+        }
+        states
+    }
+
+    /// From the last round before a gap to the first one behind it.
+    pub(super) fn gaps(&self) -> Vec<(f64, f64)> {
+        let mut gaps: Vec<(f64, f64)> = Vec::new();
+        let (mut last, mut open) = (None, false);
+        for Row { t, is_gap, .. } in &self.rows {
+            if let Some(gap) = gaps.last_mut().filter(|_| open) {
+                gap.1 = *t;
+            }
+            if *is_gap && !open {
+                gaps.push((last.unwrap_or(*t), *t));
+            }
+            open = *is_gap;
+            last = Some(*t);
+        }
+        gaps
+    }
+}
+
+/// Whether an error tells that something was not answered; a refusal is an answer.
+fn is_gap(code: &str) -> bool {
+    ["silence", "garbled", "port"].iter().any(|class| code.starts_with(class))
+}
+
+/// What a parameter is to a drive.
+fn part(role: &str) -> Part {
+    match role {
+        "setpoint-ramp" | "setpoint-bus" => Part::Setpoint,
+        "actual-frequency" | "stator-frequency" | "encoder-frequency" | "actual-speed" => Part::Actual,
+        "current" => Part::Current,
+        _ => Part::Other,
+    }
+}
+
+const ROLES: [&str; 7] = [
+    "setpoint-ramp",
+    "setpoint-bus",
+    "actual-frequency",
+    "stator-frequency",
+    "encoder-frequency",
+    "actual-speed",
+    "current",
+];
+
+fn role_of(param: &Param, family: &Family) -> Option<&'static str> {
+    ROLES.into_iter().find(|role| family.role(role).is_some_and(|known| known.id == param.id))
+}
+
+/// The name that the catalogue has in both languages, else the one that stands in the record.
+fn name(param: Option<&Param>, printed: &str, set: u64) -> Text {
+    let name = param.map_or_else(|| Text::name(printed), |param| param.name.clone());
+    if set > 0 { both!("{name} @{set}", "{name} @{set}", name) } else { name }
+}
+
+fn state_name(family: Option<&Family>, slug: &str, printed: &str) -> Text {
+    let known = family.and_then(|family| family.states.iter().find(|state| state.slug == slug));
+    known.map_or_else(|| Text::name(printed), |state| Text { en: state.en.clone().into(), de: state.de.clone().into() })
+}
+
+fn fault_word() -> Text {
+    both!("fault", "Störung")
+}

@@ -1,0 +1,225 @@
+//! What curves come to.
+
+use super::Curve;
+
+/// What a curve comes to between two markers. Mean and effective value are those of the straight lines between the samples,
+/// each weighed with its time; gaps count for nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Statistics {
+    /// Samples that have a value.
+    pub samples: usize,
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Mean over time.
+    pub mean: f64,
+    /// Root of the mean of the squares over time.
+    pub rms: f64,
+}
+
+/// What a curve comes to from `from` to `to` seconds; `None` if there is no value.
+pub fn statistics(curve: &Curve, from: f64, to: f64) -> Option<Statistics> {
+    let within: Vec<_> = curve.points.iter().filter(|(t, _)| (from..=to).contains(t)).collect();
+    let values = || within.iter().filter_map(|(_, value)| *value);
+    let first = values().next()?;
+    let (mut time, mut area, mut squares) = (0.0, 0.0, 0.0);
+    for pair in within.windows(2) {
+        let [(t0, Some(a)), (t1, Some(b))] = pair else { continue };
+        let step = t1 - t0;
+        time += step;
+        area += step * (a + b) / 2.0;
+        // The integral of the square of a straight line.
+        squares += step * (a * a + a * b + b * b) / 3.0;
+    }
+    let is_moment = time <= 0.0;
+    Some(Statistics {
+        samples: values().count(),
+        min: values().fold(first, f64::min),
+        max: values().fold(first, f64::max),
+        mean: if is_moment { first } else { area / time },
+        rms: if is_moment { first.abs() } else { (squares / time).sqrt() },
+    })
+}
+
+/// How a drive followed one change of its setpoint. What cannot be told is missing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response {
+    /// Seconds at which the setpoint was seen to change first.
+    pub t: f64,
+    /// The setpoint before it.
+    pub from: f64,
+    /// The setpoint behind it.
+    pub to: f64,
+    /// The actual value at the beginning.
+    pub start: f64,
+    /// The actual value at the end: before the next change, or of the record.
+    pub end: f64,
+    /// By how much it went beyond its end, in percent of its way.
+    pub overshoot_percent: Option<f64>,
+    /// Seconds from the change until the actual value stays within the band around its end.
+    pub settling_s: Option<f64>,
+    /// Slope between a tenth and nine tenths of its way, in units a second.
+    pub slope: Option<f64>,
+    /// Seconds from the change until the straight line of that slope leaves the beginning.
+    pub dead_time_s: Option<f64>,
+}
+
+/// How the actual value follows the setpoint: a response for each change between two markers. `band`: how near to its end the
+/// actual value counts as settled, as a share of its way.
+pub fn responses(setpoint: &Curve, actual: &Curve, (from, to): (f64, f64), band: f64) -> Vec<Response> {
+    let known = |curve: &Curve| -> Vec<(f64, f64)> {
+        let within = curve.points.iter().filter(|(t, _)| (from..=to).contains(t));
+        within.filter_map(|(t, value)| Some((*t, (*value)?))).collect()
+    };
+    let (setpoint, actual) = (known(setpoint), known(actual));
+    let changes = changes(&setpoint);
+    let ends = changes.iter().skip(1).map(|change| change.t).chain([f64::INFINITY]);
+    changes.iter().zip(ends).filter_map(|(change, end)| response(change, &actual, end, band)).collect()
+}
+
+/// A change of a setpoint, all at once or by a ramp.
+struct Change {
+    t: f64,
+    from: f64,
+    to: f64,
+}
+
+/// The changes: from a value that stood to the next one that stands.
+fn changes(setpoint: &[(f64, f64)]) -> Vec<Change> {
+    let mut changes: Vec<Change> = Vec::new();
+    let mut moves = false;
+    for pair in setpoint.windows(2) {
+        let [(_, before), (t, now)] = *pair else { continue };
+        match (before != now, changes.last_mut().filter(|_| moves)) {
+            (true, Some(change)) if (now - before).signum() == (change.to - change.from).signum() => change.to = now,
+            (true, _) => changes.push(Change { t, from: before, to: now }),
+            (false, _) => {}
+        }
+        moves = before != now;
+    }
+    changes
+}
+
+fn response(change: &Change, actual: &[(f64, f64)], until: f64, band: f64) -> Option<Response> {
+    let start = actual.iter().rfind(|(t, _)| *t < change.t).or(actual.first())?.1;
+    let course: Vec<(f64, f64)> = actual.iter().filter(|(t, _)| *t >= change.t && *t < until).copied().collect();
+    let (last, end) = *course.last()?;
+    let (way, side) = (end - start, (end - start).signum());
+    let mut response = Response {
+        t: change.t,
+        from: change.from,
+        to: change.to,
+        start,
+        end,
+        overshoot_percent: None,
+        settling_s: None,
+        slope: None,
+        dead_time_s: None,
+    };
+    let near = band * way.abs();
+    // It stays near its end for the last tenth of the time: else it is still on its way.
+    let outside = course.iter().rposition(|(_, value)| (value - end).abs() > near);
+    let settled = outside.map_or(course.first(), |last| course.get(last + 1)).map(|(t, _)| *t);
+    let rests = settled.filter(|t| last - t >= 0.1 * (last - change.t) && last > *t);
+    let Some(settled) = rests.filter(|_| way != 0.0) else { return Some(response) };
+    let beyond = course.iter().map(|(_, value)| (value - end) * side).fold(0.0, f64::max);
+    response.overshoot_percent = Some(100.0 * beyond / way.abs());
+    response.settling_s = Some(settled - change.t);
+    let passes = |share: f64| crossing(&course, start + share * way, side);
+    if let (Some(early), Some(late)) = (passes(0.1), passes(0.9))
+        && late > early
+    {
+        let slope = 0.8 * way / (late - early);
+        response.slope = Some(slope);
+        response.dead_time_s = Some((early - 0.1 * way / slope - change.t).max(0.0));
+    }
+    Some(response)
+}
+
+/// When a course first passes a level, on the straight line between two samples.
+fn crossing(course: &[(f64, f64)], level: f64, side: f64) -> Option<f64> {
+    course.windows(2).find_map(|pair| {
+        let [(t0, a), (t1, b)] = *pair else { return None };
+        let passes = (a - level) * side <= 0.0 && (b - level) * side > 0.0;
+        passes.then(|| t0 + (t1 - t0) * (level - a) / (b - a))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Part;
+    use super::*;
+    use crate::text::Text;
+
+    fn curve(part: Part, points: impl Iterator<Item = (f64, Option<f64>)>) -> Curve {
+        Curve { name: Text::name("x"), unit: "Hz".to_owned(), part, points: points.collect() }
+    }
+
+    fn near(told: f64, true_one: f64, by: f64) {
+        assert!((told - true_one).abs() <= by, "{told}, not {true_one} within {by}");
+    }
+
+    #[test]
+    fn mean_and_effective_value_are_those_of_the_curve_and_not_of_its_samples() {
+        // A sine of three whole turns, sampled unevenly: 5 + 2 sin.
+        let times =
+            (0..=3_000).map(|n| f64::from(n) / 1_000.0).filter(|t| *t < 1.0 || (t * 1_000.0) % 7.0 < 1.0 || *t == 3.0);
+        let sine = curve(Part::Other, times.map(|t| (t, Some(5.0 + 2.0 * (t * std::f64::consts::TAU).sin()))));
+        let told = statistics(&sine, 0.0, 3.0).unwrap();
+        near(told.mean, 5.0, 0.001);
+        near(told.rms, 27f64.sqrt(), 0.001);
+        near(told.max, 7.0, 0.001);
+        near(told.min, 3.0, 0.001);
+        // A gap is no time at all.
+        let gap = curve(
+            Part::Other,
+            [(0.0, Some(1.0)), (1.0, Some(1.0)), (2.0, None), (9.0, Some(3.0)), (10.0, Some(3.0))].into_iter(),
+        );
+        near(statistics(&gap, 0.0, 10.0).unwrap().mean, 2.0, 1e-9);
+        assert_eq!(statistics(&gap, 1.5, 5.0), None);
+    }
+
+    /// A step answered by a system of second order behind a dead time, whose overshoot and whose course a formula tells.
+    #[test]
+    fn a_step_is_measured_as_the_formula_of_its_system_tells() {
+        let (damping, natural, dead, step): (f64, f64, f64, f64) = (0.4, 5.0, 0.3, 0.01);
+        let turns = natural * (1.0 - damping * damping).sqrt();
+        let answer = |t: f64| {
+            let decay = (-damping * natural * t).exp();
+            20.0 * (1.0 - decay * ((turns * t).cos() + damping * natural / turns * (turns * t).sin()))
+        };
+        let times = || (0..1_000).map(|n| f64::from(n) * step);
+        let setpoint = curve(Part::Setpoint, times().map(|t| (t, Some(if t < 1.0 { 0.0 } else { 20.0 }))));
+        let actual =
+            curve(Part::Actual, times().map(|t| (t, Some(if t < 1.0 + dead { 0.0 } else { answer(t - 1.0 - dead) }))));
+        let [told] = responses(&setpoint, &actual, (0.0, 20.0), 0.02)[..] else { panic!() };
+        near(told.t, 1.0, step);
+        let formula = 100.0 * (-std::f64::consts::PI * damping / (1.0 - damping * damping).sqrt()).exp();
+        near(told.overshoot_percent.unwrap(), formula, 0.1);
+        let last_outside = (0..100_000).map(|n| f64::from(n) * 1e-4).rfind(|t| (answer(*t) - 20.0).abs() > 0.4);
+        near(told.settling_s.unwrap(), last_outside.unwrap() + dead, step);
+        assert!(told.dead_time_s.unwrap() > dead, "the tangent leaves behind the dead time");
+    }
+
+    #[test]
+    fn a_ramp_has_its_slope_and_no_overshoot_up_and_down() {
+        let times = || (0..400).map(|n| f64::from(n) * 0.05);
+        let ramp = |t: f64| (5.0 * (t - 2.0)).clamp(0.0, 25.0) - (10.0 * (t - 12.0)).clamp(0.0, 25.0);
+        let setpoint =
+            curve(Part::Setpoint, times().map(|t| (t, Some(if (2.0..12.0).contains(&t) { 25.0 } else { 0.0 }))));
+        let actual = curve(Part::Actual, times().map(|t| (t, Some(ramp(t)))));
+        let [up, down] = responses(&setpoint, &actual, (0.0, 20.0), 0.02)[..] else { panic!() };
+        near(up.slope.unwrap(), 5.0, 0.01);
+        near(down.slope.unwrap(), -10.0, 0.01);
+        near(up.settling_s.unwrap(), 4.9, 0.051);
+        near(down.settling_s.unwrap(), 2.45, 0.051);
+        for told in [up, down] {
+            near(told.overshoot_percent.unwrap(), 0.0, 1e-9);
+            near(told.dead_time_s.unwrap(), 0.0, 0.01);
+        }
+        // Cut off on its way it has not settled, and nothing is made up.
+        let [cut] = responses(&setpoint, &actual, (0.0, 5.0), 0.02)[..] else { panic!() };
+        assert_eq!((cut.overshoot_percent, cut.settling_s, cut.slope), (None, None, None));
+    }
+}

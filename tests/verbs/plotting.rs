@@ -1,0 +1,108 @@
+//! `plot`: what was recorded on the bench as a picture and as numbers.
+
+use crate::recording::TRIPS;
+use crate::run::antrieb;
+use serde_json::{Value, json};
+
+const RECORD: &str = include_str!("record.csv");
+
+/// The bench's motor follows straight ramps of 5 Hz/s: no overshoot, and within 2 % of 25 Hz after 4.9 s.
+#[test]
+fn what_is_measured_of_the_benchs_motor_is_what_its_formula_tells() {
+    for (file, interval) in [("run.ndjson", "0"), ("run.csv", "200ms")] {
+        let line =
+            format!("-a 1 monitor 283 210 --interval {interval} --duration 8.9s --unpaced --record {{dir}}/{file}");
+        let run = antrieb(&line).on(TRIPS).exits(0);
+        let plot = run.then(&format!("plot {{dir}}/{file} --measure")).json().exits(0);
+        let [told] = &plot.data("/responses").as_array().unwrap()[..] else { panic!("{:#}", plot.value) };
+        let near = |field: &str, formula: f64, by: f64| {
+            let measured = told[field].as_f64().unwrap_or_else(|| panic!("{field}: {told:#}"));
+            assert!((measured - formula).abs() <= by, "{file}, {field}: {measured}, not {formula} within {by}");
+        };
+        let step = 0.21;
+        near("t", 2.0, step);
+        near("settling_s", 4.9, step);
+        near("overshoot_percent", 0.0, 0.0);
+        near("slope", 5.0, 0.1);
+        near("dead_time_s", 0.0, step);
+        near("end", 25.0, 0.01);
+        assert_eq!(plot.data("/curves/0/part"), "setpoint");
+        assert_eq!(plot.data("/curves/1/part"), "actual");
+        assert_eq!(plot.data("/curves/1/max"), 25.0);
+    }
+}
+
+#[test]
+fn between_markers_a_curve_comes_to_what_its_lines_come_to() {
+    let plot = |options: &str| {
+        let line = format!("plot {{dir}}/record.csv stator-frequency --measure {options}");
+        antrieb(&line).file("record.csv", RECORD).json().exits(0)
+    };
+    // A straight line from 0 to 25 Hz in 5 s.
+    let ramp = plot("--from 2s --to 7s");
+    let [min, max, mean, rms] =
+        ["min", "max", "mean", "rms"].map(|field| ramp.data(&format!("/curves/0/{field}")).as_f64());
+    assert_eq!((min, max, mean), (Some(0.0), Some(25.0), Some(12.5)));
+    assert!((rms.unwrap() - 25.0 / 3f64.sqrt()).abs() < 1e-6, "{rms:?}");
+    assert_eq!(plot("--from 8s --to 10s").data("/curves/0/rms"), 25.0);
+    antrieb("plot {dir}/record.csv --from 40s").file("record.csv", RECORD).exits(2);
+    let unmeasured = antrieb("plot {dir}/record.csv").file("record.csv", RECORD).json().exits(0);
+    assert_eq!((unmeasured.data("/curves/0/min"), unmeasured.data("/responses")), (&Value::Null, &Value::Null));
+}
+
+#[test]
+fn a_picture_shows_curves_states_faults_gaps_and_triggers_in_both_languages() {
+    for (lang, words) in [
+        ("en", ["time [s]", "gap", "Operation enabled", "Stator frequency (left)", "[Hz]", "[A]", "fault"]),
+        ("de", ["Zeit [s]", "Lücke", "Betrieb freigegeben", "Ständerfrequenz (links)", "[Hz]", "[A]", "Störung"]),
+    ] {
+        let run = antrieb(&format!("--lang {lang} plot {{dir}}/record.csv --svg {{dir}}/ramp.svg"))
+            .file("record.csv", RECORD);
+        let svg = run.exits(0).text_of("ramp.svg");
+        for word in words {
+            assert!(svg.contains(&format!(">{word}<")), "{word} in {svg}");
+        }
+        assert!(svg.contains(">411 &gt; 8<"), "{svg}");
+        let is_well_formed = svg.starts_with("<svg xmlns=") && svg.ends_with("</svg>\n");
+        assert!(is_well_formed && svg.matches("<path").count() > 10, "{svg}");
+        // Black, white and grey only, and nothing from elsewhere.
+        let colours = svg.match_indices("=\"#").filter_map(|(at, _)| svg[at + 3..].split('"').next());
+        assert!(colours.into_iter().all(|colour| colour.bytes().all(|byte| byte == colour.as_bytes()[0])), "{svg}");
+        assert_eq!(svg.matches("http").count(), 1, "{svg}");
+        // The setpoint is dashed, the actual value whole, the current dotted; the gap parts each curve in two.
+        assert_eq!(svg.matches("stroke-dasharray=\"9 5\"").count(), 1 + 2, "{svg}");
+        assert_eq!(svg.matches("stroke-dasharray=\"1.5 4\"").count(), 1 + 2, "{svg}");
+    }
+}
+
+#[test]
+fn the_record_of_a_trip_says_what_it_was() {
+    let record = "-a 1 monitor --interval 0 --duration 20s --unpaced --record {dir}/trip.ndjson --trigger 'state -> fault' --once";
+    let run = antrieb(record).on(TRIPS).exits(0).then("plot {dir}/trip.ndjson --lang de").json().exits(0);
+    let marks = run.data("/marks");
+    assert_eq!(marks[0]["kind"], "fault");
+    assert!(marks[0]["text"].as_str().unwrap().starts_with("F0500 "), "{marks}");
+    assert_eq!((&marks[1]["kind"], &marks[1]["text"]), (&json!("trigger"), &json!("state -> fault")));
+    let columns: Vec<_> = run.data("/curves").as_array().unwrap().iter().map(|curve| curve["axis"].clone()).collect();
+    assert_eq!(columns, ["left", "left", "right"]);
+}
+
+#[test]
+fn what_is_no_record_or_no_column_is_refused() {
+    let plot = |text: &str, options: &str| antrieb(&format!("plot {{dir}}/x {options}")).file("x", text).run();
+    for (text, options, exit, told) in [
+        ("nonsense\n", "", 7, "line 1: expected a record of `monitor`"),
+        ("{\"type\":\"start\"}\n", "", 7, "line 1: expected a record"),
+        ("t,n,address,drive,state,error\n", "", 7, "there is no sample in it"),
+        (RECORD, "speed", 7, "there is no column 'speed' with numbers"),
+        (RECORD, "-a 3", 7, "has no drive with address 3 (it has: 1)"),
+    ] {
+        let run = plot(text, options);
+        assert!(run.exit == exit && run.err.contains(told), "{told}: exit {} {}", run.exit, run.err);
+    }
+    antrieb("plot {dir}/none").exits(7);
+    let line = "plot {dir}/record.csv --svg {dir}/old.svg";
+    let refused = antrieb(line).file("record.csv", RECORD).file("old.svg", "precious").exits(7);
+    assert_eq!(refused.text_of("old.svg"), "precious");
+    antrieb(line).and("--force").file("record.csv", RECORD).file("old.svg", "precious").exits(0);
+}
