@@ -10,6 +10,7 @@ mod plant;
 mod project;
 mod settings;
 mod takes;
+mod warned;
 mod wrong;
 
 pub use address::{Addresses, parse_addresses};

@@ -3,7 +3,7 @@
 use super::address::Addresses;
 use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
 use super::low::{Environment, Low, Origin, Typed};
-use super::project::File;
+use super::warned::{catalogue_notes, network_note};
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
 use crate::files;
@@ -17,7 +17,7 @@ use crate::text::{Text, Wrong, both};
 use crate::tick::Span;
 use crate::transport::{Port, Rs485, Rs485Mode};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Everything that a verb needs to know besides its own arguments.
 #[derive(Clone, Debug)]
@@ -379,46 +379,6 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
 
 /// The Linux kernel takes no longer ones (RS485_MAX_RTS_DELAY).
 const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
-
-/// A project file comes with a directory that somebody else may have packed: where it reaches into the network is said.
-fn network_note(port: &Port, file: &Path) -> Option<Text> {
-    let reaches_out = matches!(port, Port::Tcp(_) | Port::Rfc2217(_) | Port::Mbtcp(_));
-    let file = file.display();
-    reaches_out.then(|| {
-        both!(
-            "{file} sets the port: {port} (another one with -p; --no-config leaves the file out)",
-            "{file} bestimmt den Anschluss: {port} (anderer mit -p; --no-config lässt die Datei weg)"
-        )
-    })
-}
-
-/// What a parameter means decides what is written to a drive: where a project file puts other rows in place of ours is
-/// said.
-fn catalogue_notes(project: &File, directory: &Path, file: &Path) -> Vec<Text> {
-    let replaces = |path: &&PathBuf| {
-        let text = std::fs::read_to_string(directory.join(path)).unwrap_or_default();
-        toml::from_str::<toml::Value>(&text).is_ok_and(|value| replaces_rows(&value))
-    };
-    let file = file.display();
-    let note = |path: &PathBuf| {
-        both!(
-            "{file}: the catalogue {path} replaces rows of the built-in one",
-            "{file}: der Katalog {path} ersetzt Zeilen des eingebauten",
-            path = path.display()
-        )
-    };
-    project.catalogue.iter().filter(replaces).map(note).collect()
-}
-
-fn replaces_rows(value: &toml::Value) -> bool {
-    match value {
-        toml::Value::Table(table) => {
-            table.get("replace").and_then(toml::Value::as_bool) == Some(true) || table.values().any(replaces_rows)
-        }
-        toml::Value::Array(list) => list.iter().any(replaces_rows),
-        _ => false,
-    }
-}
 
 fn protocol_failure(text: &str, why: Text) -> Failure {
     let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());

@@ -50,13 +50,10 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             return unfit::explain(&error, arguments, environment, out.as_mut(), (err, err_is_terminal, width));
         }
     };
-    let resolve =
-        if matches!(&what, What::Work(entry, _) if entry.of_plant) { settings_of_plant } else { Settings::resolve };
-    let settings = what.unkept(&globals).map_or_else(|| resolve(&globals, environment), Err);
+    let settings = settings_for(&what, &globals, environment);
     let lang = settings.as_ref().map_or_else(|_| language(globals.lang, environment), |settings| settings.lang);
-    let quiet = globals.quiet;
-    let progress = !quiet && !globals.no_progress;
-    let console = Console::new(err, lang, quiet, err_is_terminal && progress)
+    let progress = !globals.quiet && !globals.no_progress;
+    let console = Console::new(err, lang, globals.quiet, err_is_terminal && progress)
         .told_by_lines(progress)
         .wrapped(err_is_terminal, width);
     let (entry, verb) = match what {
@@ -70,12 +67,10 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
     let flow = verb.streams();
     let settings = settings.and_then(|settings| fits(format, flow.as_ref()).map_or(Ok(settings), Err));
     let sends = settings.as_ref().is_ok_and(|settings| !settings.dry_run);
-    let at_terminal = out_is_terminal && input_is_terminal;
-    let view = flow.as_ref().and_then(|flow| view(flow, format, sends, environment, (out_is_terminal, at_terminal)));
+    let terminals = (out_is_terminal, out_is_terminal && input_is_terminal);
+    let view = flow.as_ref().and_then(|flow| view(flow, format, sends, environment, terminals));
     let is_run = sends && matches!(flow, Some(Flow::Run { .. }));
-    // The line of a run is progress; where its records or its view have the terminal there is none.
-    let line = is_run && err_is_terminal && !quiet && !globals.no_progress && !(view.is_some() && out_is_terminal);
-    let watch = (is_run && (view.is_some() || line)).then_some(Watch { keys: view == Some(View::Live), line });
+    let watch = watch_of(view, err_is_terminal && progress, out_is_terminal).filter(|_| is_run);
     let carry_out = |stream: Option<&RefCell<Stream<'_>>>| {
         let outcome = settings.and_then(|settings| {
             let present = input_is_terminal && err_is_terminal;
@@ -91,9 +86,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         Some(view) if is_run || matches!(flow, Some(Flow::Search)) => {
             let queue = queued.filter(|_| is_run).map(|queued| queued(patience.clone()));
             let stream = Stream::of_run(view, queue, out.as_mut(), manner, &console);
-            let stream = RefCell::new(stream);
-            let outcome = carry_out(Some(&stream));
-            stream.into_inner().close();
+            let outcome = shown(stream, |stream| carry_out(Some(stream)));
             whole(outcome, entry, format, manner, out.as_mut(), &console)
         }
         Some(view) => kept(flow.as_ref())
@@ -101,10 +94,29 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             .map(|stream| stream.recorded(recorded(flow, format, globals.force)))
             .and_then(|stream| streamed(stream, entry.name, |stream| carry_out(Some(stream)))),
     };
-    match printed {
-        Ok(outcome) => outcome.failure.map_or(0, |failure| failure.class.exit()),
-        Err(error) => closed(&error, &console),
-    }
+    let exit = |outcome: Outcome| outcome.failure.map_or(0, |failure| failure.class.exit());
+    printed.map_or_else(|error| closed(&error, &console), exit)
+}
+
+/// A run or a search: what comes on the way is shown as it comes, and the document behind it.
+fn shown<'o>(stream: Stream<'o>, carry_out: impl FnOnce(&RefCell<Stream<'o>>) -> Outcome) -> Outcome {
+    let stream = RefCell::new(stream);
+    let outcome = carry_out(&stream);
+    stream.into_inner().close();
+    outcome
+}
+
+/// What holds for what was typed.
+fn settings_for(what: &What, globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
+    let is_of_plant = matches!(what, What::Work(entry, _) if entry.of_plant);
+    let resolve = if is_of_plant { settings_of_plant } else { Settings::resolve };
+    what.unkept(globals).map_or_else(|| resolve(globals, environment), Err)
+}
+
+/// Who watches a run. Its line is progress; where its records or its view have the terminal there is none.
+fn watch_of(view: Option<View>, has_progress: bool, out_is_terminal: bool) -> Option<Watch> {
+    let line = has_progress && !(view.is_some() && out_is_terminal);
+    (view.is_some() || line).then_some(Watch { keys: view == Some(View::Live), line })
 }
 
 /// Prints what the program knows of itself.

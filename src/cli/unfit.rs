@@ -146,19 +146,7 @@ impl Place {
                     both!("'{what}' is not expected{behind}", "'{what}' wird{behind} nicht erwartet", what, behind)
                 }
             },
-            (ErrorKind::InvalidSubcommand, _) => {
-                let word = told(Told::InvalidSubcommand).unwrap_or_default();
-                match behind.is_empty() {
-                    true => both!("there is no verb '{word}'", "den Befehl '{word}' gibt es nicht"),
-                    false => both!(
-                        "expected{behind}: {known}; got '{word}'",
-                        "erwartet{behind}: {known}; angegeben: '{word}'",
-                        behind,
-                        known,
-                        word
-                    ),
-                }
-            }
+            (ErrorKind::InvalidSubcommand, _) => self.no_verb(&told(Told::InvalidSubcommand).unwrap_or_default()),
             (ErrorKind::MissingRequiredArgument, _) => {
                 both!("missing{behind}: {what}", "es fehlt{behind}: {what}", behind, what)
             }
@@ -168,17 +156,7 @@ impl Place {
                     false => both!("expected{behind}: {known}", "erwartet{behind}: {known}", behind, known),
                 }
             }
-            (ErrorKind::ArgumentConflict, _) => {
-                let prior = told(Told::PriorArg).unwrap_or_default();
-                let prior = prior.trim_end_matches("...");
-                match prior == what || prior.is_empty() {
-                    true => both!("'{what}' is there twice", "'{what}' steht zweimal da"),
-                    false => both!(
-                        "'{what}' does not go together with '{prior}'",
-                        "'{what}' geht nicht zusammen mit '{prior}'"
-                    ),
-                }
-            }
+            (ErrorKind::ArgumentConflict, _) => conflict(what, &told(Told::PriorArg).unwrap_or_default()),
             (ErrorKind::TooManyValues, Some(value)) => {
                 both!("'{value}' is a value too many for '{what}'", "'{value}' ist für '{what}' ein Wert zu viel")
             }
@@ -187,6 +165,20 @@ impl Place {
             }
             _ => Text::quoted(
                 error.render().to_string().lines().next().unwrap_or_default().trim_start_matches("error: "),
+            ),
+        }
+    }
+
+    fn no_verb(&self, word: &str) -> Text {
+        let (behind, known) = (self.behind(), self.known());
+        match behind.is_empty() {
+            true => both!("there is no verb '{word}'", "den Befehl '{word}' gibt es nicht"),
+            false => both!(
+                "expected{behind}: {known}; got '{word}'",
+                "erwartet{behind}: {known}; angegeben: '{word}'",
+                behind,
+                known,
+                word
             ),
         }
     }
@@ -237,6 +229,14 @@ impl Place {
         }
         let verb = self.root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
         Some(format!("antrieb {} {word}", verb.get_name()))
+    }
+}
+
+fn conflict(what: &str, prior: &str) -> Text {
+    let prior = prior.trim_end_matches("...");
+    match prior == what || prior.is_empty() {
+        true => both!("'{what}' is there twice", "'{what}' steht zweimal da"),
+        false => both!("'{what}' does not go together with '{prior}'", "'{what}' geht nicht zusammen mit '{prior}'"),
     }
 }
 

@@ -129,16 +129,7 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
         What::Control { word, mode } => word_of(&family, "control-word", "control", word, Some(*mode))?,
         What::Warnings { word } => word_of(&family, "warnings", "warnings", word, None)?,
         What::Fault { code } => {
-            let letter = &family.fault_codes.letter;
-            let number = displayed(code, &family).or_else(|| number(code));
-            let number = number.ok_or_else(|| {
-                let such = both!(
-                    "a fault such as {letter}0500, 0x0500 or 1280",
-                    "eine Störung wie {letter}0500, 0x0500 oder 1280"
-                );
-                bad_code(code, &such)
-            })?;
-            Decode { fault: describe::fault(&family, number), ..blank("fault", code) }
+            Decode { fault: describe::fault(&family, fault_number(code, &family)?), ..blank("fault", code) }
         }
         What::Error { code } => {
             let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
@@ -149,6 +140,16 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
         (context.observe)(Event::Note(note));
     }
     Ok(Outcome::of(Data::Decode(decode)))
+}
+
+fn fault_number(code: &str, family: &Family) -> Result<u32, Failure> {
+    let letter = &family.fault_codes.letter;
+    let number = displayed(code, family).or_else(|| number(code));
+    number.ok_or_else(|| {
+        let such =
+            both!("a fault such as {letter}0500, 0x0500 or 1280", "eine Störung wie {letter}0500, 0x0500 oder 1280");
+        bad_code(code, &such)
+    })
 }
 
 /// In which base digits were read that may be meant in another one: keypads and manuals write words and faults without a prefix.

@@ -39,6 +39,13 @@ pub enum WriteFate {
 }
 
 impl Target {
+    /// A value as it goes over the line.
+    fn bits(&self, raw: i64, kind: Type) -> Result<u32, AccessError> {
+        let fits = value::check_width(raw, kind, 0);
+        let bits = fits.and_then(|()| value::to_wire(raw, self.family.link.route.carried(kind)));
+        bits.map_err(|_| AccessError::Unspeakable)
+    }
+
     /// Writes a parameter in one data set and proves it.
     ///
     /// A missing echo is settled by reading back, never by guessing. The permit says that somebody agreed.
@@ -50,9 +57,7 @@ impl Target {
         _permit: &Permit<impl Writes>,
     ) -> Result<WriteFate, AccessError> {
         let Order { set, raw, kind, read_back } = order;
-        let fits = value::check_width(raw, kind, 0);
-        let bits = fits.and_then(|()| value::to_wire(raw, self.family.link.route.carried(kind)));
-        let bits = bits.map_err(|_| AccessError::Unspeakable)?;
+        let bits = self.bits(raw, kind)?;
         let cell = Cell { number: param.id, set };
         let route = self.route(session).await?;
         let plain = route.question(Inquiry::Write(cell, kind, bits)).ok_or(AccessError::Unspeakable)?;
@@ -98,8 +103,7 @@ impl Target {
                 (Ok(_), Some(_)) if tries <= limits.retries => {}
                 (Ok(_), Some(error)) => return Err(error),
                 (Err(AccessError::Refused(_)), None) => return Ok(WriteFate::Written),
-                (Err(error), None) => return Ok(WriteFate::Unknown(error)),
-                (Err(_), Some(error)) => return Ok(WriteFate::Unknown(error)),
+                (Err(error), None) | (Err(_), Some(error)) => return Ok(WriteFate::Unknown(error)),
             }
         }
     }

@@ -69,7 +69,7 @@ mod tests {
         let labels = |axis: Axis| axis.ticks().map(|tick| axis.label(tick)).collect::<Vec<_>>().join(" ");
         assert_eq!(labels(Axis::around([3.0, 24.93].into_iter(), 5.0)), "0 5 10 15 20 25 30");
         assert_eq!(labels(Axis::around([-0.2, 0.31].into_iter(), 5.0)), "-0.2 0.0 0.2 0.4");
-        assert_eq!(labels(Axis::around([0.0].into_iter(), 5.0)), "0.0 0.2 0.4 0.6 0.8 1.0");
+        assert_eq!(labels(Axis::around([0.0].into_iter(), 5.0)), "0.0 0.2 0.4 0.6 0.8 1.0 1.2");
         assert_eq!(labels(Axis::from_to(7.06, 14.2, 8.0)), "8 9 10 11 12 13 14");
     }
 }

@@ -19,6 +19,8 @@ mod run;
 /// What a drive holds: parameters and data sets.
 mod parameters {
     mod comparing;
+    mod ends;
+    mod interrupted;
     mod loading;
     mod memory;
     mod own_family;
@@ -86,6 +88,7 @@ mod offline {
     mod decoding_vabus;
     mod files;
     mod lists;
+    mod maps;
     mod naming;
     mod settings;
 }

@@ -1,67 +1,16 @@
 //! The trial of transactions: random files into drives, and every way in which that can end, at every telegram. Afterwards the
 //! bench itself is asked: is the drive as it was wanted, or as it was before, or was every differing value named; and did the
 //! EEPROM bear no more than was announced?
-//!
-//! In virtual time. Ctrl-C and SIGTERM are one wish to end here; a kill -9 is a program that is gone between two telegrams.
 
-use crate::agreeable::Agreeable;
-use antrieb::args::{Environment, Globals, Settings};
-use antrieb::command::{Context, dataset};
-use antrieb::drive::Interrupt;
-use antrieb::failure::Failure;
-use antrieb::outcome::{Data, Event, Load, LoadEnd, Outcome, WriteResult};
+use super::ends::{Case, End, Seen};
+use antrieb::outcome::{LoadEnd, WriteResult};
 use antrieb::profile::{Family, Goes, Param, Registry, Sets, value};
 use antrieb::simulator::{Bench, Drive};
-use antrieb::tick::{Span, Tick};
+use antrieb::tick::Span;
 use antrieb::transport::witness;
-use clap::Parser;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
-
-#[derive(Parser)]
-struct Cli {
-    #[command(subcommand)]
-    verb: Verb,
-    #[command(flatten)]
-    globals: Globals,
-}
-
-#[derive(clap::Subcommand)]
-enum Verb {
-    Dataset(dataset::Args),
-}
-
-/// A drive, and how it is reached.
-#[derive(Clone, Copy)]
-struct Case {
-    model: &'static str,
-    keys: &'static str,
-    options: &'static str,
-    ram: bool,
-}
-
-/// How a load is brought to its end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
-    /// By itself.
-    Whole,
-    /// Ctrl-C, SIGTERM.
-    Wish,
-    /// That, and once more a few telegrams later.
-    Twice,
-    /// The adapter is pulled.
-    Pulled,
-    /// The drive loses its power for a moment.
-    Power,
-    /// The line is dead for so long, ms.
-    Silent(u64),
-    /// The drive refuses one of the values from then on.
-    Refuses,
-    /// kill -9.
-    Killed,
-}
 
 const ENDS: &[End] = &[
     End::Wish,
@@ -99,18 +48,6 @@ const CASES: &[Case] = &[
 /// Somebody has written to the RAM what is not stored.
 const OTHER_RAM: &str = "set = { \"30\" = 110, \"372@2ram\" = 1450, \"480@1ram\" = 7, \"424@3ram\" = 60, \"412@4ram\" = 1, \
                          \"392@1\" = 1, \"392@1ram\" = 0, \"434@2ram\" = 1 }";
-
-/// What came of a run.
-struct Seen {
-    telegrams: usize,
-    sent: usize,
-    load: Option<Load>,
-    failure: Option<Failure>,
-    warnings: String,
-    killed: bool,
-    bench: Bench,
-    at: Tick,
-}
 
 /// A dice of our own: every trial is the same.
 struct Dice(u64);
@@ -170,69 +107,6 @@ fn random_file(family: &Family, fresh: &Drive, dice: &mut Dice, count: usize) ->
         }
     }
     (text, lines.into_keys().collect())
-}
-
-impl Case {
-    fn bench(&self, end: End, step: usize, victim: (u32, u8)) -> String {
-        let event = |what: &str| format!("[[drive.event]]\nafter_telegrams = {step}\n{what}\n");
-        let ram = u32::from(self.ram) * 5;
-        let place = match self.model {
-            "lxm05" => victim.0,
-            _ => (u32::from(victim.1.max(1)) + ram) << 12 | victim.0,
-        };
-        let event = match end {
-            End::Power => event("power_cycle = true"),
-            End::Silent(ms) => event(&format!("silent = \"{ms}ms\"")),
-            End::Refuses => event(&format!("refuses = {place}")),
-            _ => String::new(),
-        };
-        format!("[[drive]]\nmodel = \"{}\"\n{}\n{event}", self.model, self.keys)
-    }
-
-    /// Runs what is typed behind `dataset`.
-    fn run(&self, registry: &Registry, dir: &Path, words: &str, end: End, step: usize) -> Seen {
-        let line = format!(
-            "antrieb -p sim:{0}/bench.toml --drive {1} -a 1 --yes {2} dataset {words}",
-            dir.display(),
-            self.model,
-            self.options
-        );
-        let cli = Cli::parse_from(line.replace("{dir}", &dir.display().to_string()).split_whitespace());
-        let environment = Environment { directory: dir.to_owned(), ..Environment::default() };
-        let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
-        let (interrupt, mut telegrams) = (Interrupt::default(), 0);
-        let mut sent = 0;
-        let wish = interrupt.clone();
-        let mut observe = |event: Event| {
-            if let Event::Telegram { direction, .. } = event {
-                telegrams += 1;
-                sent += usize::from(direction == '>');
-                match end {
-                    End::Wish | End::Twice if telegrams == step => wish.press(),
-                    End::Twice if telegrams == step + 5 => wish.press(),
-                    End::Killed if telegrams == step => resume_unwind(Box::new("kill -9")),
-                    _ => {}
-                }
-            }
-        };
-        witness::call(true);
-        witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
-        let mut ask = Agreeable;
-        let mut context = Context { settings: &settings, registry, ask: &mut ask, observe: &mut observe, interrupt };
-        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-        let Verb::Dataset(args) = &cli.verb;
-        let ended = catch_unwind(AssertUnwindSafe(|| runtime.block_on(dataset::run(args, &mut context))));
-        witness::pull_after(None);
-        let killed = ended.is_err();
-        let outcome = ended.unwrap_or_else(|_| Ok(Outcome::default())).unwrap_or_else(Outcome::from);
-        let warnings = outcome.warnings.iter().map(|warning| warning.message.en.to_string()).collect();
-        let load = match outcome.data {
-            Some(Data::Load(load)) => Some(load),
-            _ => None,
-        };
-        let (bench, at) = witness::left().unwrap_or_else(|| panic!("{words}: {:?}", outcome.failure));
-        Seen { telegrams, sent, load, failure: outcome.failure, warnings, killed, bench, at }
-    }
 }
 
 /// Every cell of the only drive: number, data set as on the wire.
@@ -437,98 +311,4 @@ fn no_end_at_any_telegram_leaves_a_drive_unlike_before_without_naming_it() {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     let (files, stride) = (number("LOADS_FILES").unwrap_or(1), number("LOADS_STRIDE").unwrap_or(29));
     println!("{}", trial(files, stride as usize));
-}
-
-/// A fresh ACT, a file for it, and what takes that back; whatever is typed behind `dataset` runs there, and ends so.
-fn on_act(words: &str, end: End, step: usize) -> (Seen, tempfile::TempDir) {
-    let case = Case { model: "act", keys: "", options: "", ram: false };
-    on(case, words, end, step)
-}
-
-fn on(case: Case, words: &str, end: End, step: usize) -> (Seen, tempfile::TempDir) {
-    let dir = tempfile::tempdir().unwrap();
-    let values = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@1\" = 1400\n\"480@2\" = 7\n";
-    let undo = format!("{values}[undo]\nvalues = {{ \"372@1\" = 1390, \"480@2\" = 10 }}\n");
-    std::fs::write(dir.path().join("bench.toml"), case.bench(end, step, (0, 0))).unwrap();
-    std::fs::write(dir.path().join("u.toml"), undo).unwrap();
-    std::fs::write(dir.path().join("f.toml"), values.replace("\"372@1\"", "372")).unwrap();
-    let seen = case.run(&Registry::open(&[]).unwrap(), dir.path(), words, end, step);
-    (seen, dir)
-}
-
-#[test]
-fn an_undo_that_is_interrupted_before_its_first_write_has_changed_nothing_and_says_so() {
-    let (mut before, mut between, mut on_its_way) = (0, 0, 0);
-    for step in 1..40 {
-        let (seen, _dir) = on_act("undo {dir}/u.toml", End::Wish, step);
-        let (worn, ended) = (seen.bench.totals().eeprom_writes, seen.load.as_ref().and_then(|load| load.ended));
-        let Some(failure) = seen.failure else { continue };
-        match (worn, failure.class.exit()) {
-            (0, 130) => {
-                before += 1;
-                assert!(matches!(ended, None | Some(LoadEnd::Untouched)), "{step}: {ended:?}");
-                assert!(!failure.message.en.contains("may not be as before"), "{step}: {failure:?}");
-            }
-            // The first write is on the line: nobody knows whether it has come.
-            (_, 9) => {
-                on_its_way += usize::from(worn == 0);
-                between += 1;
-                assert_eq!(ended, Some(LoadEnd::Torn), "{step}");
-            }
-            other => panic!("{step}: {other:?} {failure:?}"),
-        }
-    }
-    assert!(before > 5 && between > on_its_way && on_its_way < 3, "{before} {between} {on_its_way}");
-}
-
-#[test]
-fn what_a_save_has_read_stays_and_is_never_called_whole() {
-    for (model, from) in [("act", 14), ("lxm05", 8)] {
-        let case = Case { model, keys: "", options: "", ram: false };
-        let mut held = Vec::new();
-        for step in (from..60).step_by(3) {
-            for end in [End::Killed, End::Wish] {
-                let (seen, dir) = on(case, "save {dir}/x.toml", end, step);
-                let part = std::fs::read_to_string(dir.path().join("x.toml.part"));
-                if dir.path().join("x.toml").exists() {
-                    continue;
-                }
-                let Ok(part) = part else {
-                    assert!(end == End::Wish || step < 12, "{model} {end:?} {step}");
-                    continue;
-                };
-                assert!(part.contains("complete = false"), "{model} {end:?} {step}: {part}");
-                let values = part.split("[values]").nth(1).unwrap().lines().count();
-                if end == End::Wish {
-                    assert!(seen.failure.is_some_and(|failure| failure.class.exit() == 130), "{model} {step}");
-                    held.push(values);
-                }
-            }
-        }
-        assert!(held.windows(2).all(|pair| pair[0] <= pair[1]) && held.iter().any(|values| *values > 5), "{held:?}");
-        // Three questions are for who it is; of what every further one brought nothing is lost.
-        assert!(held.first().is_some_and(|values| *values > 0) && held.len() > 3, "{model}: {held:?}");
-    }
-}
-
-#[test]
-fn a_way_back_over_a_line_that_falls_silent_ends_soon_and_calls_restored_only_what_it_saw() {
-    let mut ends = std::collections::BTreeSet::new();
-    for step in 10..70 {
-        let silent = format!("[[drive.event]]\nafter_telegrams = {step}\nsilent = \"10h\"\n");
-        // The last of its values is refused: all of it goes back.
-        let keys = format!("[[drive.event]]\nafter_telegrams = 1\nrefuses = {}\n{silent}", 2 << 12 | 480);
-        let case = Case { model: "act", keys: Box::leak(keys.into_boxed_str()), options: "", ram: false };
-        let (seen, _dir) = on(case, "load {dir}/f.toml", End::Whole, 0);
-        let load = seen.load.unwrap();
-        let drive = seen.bench.drives().next().unwrap();
-        for row in load.values.iter().filter(|row| row.result == WriteResult::Restored) {
-            assert_eq!(drive.eeprom(row.param, row.data_set), row.old_raw, "{step}: P.{}@{}", row.param, row.data_set);
-        }
-        let exit = seen.failure.map(|failure| failure.class.exit());
-        assert!(seen.at < Tick::ZERO + Span::from_secs(60), "{step}: {:?}", seen.at);
-        assert!(load.ended != Some(LoadEnd::Torn) || exit == Some(9), "{step}: {exit:?}");
-        ends.insert(format!("{:?} {exit:?}", load.ended));
-    }
-    assert!(ends.contains("Some(Torn) Some(9)") && ends.contains("Some(Back) Some(9)"), "{ends:?}");
 }

@@ -1,0 +1,135 @@
+//! A run of `dataset` on a drive of its own in virtual time, and how it is brought to its end.
+//!
+//! Ctrl-C and SIGTERM are one wish to end here; a kill -9 is a program that is gone between two telegrams.
+
+use crate::agreeable::Agreeable;
+use antrieb::args::{Environment, Globals, Settings};
+use antrieb::command::{Context, dataset};
+use antrieb::drive::Interrupt;
+use antrieb::failure::Failure;
+use antrieb::outcome::{Data, Event, Load, Outcome};
+use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
+use antrieb::tick::Tick;
+use antrieb::transport::witness;
+use clap::Parser;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::Path;
+
+#[derive(Parser)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+    #[command(flatten)]
+    globals: Globals,
+}
+
+#[derive(clap::Subcommand)]
+enum Verb {
+    Dataset(dataset::Args),
+}
+
+/// A drive, and how it is reached.
+#[derive(Clone, Copy)]
+pub(super) struct Case {
+    pub(super) model: &'static str,
+    pub(super) keys: &'static str,
+    pub(super) options: &'static str,
+    pub(super) ram: bool,
+}
+
+/// How a load is brought to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// By itself.
+    Whole,
+    /// Ctrl-C, SIGTERM.
+    Wish,
+    /// That, and once more a few telegrams later.
+    Twice,
+    /// The adapter is pulled.
+    Pulled,
+    /// The drive loses its power for a moment.
+    Power,
+    /// The line is dead for so long, ms.
+    Silent(u64),
+    /// The drive refuses one of the values from then on.
+    Refuses,
+    /// kill -9.
+    Killed,
+}
+
+/// What came of a run.
+pub(super) struct Seen {
+    pub(super) telegrams: usize,
+    pub(super) sent: usize,
+    pub(super) load: Option<Load>,
+    pub(super) failure: Option<Failure>,
+    pub(super) warnings: String,
+    pub(super) killed: bool,
+    pub(super) bench: Bench,
+    pub(super) at: Tick,
+}
+
+impl Case {
+    pub(super) fn bench(&self, end: End, step: usize, victim: (u32, u8)) -> String {
+        let event = |what: &str| format!("[[drive.event]]\nafter_telegrams = {step}\n{what}\n");
+        let ram = u32::from(self.ram) * 5;
+        let place = match self.model {
+            "lxm05" => victim.0,
+            _ => (u32::from(victim.1.max(1)) + ram) << 12 | victim.0,
+        };
+        let event = match end {
+            End::Power => event("power_cycle = true"),
+            End::Silent(ms) => event(&format!("silent = \"{ms}ms\"")),
+            End::Refuses => event(&format!("refuses = {place}")),
+            _ => String::new(),
+        };
+        format!("[[drive]]\nmodel = \"{}\"\n{}\n{event}", self.model, self.keys)
+    }
+
+    /// Runs what is typed behind `dataset`.
+    pub(super) fn run(&self, registry: &Registry, dir: &Path, words: &str, end: End, step: usize) -> Seen {
+        let line = format!(
+            "antrieb -p sim:{0}/bench.toml --drive {1} -a 1 --yes {2} dataset {words}",
+            dir.display(),
+            self.model,
+            self.options
+        );
+        let cli = Cli::parse_from(line.replace("{dir}", &dir.display().to_string()).split_whitespace());
+        let environment = Environment { directory: dir.to_owned(), ..Environment::default() };
+        let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
+        let (interrupt, mut telegrams) = (Interrupt::default(), 0);
+        let mut sent = 0;
+        let wish = interrupt.clone();
+        let mut observe = |event: Event| {
+            if let Event::Telegram { direction, .. } = event {
+                telegrams += 1;
+                sent += usize::from(direction == '>');
+                match end {
+                    End::Wish | End::Twice if telegrams == step => wish.press(),
+                    End::Twice if telegrams == step + 5 => wish.press(),
+                    End::Killed if telegrams == step => resume_unwind(Box::new("kill -9")),
+                    _ => {}
+                }
+            }
+        };
+        witness::call(true);
+        witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
+        let mut ask = Agreeable;
+        let mut context = Context { settings: &settings, registry, ask: &mut ask, observe: &mut observe, interrupt };
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        let Verb::Dataset(args) = &cli.verb;
+        let ended = catch_unwind(AssertUnwindSafe(|| runtime.block_on(dataset::run(args, &mut context))));
+        witness::pull_after(None);
+        let killed = ended.is_err();
+        let outcome = ended.unwrap_or_else(|_| Ok(Outcome::default())).unwrap_or_else(Outcome::from);
+        let warnings = outcome.warnings.iter().map(|warning| warning.message.en.to_string()).collect();
+        let load = match outcome.data {
+            Some(Data::Load(load)) => Some(load),
+            _ => None,
+        };
+        let (bench, at) = witness::left().unwrap_or_else(|| panic!("{words}: {:?}", outcome.failure));
+        Seen { telegrams, sent, load, failure: outcome.failure, warnings, killed, bench, at }
+    }
+}
