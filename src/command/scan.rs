@@ -6,13 +6,13 @@ mod resume;
 use super::Context;
 use super::verb::{Flow, Verb, Working};
 use crate::args::{Addresses, Settings, Takes, parse_span};
-use crate::drive::plant::side_by_side;
 use crate::drive::{First, Manner, Port, ScanPlan, ScanResult, Unknown, Upper, open_port, scan};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Event, OrPlan, OrRecord, Outcome, Plan, Scan, SearchNews};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
+use futures_util::future::join_all;
 use report::report;
 use resume::{asked_before, earlier, goes_on};
 use std::cell::RefCell;
@@ -225,7 +225,7 @@ async fn search_all(
             Ok(scan(&mut session, &plan, registry).await)
         }
     });
-    side_by_side(searches.collect()).await
+    join_all(searches).await
 }
 
 /// What happens on one of several ports, with its name.

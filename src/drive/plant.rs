@@ -17,9 +17,7 @@ use crate::profile::paramfile::Head;
 use crate::text::both;
 use std::cell::Cell;
 use std::path::PathBuf;
-use std::pin::pin;
 use std::rc::Rc;
-use std::task::Poll;
 
 /// A drive of a plant: who it shall be, what it shall have, and what became of that.
 #[derive(Debug)]
@@ -237,21 +235,4 @@ impl Member<'_> {
         self.applied = Some(Done { applied, undo_file, taken_back: None });
         Ok(failures)
     }
-}
-
-/// Runs futures at once on this thread; their results in the same order.
-pub async fn side_by_side<F: Future>(futures: Vec<F>) -> Vec<F::Output> {
-    let mut running: Vec<_> = futures.into_iter().map(|future| (Box::pin(future), None)).collect();
-    let all = std::future::poll_fn(|context| {
-        let mut is_over = true;
-        for (future, output) in running.iter_mut().filter(|(_, output)| output.is_none()) {
-            match future.as_mut().poll(context) {
-                Poll::Ready(value) => *output = Some(value),
-                Poll::Pending => is_over = false,
-            }
-        }
-        if is_over { Poll::Ready(()) } else { Poll::Pending }
-    });
-    pin!(all).await;
-    running.into_iter().filter_map(|(_, output)| output).collect()
 }

@@ -6,13 +6,14 @@ use crate::args::Takes;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, asking};
-use crate::drive::plant::{Line, Member, Together, side_by_side};
+use crate::drive::plant::{Line, Member, Together};
 use crate::drive::{Upper, job};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
 use crate::outcome::{Document, Outcome, Plant, WriteResult};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
+use futures_util::future::join_all;
 use std::cell::Cell;
 
 /// Writes what antrieb.toml says into its drives, with one question.
@@ -58,16 +59,16 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     let settings = context.settings;
     let together = Together { interrupt: context.interrupt.clone(), atomic: args.atomic, failed: Cell::new(false) };
     on_lines(context, &wanted, async |lines, ask| {
-        side_by_side(lines.iter_mut().map(|line| line.look(Args::UPPER)).collect()).await;
+        join_all(lines.iter_mut().map(|line| line.look(Args::UPPER))).await;
         leave_forbidden(lines);
         if args.atomic {
             leave_all(lines);
         }
         if let Some(question) = question(&wanted, lines).filter(|_| !together.interrupt.is_raised()) {
             let permit = asking::off_line(&together.interrupt, ask, &question).await?;
-            side_by_side(lines.iter_mut().map(|line| line.apply(&permit, &together)).collect()).await;
+            join_all(lines.iter_mut().map(|line| line.apply(&permit, &together))).await;
             if args.atomic && together.failed.get() {
-                side_by_side(lines.iter_mut().map(|line| line.take_back(&permit)).collect()).await;
+                join_all(lines.iter_mut().map(|line| line.take_back(&permit))).await;
             }
         }
         Ok(told::plant(settings, &wanted, lines, together.interrupt.is_raised()))

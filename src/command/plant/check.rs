@@ -8,13 +8,14 @@ use crate::command::dataset::weighing::{Weighed, against_target};
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, read_question, telegram_reader};
 use crate::drive::paramfile::of_file;
-use crate::drive::plant::{Line, side_by_side};
+use crate::drive::plant::Line;
 use crate::drive::transaction::{Choice, NO_VALUES};
 use crate::drive::{Upper, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Event, OrPlan, Outcome, Plan, PlantCheck, PlantComparison};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
+use futures_util::future::join_all;
 
 /// Holds the drives of antrieb.toml against their files; 1 if one differs.
 ///
@@ -76,7 +77,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
             rest = others;
             works.push(weigh(line, own));
         }
-        side_by_side(works).await
+        join_all(works).await
     });
     let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
     Ok(report(project(settings), &wanted, weighed))

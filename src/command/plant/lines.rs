@@ -6,7 +6,7 @@ use crate::command::dataset::opened::Opened;
 use crate::command::scan::of_port;
 use crate::command::{Context, open};
 use crate::drive::job::Step;
-use crate::drive::plant::{Line, Member, side_by_side};
+use crate::drive::plant::{Line, Member};
 use crate::drive::transaction::Choice;
 use crate::drive::{Interrupt, Port, Terms, open_port};
 use crate::failure::{Class, Failure};
@@ -14,6 +14,7 @@ use crate::gate::Ask;
 use crate::outcome::{Event, NotLoaded};
 use crate::profile::Registry;
 use crate::text::{Text, both};
+use futures_util::future::join_all;
 use std::cell::RefCell;
 
 /// A drive of the project file, and what its parameter files want.
@@ -149,7 +150,7 @@ pub(super) async fn on_lines<R>(
         let members = std::mem::take(members);
         async move { line(port, settings, members, (registry, interrupt), tell).await }
     });
-    let mut lines = side_by_side(opened.collect()).await;
+    let mut lines = join_all(opened).await;
     Ok(work(&mut lines, *ask).await)
 }
 

@@ -7,10 +7,10 @@ use crate::command::Context;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::drive::Upper;
-use crate::drive::plant::side_by_side;
 use crate::failure::Failure;
 use crate::outcome::{Document, Outcome, Plant};
 use clap::Args as ClapArgs;
+use futures_util::future::join_all;
 
 /// Shows what `apply` would write; 1 if something would change.
 ///
@@ -47,7 +47,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     }
     let settings = context.settings;
     on_lines(context, &wanted, async |lines, _| {
-        side_by_side(lines.iter_mut().map(|line| line.look(Args::UPPER)).collect()).await;
+        join_all(lines.iter_mut().map(|line| line.look(Args::UPPER))).await;
         leave_forbidden(lines);
         told::plant(settings, &wanted, lines, false)
     })

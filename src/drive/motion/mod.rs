@@ -46,10 +46,8 @@ use crate::profile::{Blind, Mode, Need, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use changes::Taken;
-use std::future::poll_fn;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::pin::pin;
-use std::task::Poll;
+use futures_util::FutureExt as _;
+use std::panic::AssertUnwindSafe;
 use still::Sight;
 use watchdog::guard;
 
@@ -249,7 +247,7 @@ impl<'a, 's> Motor<'a, 's> {
         work: impl AsyncFnOnce(&mut Self) -> Result<T, Failure>,
     ) -> Ended<T> {
         (self.stops, self.bounded) = (Some(choice), hold);
-        let result = catching(work(self)).await.unwrap_or_else(|| {
+        let result = AssertUnwindSafe(work(self)).catch_unwind().await.unwrap_or_else(|_panic| {
             let text = both!(
                 "a bug of ours ended the run; the drive was stopped as chosen",
                 "ein Fehler dieses Programms beendete den Lauf; der Antrieb wurde wie gewählt angehalten"
@@ -414,15 +412,4 @@ impl<'a, 's> Motor<'a, 's> {
     fn failure(&self, error: &AccessError) -> Failure {
         error.failure(self.target.address, Some(&self.target.family))
     }
-}
-
-/// Runs a future; `None` if it panics.
-async fn catching<T>(future: impl Future<Output = T>) -> Option<T> {
-    let mut future = pin!(future);
-    poll_fn(|context| match catch_unwind(AssertUnwindSafe(|| future.as_mut().poll(context))) {
-        Ok(Poll::Ready(value)) => Poll::Ready(Some(value)),
-        Ok(Poll::Pending) => Poll::Pending,
-        Err(_panic) => Poll::Ready(None),
-    })
-    .await
 }
