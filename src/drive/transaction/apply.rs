@@ -2,7 +2,7 @@
 
 use super::back::put_back;
 use super::ended::{Applied, untouched};
-use super::meanwhile::still_stands;
+use super::meanwhile::{still_stands, still_stands_at};
 use super::plan::{Kept, Plan, is_touched};
 use super::proof::{in_force, look};
 use super::running::standstill;
@@ -68,7 +68,8 @@ async fn forward(
         }
         session.tell(writing(done, total, &step));
         done += 1;
-        // Somebody may start it at any moment.
+        // Somebody may change it, or start the shaft, at any moment.
+        still_stands_at(session, plan, index).await?;
         plan.shaft.allows(session, &mut plan.job.target, &step.param).await?;
         plan.shaft.writes(&plan.job.target, &step.param);
         let Some(row) = plan.job.rows.get_mut(index) else { break };
@@ -169,7 +170,7 @@ async fn prove(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure
                 let failure = now.map_or_else(|failure| failure, |now| changed_since(step, now));
                 // What was not written stays so; what was is put back.
                 let was_written = row.result != WriteResult::Unchanged;
-                row.result = if was_written { WriteResult::Differs } else { WriteResult::Skipped };
+                row.result = if was_written { row.result } else { WriteResult::Skipped };
                 row.error = Some(ErrorDoc::from(&failure));
                 Some(failure)
             }

@@ -3,12 +3,12 @@
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
 use super::ended::{Applied, untouched};
-use super::meanwhile::still_stands;
+use super::meanwhile::{THEIRS, is_ours, still_stands};
 use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::proof::{in_force, look};
 use super::running::{RUNNING, standstill};
 use crate::drive::job::{self, Job, Step};
-use crate::drive::stands::stands_at;
+use crate::drive::stands::{stands, stands_at};
 use crate::drive::{Order, Session, WriteFate, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
@@ -226,7 +226,7 @@ enum Came {
     Back,
 }
 
-/// Brings one value back, unless it stands there already.
+/// Brings one value back, unless it stands there already; of four that were one, and are not any more, each that needs it.
 async fn restore(
     session: &mut Session<'_>,
     plan: &mut Plan,
@@ -234,17 +234,40 @@ async fn restore(
     permit: &Permit<Writing>,
     is_begun: &mut bool,
 ) -> Result<Came, Failure> {
+    let (mut came, mut stays) = (Came::Stood, None);
+    for (set, now) in stands(session, &mut plan.job.target, &kept.param, &[kept.set]).await? {
+        let (kept, now) = (Kept { set, ..kept.clone() }, now?);
+        if now == kept.raw {
+            continue;
+        }
+        // What somebody else has set since is his; the others go back all the same.
+        match is_ours(session, plan, &kept, now).await {
+            Err(failure) if failure.code == THEIRS => stays = stays.or(Some(failure)),
+            Err(failure) => return Err(failure),
+            Ok(()) => {
+                bring(session, plan, &kept, permit, is_begun).await?;
+                came = Came::Back;
+            }
+        }
+    }
+    let is_blind = plan.blind.iter().any(|blind| (blind.param.id, blind.set) == (kept.param.id, kept.set));
+    match stays {
+        Some(failure) => Err(failure),
+        None if is_blind && came == Came::Stood => Err(unshown(kept)),
+        None => Ok(came),
+    }
+}
+
+/// Writes one value as it was, and proves it.
+async fn bring(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    kept: &Kept,
+    permit: &Permit<Writing>,
+    is_begun: &mut bool,
+) -> Result<(), Failure> {
     let Kept { param, set, raw } = kept;
     let target = &mut plan.job.target;
-    let stands = match stands_at(session, target, param, *set).await {
-        // Four that were one, and are not any more.
-        Err(failure) if failure.class == Class::Refused && set.is_multiple_of(DataSets::RAM_OFFSET) => false,
-        now => now? == *raw,
-    };
-    let is_blind = plan.blind.iter().any(|blind| (blind.param.id, blind.set) == (param.id, *set));
-    if stands {
-        return if is_blind { Err(unshown(kept)) } else { Ok(Came::Stood) };
-    }
     plan.shaft.allows(session, target, param).await?;
     let address = target.address;
     let kind = target.width(session, param, *set).await;
@@ -254,7 +277,7 @@ async fn restore(
         Err(error) => Err(error),
     };
     match fate {
-        Ok(WriteFate::Verified) => Ok(Came::Back),
+        Ok(WriteFate::Verified) => Ok(()),
         Ok(WriteFate::Unknown(error)) | Err(error) => {
             Err(error.failure(address, Some(&target.family)).with("param", param.id))
         }

@@ -1,6 +1,6 @@
-//! What happened between the plan and its first write, such as while a question stood.
+//! What somebody else changed between the plan and a write, such as while a question stood: that is his, there and back.
 
-use super::plan::{Kept, Plan};
+use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::weigh::place;
 use crate::drive::Session;
 use crate::drive::job::Step;
@@ -20,21 +20,7 @@ use std::collections::BTreeMap;
 pub(super) async fn still_stands(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
     let mut failures = Vec::new();
     for group in plan.groups(|row| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged)) {
-        let steps: Vec<(usize, Step)> =
-            group.into_iter().filter_map(|index| Some((index, plan.job.steps.get(index)?.clone()))).collect();
-        let Some(param) = steps.first().map(|(_, step)| step.param.clone()) else { continue };
-        let sets: Vec<u8> = steps.iter().map(|(_, step)| step.set).collect();
-        let target = &mut plan.job.target;
-        let mut now: BTreeMap<u8, i64> = BTreeMap::new();
-        for (set, told) in stands(session, target, &param, &sets).await? {
-            now.extend(told.ok().map(|raw| (set, raw)));
-        }
-        now.extend(in_ram(session, target, &param, &sets).await?);
-        for (index, step) in &steps {
-            let behind: Vec<Kept> = plan.behind(step).cloned().collect();
-            let Some(row) = plan.job.rows.get_mut(*index) else { continue };
-            failures.extend(changed(row, step, &behind, &now));
-        }
+        failures.extend(compared(session, plan, group).await?);
     }
     let count = failures.len();
     let Some(first) = failures.into_iter().next() else { return Ok(()) };
@@ -50,28 +36,136 @@ pub(super) async fn still_stands(session: &mut Session<'_>, plan: &mut Plan) -> 
     Err(Failure { message, ..first })
 }
 
+/// Looks at one place right before it is written. Behind a value that changes others nobody knows which those are (P.30: no source
+/// tells), and whose doing it is.
+///
+/// # Errors
+/// As [`still_stands`].
+pub(super) async fn still_stands_at(session: &mut Session<'_>, plan: &mut Plan, index: usize) -> Result<(), Failure> {
+    if plan.altering().next().is_some() {
+        return Ok(());
+    }
+    compared(session, plan, vec![index]).await?.into_iter().next().map_or(Ok(()), Err)
+}
+
+/// What changed at these places of one parameter.
+async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>) -> Result<Vec<Failure>, Failure> {
+    let mut failures = Vec::new();
+    let steps: Vec<(usize, Step)> =
+        group.into_iter().filter_map(|index| Some((index, plan.job.steps.get(index)?.clone()))).collect();
+    let Some(param) = steps.first().map(|(_, step)| step.param.clone()) else { return Ok(failures) };
+    let sets: Vec<u8> = steps.iter().map(|(_, step)| step.set).collect();
+    let target = &mut plan.job.target;
+    let mut now: BTreeMap<u8, i64> = BTreeMap::new();
+    for (set, told) in stands(session, target, &param, &sets).await? {
+        now.extend(told.ok().map(|raw| (set, raw)));
+    }
+    now.extend(in_ram(session, target, &param, &sets).await?);
+    for (index, step) in &steps {
+        let behind: Vec<Kept> = plan.behind(step).cloned().collect();
+        let Some(row) = plan.job.rows.get_mut(*index) else { continue };
+        failures.extend(changed(row, step, &behind, &now));
+    }
+    Ok(failures)
+}
+
 /// What stands at a place or behind it in the RAM, if that is not what was planned with.
 fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &BTreeMap<u8, i64>) -> Option<Failure> {
     let stored = row.old_raw.map(|raw| (step.set, raw));
     let planned = stored.into_iter().chain(behind.iter().map(|kept| (kept.set, kept.raw)));
     let (set, then) = planned.into_iter().find(|(set, raw)| now.get(set) != Some(raw))?;
     // Where all four were told as one, it is one of them now.
-    let single = || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| now.get(&set));
-    let found = now.get(&set).or_else(|| single().find(|raw| **raw != then));
-    let now = found.map_or_else(|| "?".to_owned(), |raw| value_text(&step.param, *raw));
+    let single = || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| Some((set, *now.get(&set)?)));
+    let found = now.get(&set).map(|raw| (set, *raw)).or_else(|| single().find(|(_, raw)| *raw != then));
+    let at = Step { set: found.map_or(set, |(set, _)| set), ..step.clone() };
+    let now = found.map_or_else(|| "?".to_owned(), |(_, raw)| value_text(&step.param, raw));
     let ram = if set >= DataSets::RAM_OFFSET { " (RAM)" } else { "" };
     let message = both!(
         "{label}{ram} was {then} when it was asked about, and is {now} now",
         "{label}{ram} war {then}, als danach gefragt wurde, und ist jetzt {now}",
-        label = place(step),
+        label = place(&at),
         then = value_text(&step.param, then)
     );
     let failure = Failure::new(Class::Forbidden, "forbidden.changed_meanwhile", message)
         .with("param", step.param.id)
         .hint(both!(
-            "somebody else writes it too; the same command again shows what stands there now, and asks again",
-            "jemand anders schreibt ihn auch; derselbe Befehl zeigt, was jetzt dort steht, und fragt noch einmal"
+            "somebody else writes it too, or the drive lost its power; the same command again shows what stands there now, and asks again",
+            "jemand anders schreibt ihn auch, oder der Antrieb war ohne Spannung; derselbe Befehl zeigt, was jetzt dort steht, und fragt noch \
+             einmal"
         ));
     (row.result, row.error) = (WriteResult::Skipped, Some(ErrorDoc::from(&failure)));
     Some(failure)
+}
+
+impl Plan {
+    /// Numbers of what was written and changes others.
+    fn altering(&self) -> impl Iterator<Item = u32> {
+        let rules = &self.job.target.family.files;
+        let touched = self.job.steps.iter().zip(&self.job.rows).filter(|(_, row)| is_touched(row));
+        touched.map(|(step, _)| step.param.id).filter(|id| rules.altered_by(*id).next().is_some())
+    }
+
+    /// Whether a value can be the doing of this transaction, of the drive behind it, or of a power loss.
+    fn is_own(&self, place: &Kept, now: i64) -> bool {
+        let Kept { param, set, raw } = place;
+        let rules = &self.job.target.family.files;
+        let alters = |id| rules.altered_by(id).any(|altered| altered == param.id);
+        // What a drive makes of a value that it does not take as it is nobody else has written.
+        let by_row = |(step, row): (&Step, &Written)| {
+            let is_of_it = step.param.id == param.id && (covers(step.set, *set) || lies_behind(*set, step.set));
+            is_of_it && (step.raw == now || row.old_raw == Some(now) || row.result == WriteResult::Differs)
+        };
+        let stood = |kept: &Kept| kept.param.id == param.id && covers(kept.set, *set) && kept.raw == now;
+        let loses = |kept: &Kept| kept.param.id == param.id && lies_behind(*set, kept.set) && kept.raw == now;
+        now == *raw
+            || self.altering().any(alters)
+            || self.job.steps.iter().zip(&self.job.rows).any(by_row)
+            || self.in_force.iter().any(stood)
+            || self.beneath.iter().any(loses)
+    }
+}
+
+/// Whether two data sets as on the wire have a cell in common.
+fn covers(one: u8, other: u8) -> bool {
+    let is_ram = |set: u8| set >= DataSets::RAM_OFFSET;
+    is_ram(one) == is_ram(other) && (one == other || one.is_multiple_of(5) || other.is_multiple_of(5))
+}
+
+/// Whether a place is in the RAM, and this stored one beneath it.
+fn lies_behind(set: u8, stored: u8) -> bool {
+    set >= DataSets::RAM_OFFSET && stored < DataSets::RAM_OFFSET && (is_behind(set, stored) || set.is_multiple_of(5))
+}
+
+/// Refuses to write over what somebody else has set since, also in the RAM, over which a write to the EEPROM goes too.
+///
+/// # Errors
+/// It is somebody else's, or the RAM does not come.
+pub(super) async fn is_ours(
+    session: &mut Session<'_>,
+    plan: &mut Plan,
+    place: &Kept,
+    now: i64,
+) -> Result<(), Failure> {
+    let beneath = in_ram(session, &mut plan.job.target, &place.param, &[place.set]).await?;
+    let all = [(place.set, now)].into_iter().chain(beneath);
+    let mut kept = all.map(|(set, now)| (Kept { set, ..place.clone() }, now));
+    kept.find(|(kept, now)| !plan.is_own(kept, *now)).map_or(Ok(()), |(kept, now)| Err(theirs(&kept, now)))
+}
+
+/// The code of a value that stays, because somebody has changed it since.
+pub const THEIRS: &str = "partial.changed_since";
+
+fn theirs(kept: &Kept, now: i64) -> Failure {
+    let ram = if kept.set >= DataSets::RAM_OFFSET { "ram" } else { "" };
+    let message = both!(
+        "{label}@{set}{ram} reads as {now}, which is not what was written and not what stood there before ({before}): somebody has \
+         changed it since, and it stays",
+        "{label}@{set}{ram} liest sich als {now}; das wurde nicht geschrieben und stand vorher nicht dort ({before}): jemand hat es \
+         seitdem geändert, und es bleibt",
+        label = kept.param.label(),
+        set = kept.set % 5,
+        now = value_text(&kept.param, now),
+        before = value_text(&kept.param, kept.raw)
+    );
+    Failure::new(Class::Partial, THEIRS, message).with("param", kept.param.id)
 }

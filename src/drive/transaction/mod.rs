@@ -22,6 +22,7 @@ pub use apply::apply;
 pub use back::{STORE, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
+pub use meanwhile::THEIRS;
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
 pub use undo_file::{Coming, UndoFile, plan_back, steps_back};

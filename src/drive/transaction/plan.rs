@@ -5,7 +5,7 @@ use super::running::{Shaft, standstill};
 use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, weigh};
 use crate::drive::job::{Job, Step};
 use crate::drive::stands::{has_ram, in_ram, stands};
-use crate::drive::{Session, Target, Terms, describe};
+use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, WriteResult, Written};
 use crate::profile::{DataSets, Family, Param, Sets, Store};
@@ -21,6 +21,8 @@ pub struct Plan {
     pub(super) watched: Vec<Kept>,
     /// What stands in the RAM behind the places that are stored: a write to the EEPROM goes over it too.
     pub(super) in_force: Vec<Kept>,
+    /// What is stored beneath places that are written in the RAM alone: a power loss brings it.
+    pub(super) beneath: Vec<Kept>,
     /// Somewhere the RAM holds something else than what is told as stored, so this drive tells the two apart.
     tells_apart: bool,
     /// Who started the shaft, if it runs.
@@ -164,6 +166,7 @@ pub(super) async fn prepare(
         };
         let told: Vec<u8> = old.iter().filter(|(_, raw)| raw.is_ok()).map(|(set, _)| *set).collect();
         let ram = in_ram(session, target, &param, &told).await?;
+        plan.look_beneath(session, &param, &told).await?;
         plan.take(session, terms, purpose, spread(group, &old), &Stand { old, ram });
     }
     plan.watch(session).await?;
@@ -183,6 +186,7 @@ impl Plan {
             job: Job { target, steps: Vec::new(), rows: Vec::new() },
             watched: Vec::new(),
             in_force: Vec::new(),
+            beneath: Vec::new(),
             tells_apart: false,
             shaft: Shaft::default(),
             blind: Vec::new(),
@@ -259,10 +263,25 @@ fn reading_of(done: u64, total: u64, param: &Param) -> Event {
 }
 
 impl Plan {
+    /// Reads what is stored beneath these places of the RAM.
+    async fn look_beneath(&mut self, session: &mut Session<'_>, param: &Param, sets: &[u8]) -> Result<(), Failure> {
+        let target = &mut self.job.target;
+        let stored = sets.iter().filter_map(|set| set.checked_sub(DataSets::RAM_OFFSET));
+        let stored: Vec<u8> = stored.filter(|set| has_ram(target, param, *set)).collect();
+        match stands(session, target, param, &stored).await {
+            Err(failure) if is_over(&failure) => return Err(failure),
+            found => {
+                let told = found.unwrap_or_default().into_iter().filter_map(|(set, raw)| Some((set, raw.ok()?)));
+                self.beneath.extend(told.map(|(set, raw)| Kept { param: param.clone(), set, raw }));
+            }
+        }
+        Ok(())
+    }
+
     /// Reads what the drive may change by itself behind the values that are going to be written.
     async fn watch(&mut self, session: &mut Session<'_>) -> Result<(), Failure> {
         let family = self.job.target.family.clone();
-        for (id, ram) in self.altering() {
+        for (id, ram) in self.alters() {
             for param in family.files.altered_by(id).filter_map(|id| family.param(id)) {
                 let first = if ram { 5 } else { 0 };
                 let sets: Vec<u8> = if in_sets(param) { (first + 1..=first + 4).collect() } else { vec![first] };
@@ -277,7 +296,7 @@ impl Plan {
     }
 
     /// The parameters that are going to be written and change others, and whether in RAM only.
-    fn altering(&self) -> Vec<(u32, bool)> {
+    fn alters(&self) -> Vec<(u32, bool)> {
         let rules = &self.job.target.family.files;
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let todo = rows.filter(|(_, row)| row.result == WriteResult::Planned);
