@@ -103,6 +103,18 @@ impl Line<'_> {
         session.end_at(None);
     }
 
+    /// Looks behind the question at every drive once more, before anything is begun with any; one that may not be written to any
+    /// more is left out.
+    pub async fn look_again(&mut self) {
+        let Some(session) = &mut self.session else { return };
+        for member in self.members.iter_mut().filter(|member| member.is_due()) {
+            let Some(found) = &mut member.found else { continue };
+            if let Err(failure) = transaction::still_may(session, &mut found.plan).await {
+                member.leave(failure);
+            }
+        }
+    }
+
     /// Gives every drive its values, in turn. Whatever ends a transaction early, its drive is put back.
     pub async fn apply(&mut self, permit: &Permit<Writing>, together: &Together) {
         let Some(session) = &mut self.session else { return };

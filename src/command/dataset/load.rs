@@ -7,7 +7,7 @@ use super::scope::Scope;
 use crate::args::Settings;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
 use crate::drive::paramfile::head;
-use crate::drive::transaction::{self, Plan, UndoFile, fits};
+use crate::drive::transaction::{self, Applied, Plan, UndoFile, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
@@ -116,7 +116,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     }
     let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
         Some(permit) => Some(transaction::undo(&mut session, &mut plan, &permit).await),
-        None => None,
+        None => Some(transaction::not_shown(&mut plan)).filter(|failures| !failures.is_empty()).map(Applied::torn),
     };
     Ok(undone_outcome(report, plan, theirs, undone))
 }

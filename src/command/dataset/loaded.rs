@@ -2,7 +2,7 @@
 
 use crate::command::{Context, terms, write};
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, Plan, STORE};
+use crate::drive::transaction::{Applied, NOT_SHOWN, Plan, STORE, THEIRS, switch_off};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
@@ -200,6 +200,7 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
         notes.into_iter().map(|message| Warning { code: "load.altered".to_owned(), message }).collect();
     let is_of_ram = plan.is_of_ram();
     let is_lost = failures.iter().any(|failure| !is_of_ram && failure.context.contains(&(STORE, "ram".to_owned())));
+    let kinds: Vec<String> = failures.iter().skip(1).map(|failure| failure.code.clone()).collect();
     let mut failures = failures.into_iter();
     let failure = failures.next().map(|first| {
         let why = first.message.clone();
@@ -216,7 +217,7 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
                 ),
                 both!("mend that and load it again", "das beheben und noch einmal laden"),
             ),
-            LoadEnd::Torn => partial(first, "partial.torn", unlike(&why, failures.len()), by_undo(left, is_lost)),
+            LoadEnd::Torn => partial(first, "partial.torn", unlike(&why, failures.len()), by_undo(left, &kinds, is_lost)),
         }
     });
     let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });
@@ -225,8 +226,17 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
 }
 
 /// What takes back what did not come back; an undo file knows only what is stored.
-fn by_undo(left: &Path, is_lost: bool) -> Text {
+fn by_undo(left: &Path, kinds: &[String], is_lost: bool) -> Text {
     let file = left.display();
+    if !kinds.is_empty() && kinds.iter().all(|code| code == NOT_SHOWN) {
+        return switch_off();
+    }
+    if kinds.iter().any(|code| code == THEIRS) {
+        return both!(
+            "what somebody has changed stays: `antrieb dataset undo {file}` brings back the rest, with --force that too",
+            "was jemand geändert hat, bleibt: `antrieb dataset undo {file}` holt das Übrige zurück, mit --force auch das"
+        );
+    }
     match is_lost {
         false => both!(
             "`antrieb dataset undo {file}` brings them back once the drive answers",

@@ -66,6 +66,10 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         }
         if let Some(question) = question(&wanted, lines).filter(|_| !together.interrupt.is_raised()) {
             let permit = asking::off_line(&together.interrupt, ask, &question).await?;
+            if args.atomic {
+                join_all(lines.iter_mut().map(Line::look_again)).await;
+                leave_all(lines);
+            }
             join_all(lines.iter_mut().map(|line| line.apply(&permit, &together))).await;
             if args.atomic && together.failed.get() {
                 join_all(lines.iter_mut().map(|line| line.take_back(&permit))).await;

@@ -20,9 +20,13 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
         failures.extend(told.failure.map(|failure| (called.clone(), failure)));
         drives.push(PlantDrive { called, port, state, load: told.load, error });
     }
-    let is_torn = drives.iter().any(|row| row.state == PlantState::Torn);
-    let failure =
-        summary(failures, drives.len(), is_torn).map(|failure| if is_over { interrupted(failure) } else { failure });
+    let of = |state| drives.iter().any(|row| row.state == state);
+    let (is_torn, is_back) = (of(PlantState::Torn), of(PlantState::Back));
+    let failure = summary(failures, drives.len(), is_torn || is_back).map(|failure| Failure {
+        message: if is_back && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
+        ..failure
+    });
+    let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
     let failure = failure.or_else(|| not_yet(&drives));
     Outcome { data: Some(Data::Plant(Plant { project: project(settings), dry_run: false, drives })), warnings, failure }
 }
@@ -80,6 +84,17 @@ fn put_back() -> Failure {
         "zurückgenommen, weil ein anderer Antrieb gescheitert ist (--atomic); alles Geschriebene ist wie vorher"
     );
     Failure::new(Class::Partial, "partial.taken_back", message)
+}
+
+/// Nobody shall believe of a plant that nothing was written to it, because of its last drive.
+fn written_and_back(why: &Text, drives: &[PlantDrive]) -> Text {
+    let back = drives.iter().filter(|row| row.state == PlantState::Back).map(|row| row.called.as_str());
+    let names = back.collect::<Vec<_>>().join(", ");
+    both!(
+        "{why}; written to and as before again: {names}",
+        "{why}; beschrieben und wieder wie vorher: {names}",
+        why
+    )
 }
 
 /// Why not every drive is as it shall be: the names of those that are not, and the first reason.

@@ -168,7 +168,12 @@ pub async fn carry_out(
             row.result = WriteResult::Skipped;
             continue;
         }
-        if let Some(failure) = carry_step(session, &mut job.target, step, row, terms, permit).await {
+        if let Some(mut failure) = carry_step(session, &mut job.target, step, row, terms, permit).await {
+            let fails = failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED);
+            if fails && has_ram(&job.target, &step.param, step.set) {
+                failure.message = perhaps_in_ram(failure.message, &step.param, step.set);
+                row.error = Some(ErrorDoc::from(&failure));
+            }
             over = is_over(&failure);
             stopped = true;
             failures.push(failure);
@@ -205,11 +210,6 @@ pub(in crate::drive) async fn carry_step(
         Err((error, otherwise)) => {
             row.result = if error.is_refused() { WriteResult::Refused } else { otherwise };
             let mut failure = error.failure(address, Some(&target.family));
-            if failure.context.iter().any(|(key, code)| (*key, code.as_str()) == EEPROM_FAILED)
-                && has_ram(target, &step.param, step.set)
-            {
-                failure.message = perhaps_in_ram(failure.message, &step.param, step.set);
-            }
             if row.result == WriteResult::Skipped {
                 failure.message = both!(
                     "{why}; P.{param} was not begun",

@@ -3,10 +3,10 @@
 //! At once, when a transaction fails ([`put_back`]), or later, from its undo file ([`undo`]).
 
 use super::ended::{Applied, untouched};
-use super::meanwhile::{THEIRS, is_ours, still_stands};
+use super::meanwhile::{THEIRS, is_ours, still_may};
 use super::plan::{Kept, Plan, is_behind, is_touched};
 use super::proof::{in_force, look};
-use super::running::{RUNNING, standstill};
+use super::running::RUNNING;
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{stands, stands_at};
 use crate::drive::{Order, Session, WriteFate, is_over};
@@ -14,7 +14,7 @@ use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
 use crate::profile::{DataSets, FileRules, Role};
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::cmp::Reverse;
 
@@ -290,6 +290,24 @@ fn left(kept: &Kept) -> Failure {
     Failure::new(Class::Partial, "partial.not_put_back", message).with("param", kept.param.id)
 }
 
+/// The code of a value that is stored as before, and perhaps not in force.
+pub const NOT_SHOWN: &str = "partial.ram_not_shown";
+
+/// What brings into force what is stored, where the RAM is not shown.
+pub fn switch_off() -> Text {
+    both!(
+        "switch the drive off and on: then it works with what is stored",
+        "den Antrieb aus- und einschalten: dann arbeitet er mit dem, was gespeichert ist"
+    )
+}
+
+/// What is stored as before where nothing has to be written, and may stand otherwise in a RAM that the drive does not show: a failure
+/// for each. The rows say so too.
+pub fn not_shown(plan: &mut Plan) -> Vec<Failure> {
+    let blind = plan.blind.clone();
+    blind.iter().filter_map(|kept| told(plan, kept, Err(unshown(kept)))).collect()
+}
+
 /// The EEPROM did not take the new value, and whether the RAM did the drive does not show.
 fn unshown(kept: &Kept) -> Failure {
     let message = both!(
@@ -298,7 +316,7 @@ fn unshown(kept: &Kept) -> Failure {
          kann",
         label = kept.param.label()
     );
-    Failure::new(Class::Partial, "partial.ram_not_shown", message).with("param", kept.param.id)
+    Failure::new(Class::Partial, NOT_SHOWN, message).with("param", kept.param.id).hint(switch_off())
 }
 
 fn unseen(kept: &Kept) -> Failure {
@@ -352,11 +370,7 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
 
 /// Takes back what an undo file states: each planned value is brought back, proven. What fails does not stop the others.
 pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Applied {
-    let stands = match standstill(session, &mut plan.job.target).await {
-        Ok(()) => still_stands(session, plan).await,
-        runs => runs,
-    };
-    if let Err(failure) = stands {
+    if let Err(failure) = still_may(session, plan).await {
         return untouched(plan, failure);
     }
     let before = plan.job.rows.clone();

@@ -1,6 +1,7 @@
 //! What somebody else changed between the plan and a write, such as while a question stood: that is his, there and back.
 
 use super::plan::{Kept, Plan, is_behind, is_touched};
+use super::running::standstill;
 use super::weigh::place;
 use crate::drive::Session;
 use crate::drive::job::Step;
@@ -168,4 +169,13 @@ fn theirs(kept: &Kept, now: i64) -> Failure {
         before = value_text(&kept.param, kept.raw)
     );
     Failure::new(Class::Partial, THEIRS, message).with("param", kept.param.id)
+}
+
+/// Looks whether what was agreed to may still be begun: the drive does not run, and what the plan was made of stands.
+///
+/// # Errors
+/// It may not, or the drive does not answer.
+pub async fn still_may(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
+    standstill(session, &mut plan.job.target).await?;
+    still_stands(session, plan).await
 }

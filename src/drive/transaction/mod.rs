@@ -19,10 +19,10 @@ mod undo_file;
 mod weigh;
 
 pub use apply::apply;
-pub use back::{STORE, take_back, undo};
+pub use back::{NOT_SHOWN, STORE, not_shown, switch_off, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
-pub use meanwhile::THEIRS;
+pub use meanwhile::{THEIRS, still_may};
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
 pub use undo_file::{Coming, UndoFile, plan_back, steps_back};

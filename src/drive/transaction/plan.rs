@@ -214,7 +214,7 @@ impl Plan {
                     let step = Step { set, ..step.clone() };
                     self.add((session, terms, purpose), step, Ok(raw), Some(not_in_force()));
                 } else {
-                    self.notes.extend(differs_in_ram(&step.param, (set, raw), result, purpose));
+                    self.notes.extend(differs_in_ram(&step, (set, raw), result, purpose));
                 }
             }
         }

@@ -1,14 +1,15 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
-use super::plan::{Plan, prepare};
+use super::plan::{Kept, Plan, prepare};
 use super::weigh::Purpose;
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
+use crate::drive::stands::has_ram;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
-use crate::outcome::WriteResult;
+use crate::outcome::{WriteResult, Written};
 use crate::profile::paramfile::{At, Head, ParamFile, Setting, Settings, print_undo};
 use crate::profile::{DataSets, Family, Store};
 use crate::text::both;
@@ -69,8 +70,8 @@ impl UndoFile {
 
 fn unwritten(path: &Path, error: &FileError) -> Failure {
     let message = both!(
-        "{path}: the undo file cannot be written: {why}; nothing was sent",
-        "{path}: die Datei zum Zurücknehmen lässt sich nicht schreiben: {why}; es wurde nichts gesendet",
+        "{path}: the undo file cannot be written: {why}; nothing was written to the drive",
+        "{path}: die Datei zum Zurücknehmen lässt sich nicht schreiben: {why}; in den Antrieb wurde nichts geschrieben",
         path = path.display(),
         why = error.text()
     );
@@ -116,7 +117,32 @@ pub async fn plan_back(
     steps: Vec<Step>,
     from: Coming,
 ) -> Result<Plan, Failure> {
-    prepare(session, target, terms, steps, &Purpose::Back(from)).await
+    let purpose = Purpose::Back(from);
+    let mut plan = prepare(session, target, terms, steps, &purpose).await?;
+    plan.note_hidden(&purpose);
+    Ok(plan)
+}
+
+impl Plan {
+    /// Notes of which values only what is stored can be proven, because the drive does not show its RAM. What is stored as before
+    /// may stand there otherwise all the same: a load may have come so far and no further.
+    fn note_hidden(&mut self, purpose: &Purpose) {
+        let rows = self.job.steps.iter().zip(&self.job.rows);
+        let is_due = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
+        let is_hidden = |step: &Step| has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
+        let hidden: Vec<_> = rows.filter(|(step, row)| is_due(row) && is_hidden(step)).collect();
+        let Some((_, row)) = hidden.first() else { return };
+        let address = row.address;
+        let is_stored = |(step, row): &&(&Step, &Written)| {
+            row.result == WriteResult::Unchanged && purpose.came(step).is_some_and(|raw| raw != step.raw)
+        };
+        let blind: Vec<Kept> = hidden.iter().filter(is_stored).map(|(step, _)| Kept::wanted(step)).collect();
+        self.blind.extend(blind);
+        self.notes.push(both!(
+            "drive {address} does not show its RAM: only what is stored is proven; switched off and on it works with that",
+            "Antrieb {address} zeigt sein RAM nicht: geprüft wird nur, was gespeichert ist; nach Aus- und Einschalten arbeitet er damit"
+        ));
+    }
 }
 
 /// What was to come, by number and data set as on the wire.

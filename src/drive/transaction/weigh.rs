@@ -5,7 +5,7 @@ use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
-use crate::profile::{DataSets, Param, Type, value};
+use crate::profile::{DataSets, FileRules, Param, Type, value};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
@@ -23,6 +23,14 @@ pub(super) enum Purpose {
 }
 
 impl Purpose {
+    /// What a load was to bring to a place that is brought back.
+    pub(super) fn came(&self, step: &Step) -> Option<i64> {
+        let Purpose::Back(from) = self else { return None };
+        // What was to come into all four data sets stands under 0, also where they differ by now.
+        let all = step.set - step.set % DataSets::RAM_OFFSET;
+        from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all))).copied()
+    }
+
     /// Whether a value that does not come keeps nobody from bringing the others.
     pub(super) fn bears(&self, failure: &Failure, silences: usize) -> bool {
         matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
@@ -53,7 +61,10 @@ pub(super) fn weigh(
             let known = kind.ok_or_else(|| job::no_width(&step.param));
             known.and_then(|kind| fits(step, Some(kind)))
         }
-        (Ok(old), Purpose::Back(from)) => stands_as_left(step, old, from),
+        (Ok(old), Purpose::Back(from)) => {
+            let came = purpose.came(step);
+            keeps_line(&step.param).and_then(|()| stands_as_left(step, &target.family.files, (old, came), from))
+        }
         (Err(failure), Purpose::Forward) => Err(no_way_back(&step.param, failure)),
         (Err(failure), Purpose::Back(_)) => Err(not_told(&step.param, failure)),
     };
@@ -75,16 +86,7 @@ pub(super) fn weigh(
 pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
     let Step { param, raw, .. } = step;
     let label = param.label();
-    if job::cuts(param) {
-        let message = both!(
-            "{label} cuts the line at once, and what cuts the line cannot be taken back over it",
-            "{label} kappt die Leitung sofort, und was sie kappt, lässt sich über sie nicht zurücknehmen"
-        );
-        return Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
-            "`antrieb line set` and `antrieb protocol set` change it and follow the drive",
-            "`antrieb line set` und `antrieb protocol set` stellen es um und folgen dem Antrieb"
-        )));
-    }
+    keeps_line(param)?;
     let wrong = |code: &str, error: value::ValueError| {
         let message =
             both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", slug = param.slug, why = error.text());
@@ -99,25 +101,61 @@ pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
     typed.map_err(|error| wrong("data.width", error))
 }
 
+/// Refuses what cuts the line: nobody could take it back over that line, nor prove that it came back.
+fn keeps_line(param: &Param) -> Result<(), Failure> {
+    if !job::cuts(param) {
+        return Ok(());
+    }
+    let label = param.label();
+    let message = both!(
+        "{label} cuts the line at once, and what cuts the line cannot be taken back over it",
+        "{label} kappt die Leitung sofort, und was sie kappt, lässt sich über sie nicht zurücknehmen"
+    );
+    Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
+        "`antrieb line set` and `antrieb protocol set` change it and follow the drive",
+        "`antrieb line set` und `antrieb protocol set` stellen es um und folgen dem Antrieb"
+    )))
+}
+
 /// Whether a value still is what the transaction made of it: what somebody has changed since is his.
-fn stands_as_left(step: &Step, now: i64, from: &BTreeMap<(u32, u8), i64>) -> Result<(), Failure> {
-    // What was to come into all four data sets stands under 0, also where they differ by now.
-    let all = step.set - step.set % DataSets::RAM_OFFSET;
-    let left = from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all)));
-    let Some(left) = left.filter(|left| **left != now) else { return Ok(()) };
+fn stands_as_left(
+    step: &Step,
+    rules: &FileRules,
+    (now, left): (i64, Option<i64>),
+    from: &BTreeMap<(u32, u8), i64>,
+) -> Result<(), Failure> {
+    let alters = |(id, _): &(u32, u8)| rules.altered_by(*id).any(|altered| altered == step.param.id);
     let shown = |raw| value_text(&step.param, raw);
+    let left = match left {
+        None if from.is_empty() || from.keys().any(alters) => return Ok(()),
+        None => return Err(unnamed(step, &shown(now))),
+        Some(left) if left == now => return Ok(()),
+        Some(left) => left,
+    };
     let message = both!(
         "{label} reads as {now}, which is neither the value before the load ({before}) nor the one that it was to write ({left})",
         "{label} liest sich als {now}; das ist weder der Wert vor dem Laden ({before}) noch der, den es schreiben sollte ({left})",
         label = place(step),
         now = shown(now),
         before = shown(step.raw),
-        left = shown(*left)
+        left = shown(left)
     );
     Err(Failure::new(Class::Forbidden, "forbidden.changed_since", message).hint(both!(
         "somebody has changed it since, or it is another drive; --force takes it back all the same",
         "jemand hat es seitdem geändert, oder es ist ein anderer Antrieb; --force nimmt es trotzdem zurück"
     )))
+}
+
+/// A file that does not say what came to a place does not tell whether it still stands there.
+fn unnamed(step: &Step, now: &str) -> Failure {
+    let message = both!(
+        "{label} reads as {now}, and the file does not say in [undo] what was written there",
+        "{label} liest sich als {now}, und die Datei sagt in [undo] nicht, was dorthin geschrieben wurde",
+        label = place(step)
+    );
+    Failure::new(Class::Data, "data.undo_unnamed", message)
+        .with("param", step.param.id)
+        .hint(both!("--force takes it back all the same", "--force nimmt es trotzdem zurück"))
 }
 
 /// What cannot be read cannot be put back, so it is not written.
@@ -161,13 +199,14 @@ pub(super) fn not_in_force() -> Text {
 
 /// What is to be said of a value in force that is not the one that is stored.
 pub(super) fn differs_in_ram(
-    param: &Param,
+    step: &Step,
     (set, raw): (u8, i64),
     result: WriteResult,
     purpose: &Purpose,
 ) -> Option<Text> {
-    let (label, set) = (param.label(), set - DataSets::RAM_OFFSET);
-    let raw = value_text(param, raw);
+    let (label, set) = (step.param.label(), set - DataSets::RAM_OFFSET);
+    let is_new = raw != step.raw;
+    let raw = value_text(&step.param, raw);
     match (purpose, result) {
         (Purpose::Forward, _) => Some(both!(
             "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced, and an undo file \
@@ -178,6 +217,10 @@ pub(super) fn differs_in_ram(
         (Purpose::Back(_), WriteResult::Unchanged) => Some(both!(
             "{label}@{set}: what is stored is as before; the drive works with {raw} (RAM) until it is switched off",
             "{label}@{set}: gespeichert ist der Wert von vorher; der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)"
+        )),
+        (Purpose::Back(_), WriteResult::Planned) if is_new => Some(both!(
+            "{label}@{set}: the drive works with {raw} (RAM), which is not what is stored; both are replaced",
+            "{label}@{set}: der Antrieb arbeitet mit {raw} (RAM), gespeichert ist anderes; beides wird ersetzt"
         )),
         (Purpose::Back(_), _) => None,
     }

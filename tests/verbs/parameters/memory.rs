@@ -288,3 +288,88 @@ fn who_is_gone_is_silent_and_no_stranger() {
         load(&keys, "372 = 1440").exits(4);
     }
 }
+
+#[test]
+fn what_somebody_changed_meanwhile_stays_when_a_load_goes_back() {
+    // It is changed at the third write, and the fourth is refused.
+    for (ram, more, refuses) in [("", "", 2 << 12 | 482), ("ram", "--ram", 7 << 12 | 482)] {
+        let keys = format!(
+            "set = {{ \"480\" = 5 }}\n[[drive.event]]\nafter_telegrams = 1\nrefuses = {refuses}\n\
+             [[drive.event]]\nafter_writes = 3\nset = {{ \"480@2{ram}\" = 12.34 }}"
+        );
+        let values = "\"372@1\" = 1440\n\"480@2\" = -12.5\n\"481@2\" = 7\n\"482@2\" = 8";
+        let run = antrieb(&format!("-a 1 --yes -v dataset load {{dir}}/f.toml {more}")).on(&bench(&keys));
+        let ended = run.file("f.toml", &file(values)).json().exits(9);
+        assert_eq!(ended.data("/ended"), "torn", "{:#}", ended.value);
+        let of = |number, set| result(&ended.value, number, set);
+        assert_eq!((of(480, 2), of(372, 1), of(481, 2)), ("unrestored", "restored", "restored"), "{:#}", ended.value);
+        let text = ended.value.to_string();
+        assert!(text.contains("reads as 12.34 Hz") && text.contains("it stays"), "{:#}", ended.value);
+        assert!(ended.error()["hint"].to_string().contains("--force"), "{}", ended.error());
+        let left = left();
+        assert_eq!((left.cell(480, 2).1, left.cell(372, 1).1), (Some(1234), Some(1390)), "{more}");
+    }
+}
+
+#[test]
+fn a_value_that_somebody_sets_is_written_over_only_right_before_its_own_write() {
+    let mut seen = Vec::new();
+    at_every_telegram(
+        "set = { \"480\" = 5 }",
+        "set = { \"480@2\" = 12.34 }",
+        "\"372@1\" = 1440\n\"480@2\" = -12.5\n\"481@2\" = 7",
+        |step, exit, document, left| {
+            let now = left.cell(480, 2).0;
+            assert!(now == Some(1234) || now == Some(-1250), "{step}: {exit} {now:?} {document:#}");
+            seen.push(now == Some(1234));
+        },
+    );
+    // Before the plan it is what stood there, and behind the end nothing came; between them there is one gap.
+    let stays = |at: &bool| *at;
+    let (first, last) = (seen.iter().position(stays).unwrap(), seen.iter().rposition(stays).unwrap());
+    let gaps = seen[first..=last].split(stays).filter(|gap| !gap.is_empty()).map(<[bool]>::len);
+    let gaps: Vec<usize> = gaps.collect();
+    assert!(gaps.len() <= 1 && gaps.iter().all(|gap| *gap < 6), "{gaps:?}");
+    assert!(last - first > 15, "{seen:?}");
+}
+
+#[test]
+fn what_somebody_changed_under_the_first_write_is_not_written_over_by_its_own() {
+    let keys = "set = { \"480\" = 5 }\n[[drive.event]]\nafter_writes = 1\nset = { \"480@2\" = 12.34 }";
+    let ended = load(keys, "\"372@1\" = 1440\n\"480@2\" = -12.5").json().exits(9);
+    assert_eq!(ended.data("/ended"), "back", "{:#}", ended.value);
+    assert_eq!((result(&ended.value, 480, 2), result(&ended.value, 372, 1)), ("skipped", "restored"));
+    let seen = left();
+    assert_eq!((seen.cell(480, 2).0, seen.cell(372, 1).0), (Some(1234), Some(1390)));
+    // An undo goes the other way round.
+    let keys = "set = { \"480@2\" = 7, \"372@1\" = 1440 }\n[[drive.event]]\nafter_writes = 1\nset = { \"372@1\" = 1500 }";
+    let undo =
+        format!("{}[undo]\nvalues = {{ \"480@2\" = 7, \"372@1\" = 1440 }}\n", file("\"480@2\" = 5\n\"372@1\" = 1390"));
+    let undone = antrieb("-a 1 --yes dataset undo {dir}/u.toml").on(&bench(keys)).file("u.toml", &undo).exits(9);
+    assert!(undone.err.contains("reads as 1500"), "{}", undone.err);
+    let seen = left();
+    assert_eq!((seen.cell(480, 2).0, seen.cell(372, 1).0), (Some(500), Some(1500)));
+}
+
+#[test]
+fn an_undo_behind_a_ram_that_is_not_shown_proves_only_what_is_stored() {
+    for manner in ["refuses", "keeps"] {
+        let keys = format!(
+            "set = {{ \"480\" = 5 }}\neeprom = {{ \"480@2\" = \"{manner}\" }}\nreadings = {{ ram_reads = \"refused\" }}"
+        );
+        for values in ["\"480@2\" = -12.5", "\"372@1\" = 1440\n\"480@2\" = -12.5"] {
+            let ended = load(&keys, values).exits(9);
+            assert!(ended.err.contains("switch the drive off and on"), "{}", ended.err);
+            let undone = left().then(ended, "-a 1 --yes dataset undo {dir}/f.undo.toml").json().exits(9);
+            assert_eq!(result(&undone.value, 480, 2), "unrestored", "{:#}", undone.value);
+            assert!(undone.error()["message"].to_string().contains("does not show its RAM"), "{}", undone.error());
+            assert!(undone.error()["hint"].to_string().contains("off and on"), "{}", undone.error());
+            assert!(undone.warnings().contains(&"load.in_force"), "{:#}", undone.value);
+        }
+    }
+    // Where everything is written anew, the RAM has it too; that it was not seen is said.
+    let keys = "set = { \"480\" = 5 }\nreadings = { ram_reads = \"refused\" }";
+    let ended = load(keys, "\"480@2\" = -12.5").exits(0);
+    let undone = left().then(ended, "-a 1 --yes dataset undo {dir}/f.undo.toml").json().exits(0);
+    assert!(undone.value["warnings"].to_string().contains("does not show its RAM"), "{:#}", undone.value);
+}

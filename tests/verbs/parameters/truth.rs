@@ -256,3 +256,27 @@ fn an_undo_file_of_another_product_is_refused_also_where_the_family_was_named() 
         assert_eq!(ended.error()["code"], "data.other_drive", "{named}: {}", ended.error());
     }
 }
+
+#[test]
+fn an_undo_says_which_ram_it_replaces() {
+    let bench = "[[drive]]\nmodel = \"act\"\nset = { \"480@2\" = -12.5, \"480@2ram\" = 7.77 }\n";
+    let document = undo(bench, "\"480@2\" = 5", "\"480@2\" = -12.5").json().exits(0);
+    assert!(document.warnings().contains(&"load.in_force"), "{:#}", document.value);
+    assert!(document.value["warnings"].to_string().contains("7.77 Hz (RAM)"), "{:#}", document.value);
+    assert!(document.err.contains("both are replaced"), "{}", document.err);
+}
+
+#[test]
+fn an_undo_file_of_a_hand_cuts_no_line_and_says_from_where_it_leads_back() {
+    let cut = undo(FRESH, "1376 = 9\n\"480@2\" = 6", "1376 = 1, \"480@2\" = 5").json().exits(9);
+    assert!(cut.value.to_string().contains("cuts the line at once"), "{:#}", cut.value);
+    assert_eq!(cells([(480, 2, false), (1376, 0, false)]), [Some(600), Some(1)]);
+    let unnamed = |more: &str| {
+        let text = format!("{}[undo]\nvalues = {{ \"480@2\" = 5 }}\n", file("\"481@1\" = 9.99\n\"480@2\" = 6"));
+        antrieb(&format!("-a 1 --yes dataset undo {{dir}}/u.toml {more}")).on(FRESH).file("u.toml", &text)
+    };
+    let stays = unnamed("").exits(9);
+    assert!(stays.err.contains("does not say in [undo]"), "{}", stays.err);
+    assert_eq!(cells([(480, 2, false), (481, 1, false)]), [Some(600), Some(1000)]);
+    unnamed("--force").exits(0);
+}
