@@ -6,7 +6,7 @@ use super::weighing::{Weighed, against_drive, told};
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, plan, read_question, terms};
 use crate::drive::is_over;
-use crate::drive::paramfile::of_file;
+use crate::drive::paramfile::{of_file, ram_sets};
 use crate::failure::Failure;
 use crate::outcome::Outcome;
 use clap::Args as ClapArgs;
@@ -38,7 +38,8 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         let asked = of_file(&file.settings, &file.family);
         let sets =
             asked.iter().flat_map(|one| one.sets.iter().flat_map(|sets| sets.wire()).map(|set| (&one.param, set)));
-        let questions: Vec<_> = sets.map(|(param, set)| read_question(param, set)).collect();
+        let ram = asked.iter().flat_map(|one| ram_sets(one, &file.family).into_iter().map(|set| (&one.param, set)));
+        let questions: Vec<_> = sets.chain(ram).map(|(param, set)| read_question(param, set)).collect();
         return plan(context, &file.family, &questions);
     }
     let Context { settings, registry, interrupt, observe, .. } = context;

@@ -3,7 +3,7 @@
 use super::opened::Opened;
 use super::which::Which;
 use crate::command::verb::Verb;
-use crate::drive::paramfile::{Asking, Harvest, compare, factory, harvest, held, of_file, of_set, unified};
+use crate::drive::paramfile::{Asking, Harvest, compare, factory, harvest, held, in_force, of_file, of_set, unified};
 use crate::drive::{Session, Target, Terms, summary};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Comparison, Comparisons, Data, ErrorDoc, Outcome, Side, Warning};
@@ -99,6 +99,16 @@ impl Weight {
             other.settings.retain(|one| asked.iter().any(|asking| asking.param.id == one.param.id));
         }
         self.ask(session, &asked).await;
+    }
+
+    /// What the drive works with, where that is not what it has stored.
+    async fn in_force(&mut self, session: &mut Session<'_>) -> Vec<Text> {
+        match (&mut self.live, &self.harvest) {
+            (Some(live), Some(harvest)) if harvest.failure().is_none() => {
+                in_force(session, &mut live.target, &self.settings).await
+            }
+            _ => Vec::new(),
+        }
     }
 
     /// What is odd about a file.
@@ -235,7 +245,10 @@ pub(in crate::command) async fn against_target(
     let mut a = Weight::of(&which, Some(file), None, &file.family)?;
     let mut b = Weight::of(&Which::Drive(None), None, Some(target), &file.family)?;
     b.fill(session, &mut a).await;
-    Ok(Weighed::of(a, b, false, is_unified))
+    let notes = b.in_force(session).await;
+    let weighed = Weighed::of(a, b, false, is_unified);
+    let notes = notes.into_iter().map(|message| Warning { code: "check.in_force".to_owned(), message });
+    Ok(Weighed { warnings: weighed.warnings.into_iter().chain(notes).collect(), ..weighed })
 }
 
 /// What a drive refused to tell can be anything.

@@ -7,7 +7,7 @@ use crate::command::dataset::scope::Picks;
 use crate::command::dataset::weighing::{Weighed, against_target};
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, read_question, telegram_reader};
-use crate::drive::paramfile::of_file;
+use crate::drive::paramfile::{Asking, of_file, ram_sets};
 use crate::drive::plant::Line;
 use crate::drive::transaction::{Choice, NO_VALUES};
 use crate::drive::{Upper, is_over};
@@ -110,8 +110,11 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
     let mut telegrams = Vec::new();
     for Wanted { place, opened, .. } in wanted {
         let reader = telegram_reader(&place.settings, &opened.family);
-        for asking in of_file(&opened.settings, &opened.family) {
-            let sets = asking.sets.iter().flat_map(|sets| sets.wire());
+        let asked = of_file(&opened.settings, &opened.family);
+        let stored = |asking: &Asking| asking.sets.iter().flat_map(|sets| sets.wire()).collect();
+        let places: [&dyn Fn(&Asking) -> Vec<u8>; 2] = [&stored, &|asking| ram_sets(asking, &opened.family)];
+        for (asking, sets) in places.iter().flat_map(|sets| asked.iter().map(move |asking| (asking, sets(asking)))) {
+            let sets = sets.into_iter();
             telegrams.extend(sets.filter_map(|set| reader.question(place.address, read_question(&asking.param, set))));
         }
     }

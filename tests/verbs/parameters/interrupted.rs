@@ -80,7 +80,7 @@ fn what_a_save_has_read_stays_and_is_never_called_whole() {
 #[test]
 fn a_way_back_over_a_line_that_falls_silent_ends_soon_and_calls_restored_only_what_it_saw() {
     let mut ends = std::collections::BTreeSet::new();
-    for step in 10..70 {
+    for step in 10..130 {
         let silent = format!("[[drive.event]]\nafter_telegrams = {step}\nsilent = \"10h\"\n");
         // The last of its values is refused: all of it goes back.
         let keys = format!("[[drive.event]]\nafter_telegrams = 1\nrefuses = {}\n{silent}", 2 << 12 | 480);

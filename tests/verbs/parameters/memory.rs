@@ -137,7 +137,7 @@ fn only_the_cell_that_is_not_in_force_is_written_and_only_in_the_ram() {
 
 /// A drive that something happens to at every telegram of a load; how it ended, and what stands in 480@2.
 fn at_every_telegram(keys: &str, event: &str, values: &str, mut judge: impl FnMut(usize, u8, &Value, &Left)) {
-    for step in 1..60 {
+    for step in 1..80 {
         let keys = format!("{keys}\n[[drive.event]]\nafter_telegrams = {step}\n{event}");
         let ended = load(&keys, values).json();
         judge(step, ended.exit, &ended.value, &left());
@@ -320,7 +320,9 @@ fn a_value_that_somebody_sets_is_written_over_only_right_before_its_own_write() 
         "\"372@1\" = 1440\n\"480@2\" = -12.5\n\"481@2\" = 7",
         |step, exit, document, left| {
             let now = left.cell(480, 2).0;
-            assert!(now == Some(1234) || now == Some(-1250), "{step}: {exit} {now:?} {document:#}");
+            // Between a write and its reading back nobody can tell what the drive made of it from what somebody sets.
+            let by_drive = document.to_string().contains("refused.reads_back_differently") && exit == 9;
+            assert!(by_drive || now == Some(1234) || now == Some(-1250), "{step}: {exit} {now:?} {document:#}");
             seen.push(now == Some(1234));
         },
     );

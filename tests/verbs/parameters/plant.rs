@@ -118,6 +118,9 @@ fn what_is_equal_is_no_difference_and_asks_nobody() {
     for verb in ["plan", "apply", "check"] {
         plant(&format!("-a a1 {verb}"), [act, TWO, ONE]).json().exits(0);
     }
+    let ram = act.replacen("set = { ", "set = { \"480@2ram\" = 7, ", 1);
+    let works = plant("-a a1 check", [&ram, TWO, ONE]).json().exits(0);
+    assert_eq!(works.warnings(), ["check.in_force"], "{:#}", works.value);
     let drifted = plant("check", [act, TWO, ONE]).json().exits(1);
     assert_eq!(drifted.data("/drives/0/equal"), true);
     assert_eq!(drifted.data("/drives/1/differences/0/b_raw"), 500);

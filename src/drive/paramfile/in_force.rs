@@ -1,0 +1,53 @@
+//! What a drive works with, where that is not what it has stored: a file names what is stored.
+
+use super::Asking;
+use crate::drive::stands::{has_ram, in_ram};
+use crate::drive::{Session, Target};
+use crate::profile::paramfile::{Settings, value_text};
+use crate::profile::{DataSets, Family, Param};
+use crate::text::{Text, both};
+
+/// So many parameters in a row without a RAM tell that the drive does not show it.
+const MOST_HIDDEN: usize = 2;
+
+/// The values with which a drive works, of what it has stored, where they are other ones (RAM). Asked is until the drive refuses that
+/// or is gone: it is a note beside a comparison of what is stored.
+pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &Settings) -> Vec<Text> {
+    let (mut notes, mut hidden) = (Vec::new(), 0);
+    let params: Vec<Param> = stored.params().cloned().collect();
+    for param in params {
+        let places: Vec<(u8, i64)> =
+            (0..=4).filter_map(|set| Some((set, stored.exactly(param.id, set)?.raw))).collect();
+        let sets: Vec<u8> =
+            places.iter().map(|(set, _)| *set).filter(|set| has_ram(target, &param, *set)).collect();
+        if sets.is_empty() {
+            continue;
+        }
+        let Ok(shown) = in_ram(session, target, &param, &sets).await else { break };
+        hidden = if shown.is_empty() { hidden + 1 } else { 0 };
+        if hidden >= MOST_HIDDEN {
+            break;
+        }
+        for (ram, raw) in shown {
+            let set = ram - DataSets::RAM_OFFSET;
+            let beneath = places.iter().find(|(stored, _)| *stored == set).or_else(|| places.first());
+            if let Some((_, old)) = beneath.filter(|(_, old)| *old != raw) {
+                notes.push(both!(
+                    "{label}@{set}: stored is {old}, the drive works with {raw} (RAM) until it is switched off",
+                    "{label}@{set}: gespeichert ist {old}, der Antrieb arbeitet bis zum Ausschalten mit {raw} (RAM)",
+                    label = param.label(),
+                    old = value_text(&param, *old),
+                    raw = value_text(&param, raw)
+                ));
+            }
+        }
+    }
+    notes
+}
+
+/// The data sets, as on the wire, of the questions for what is in force.
+pub fn ram_sets(asking: &Asking, family: &Family) -> Vec<u8> {
+    let has = family.link.route.has_data_sets() && !asking.param.is_volatile();
+    let sets = asking.sets.iter().filter(|_| has).flat_map(|sets| sets.wire());
+    sets.filter(|set| *set < DataSets::RAM_OFFSET).map(|set| set + DataSets::RAM_OFFSET).collect()
+}

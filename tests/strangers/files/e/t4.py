@@ -1,0 +1,27 @@
+from mat import *
+def lc(tag,ch,loadargs=(),pre=None,undoargs=(),lang=(),**k):
+    d=Drv(**k)
+    if pre: pre(d)
+    b=d.snap(); r=load(d,*loadargs); assert r.rc in(0,9),(r.rc,r.e)
+    ch(d); m=d.snap(); d.reset(); r=run(d,'dataset','undo',W+'/m.undo.toml','--yes',*undoargs,*lang); a=d.snap(); d.stop=True
+    left=diffs(b,a); rows=[(v['param'],v['data_set'],v['store'],v['result']) for v in ((r.j or {}).get('data') or {}).get('values',[])]
+    print('=== %s rc=%s end=%s wr=%s eqw=%s'%(tag,r.rc,((r.j or {}).get('data') or {}).get('ended'),d.wr,d.eqw)); print('  left vs before load',left); print('  rows',[x for x in rows]); print('  warn',[w['message'] for w in (r.j or {}).get('warnings',[])],(r.j or {}).get('error')); sys.stdout.flush()
+lc('419@3 both',lambda d:d.set(419,3,4321))
+lc('419@3 EE only',lambda d:d.set(419,3,4321,ram=False))
+lc('419@3 RAM only',lambda d:d.set(419,3,4321,ee=False))
+lc('480@2 RAM only',lambda d:d.set(480,2,777,ee=False))
+lc('480@2 EE only',lambda d:d.set(480,2,777,ram=False))
+lc('480@2 back to old by somebody',lambda d:d.set(480,2,500))
+lc('480@2 EE old, RAM new',lambda d:d.set(480,2,500,ram=False))
+lc('480@2 EE new, RAM old',lambda d:d.set(480,2,500,ee=False))
+lc('419@3 EE old only',lambda d:d.set(419,3,5000,ram=False))
+lc('549 changed',lambda d:d.set(549,0,111))
+lc('--ram, nothing',lambda d:None,('--ram',))
+lc('--ram, power off',lambda d:d.power(),('--ram',))
+lc('--ram, 419@3 EE+RAM changed',lambda d:d.set(419,3,4321),('--ram',))
+lc('--ram, 419@3 RAM changed',lambda d:d.set(419,3,4321,ee=False),('--ram',))
+lc('--ram, 480@2 EE changed only',lambda d:d.set(480,2,777,ram=False),('--ram',))
+lc('ramdiff before load 419@3',lambda d:None,pre=lambda d:d.set(419,3,4321,ee=False))
+lc('inforce, 419@3 changed',lambda d:d.set(419,3,4321),ramread='inforce')
+lc('ram unreadable, 419@3 changed',lambda d:d.set(419,3,4321),ramread='refused')
+lc('419@3 --force',lambda d:d.set(419,3,4321),undoargs=('--force',))
