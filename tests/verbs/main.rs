@@ -18,6 +18,7 @@ mod run;
 
 /// What a drive holds: parameters and data sets.
 mod parameters {
+    mod all_or_none;
     mod comparing;
     mod ends;
     mod interrupted;

@@ -217,7 +217,9 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
                 ),
                 both!("mend that and load it again", "das beheben und noch einmal laden"),
             ),
-            LoadEnd::Torn => partial(first, "partial.torn", unlike(&why, failures.len()), by_undo(left, &kinds, is_lost)),
+            LoadEnd::Torn => {
+                partial(first, "partial.torn", unlike(&why, failures.len()), by_undo(left, &kinds, is_lost))
+            }
         }
     });
     let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });

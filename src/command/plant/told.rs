@@ -23,7 +23,11 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
     let of = |state| drives.iter().any(|row| row.state == state);
     let (is_torn, is_back) = (of(PlantState::Torn), of(PlantState::Back));
     let failure = summary(failures, drives.len(), is_torn || is_back).map(|failure| Failure {
-        message: if is_back && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
+        message: if is_back && drives.len() > 1 {
+            written_and_back(&failure.message, &drives)
+        } else {
+            failure.message
+        },
         ..failure
     });
     let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
@@ -90,11 +94,7 @@ fn put_back() -> Failure {
 fn written_and_back(why: &Text, drives: &[PlantDrive]) -> Text {
     let back = drives.iter().filter(|row| row.state == PlantState::Back).map(|row| row.called.as_str());
     let names = back.collect::<Vec<_>>().join(", ");
-    both!(
-        "{why}; written to and as before again: {names}",
-        "{why}; beschrieben und wieder wie vorher: {names}",
-        why
-    )
+    both!("{why}; written to and as before again: {names}", "{why}; beschrieben und wieder wie vorher: {names}", why)
 }
 
 /// Why not every drive is as it shall be: the names of those that are not, and the first reason.

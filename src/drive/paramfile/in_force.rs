@@ -18,8 +18,7 @@ pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &S
     for param in params {
         let places: Vec<(u8, i64)> =
             (0..=4).filter_map(|set| Some((set, stored.exactly(param.id, set)?.raw))).collect();
-        let sets: Vec<u8> =
-            places.iter().map(|(set, _)| *set).filter(|set| has_ram(target, &param, *set)).collect();
+        let sets: Vec<u8> = places.iter().map(|(set, _)| *set).filter(|set| has_ram(target, &param, *set)).collect();
         if sets.is_empty() {
             continue;
         }

@@ -360,6 +360,10 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
             };
             let failure = failure.with(STORE, memory);
             if let Some(row) = row {
+                let is_told = |error: &ErrorDoc| error.code == THEIRS && failure.code == THEIRS;
+                if row.error.as_ref().is_some_and(is_told) {
+                    return None;
+                }
                 row.result = WriteResult::Unrestored;
                 row.error = Some(ErrorDoc::from(&failure));
             }

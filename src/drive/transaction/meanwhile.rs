@@ -76,7 +76,8 @@ fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &BTreeMap<u8, i
     let planned = stored.into_iter().chain(behind.iter().map(|kept| (kept.set, kept.raw)));
     let (set, then) = planned.into_iter().find(|(set, raw)| now.get(set) != Some(raw))?;
     // Where all four were told as one, it is one of them now.
-    let single = || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| Some((set, *now.get(&set)?)));
+    let single =
+        || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| Some((set, *now.get(&set)?)));
     let found = now.get(&set).map(|raw| (set, *raw)).or_else(|| single().find(|(_, raw)| *raw != then));
     let at = Step { set: found.map_or(set, |(set, _)| set), ..step.clone() };
     let now = found.map_or_else(|| "?".to_owned(), |(_, raw)| value_text(&step.param, raw));
@@ -141,12 +142,7 @@ fn lies_behind(set: u8, stored: u8) -> bool {
 ///
 /// # Errors
 /// It is somebody else's, or the RAM does not come.
-pub(super) async fn is_ours(
-    session: &mut Session<'_>,
-    plan: &mut Plan,
-    place: &Kept,
-    now: i64,
-) -> Result<(), Failure> {
+pub(super) async fn is_ours(session: &mut Session<'_>, plan: &mut Plan, place: &Kept, now: i64) -> Result<(), Failure> {
     let beneath = in_ram(session, &mut plan.job.target, &place.param, &[place.set]).await?;
     let all = [(place.set, now)].into_iter().chain(beneath);
     let mut kept = all.map(|(set, now)| (Kept { set, ..place.clone() }, now));
@@ -168,7 +164,10 @@ fn theirs(kept: &Kept, now: i64) -> Failure {
         now = value_text(&kept.param, now),
         before = value_text(&kept.param, kept.raw)
     );
-    Failure::new(Class::Partial, THEIRS, message).with("param", kept.param.id)
+    Failure::new(Class::Partial, THEIRS, message).with("param", kept.param.id).hint(both!(
+        "`antrieb dataset undo` with --force takes it back all the same",
+        "`antrieb dataset undo` mit --force nimmt es trotzdem zurück"
+    ))
 }
 
 /// Looks whether what was agreed to may still be begun: the drive does not run, and what the plan was made of stands.

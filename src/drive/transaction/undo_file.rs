@@ -129,7 +129,8 @@ impl Plan {
     fn note_hidden(&mut self, purpose: &Purpose) {
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let is_due = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
-        let is_hidden = |step: &Step| has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
+        let is_hidden =
+            |step: &Step| has_ram(&self.job.target, &step.param, step.set) && self.behind(step).next().is_none();
         let hidden: Vec<_> = rows.filter(|(step, row)| is_due(row) && is_hidden(step)).collect();
         let Some((_, row)) = hidden.first() else { return };
         let address = row.address;

@@ -49,8 +49,8 @@ files = [\"servo.toml\"]
 ones = [\"a1\", \"b1\"]
 ";
 
-const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
-const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+pub(super) const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
+pub(super) const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
 
 fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
     let config = config.replace("{dir}", &run.directory().display().to_string());
@@ -67,12 +67,12 @@ fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
 }
 
 /// The plant, with these benches.
-fn plant(line: &str, benches: [&str; 3]) -> Run {
+pub(super) fn plant(line: &str, benches: [&str; 3]) -> Run {
     with(antrieb(line), PLANT, benches)
 }
 
 /// How each drive stands: `a1 done, a2 skipped`.
-fn states(document: &Document) -> String {
+pub(super) fn states(document: &Document) -> String {
     let drives = document.data("/drives").as_array().unwrap().iter();
     let told = drives.map(|row| format!("{} {}", row["called"].as_str().unwrap(), row["state"].as_str().unwrap()));
     told.collect::<Vec<_>>().join(", ")
@@ -437,49 +437,4 @@ fn the_commands_of_the_page_work() {
     let run = antrieb("-a @water plan --dry-run").file("antrieb.toml", example);
     let base = ["base.toml", "pump.toml", "fan.toml"];
     base.into_iter().fold(run, |run, name| run.file(name, ACT)).exits(0);
-}
-
-/// A drive starts to run, behind every telegram to it: who reads that nothing was written may believe it.
-#[test]
-fn all_or_none_looks_at_every_drive_before_it_begins_with_one() {
-    let mut seen = std::collections::BTreeSet::new();
-    for after in 1..40 {
-        let starts = format!(
-            "model = \"acu\"\naddress = 2\nstart_right = false\nset = {{ \"412\" = 0, \"480\" = 5 }}\n\
-             [[drive.event]]\nafter_telegrams = {after}\nstart_right = true\n"
-        );
-        let starting = TWO.replacen("model = \"acu\"\naddress = 2\n", &starts, 1);
-        let ended = plant("-a a1,a2 apply --yes --atomic", [&starting, TWO, ONE]).json();
-        let worn = witness::all_left().iter().map(|(bench, _)| bench.totals().eeprom_writes).sum::<u64>();
-        let message = ended.value["error"]["message"].as_str().unwrap_or_default();
-        let states = states(&ended);
-        match (ended.exit, states.as_str()) {
-            (8, "a1 skipped, a2 skipped") => assert_eq!(worn, 0, "{after}"),
-            (9, "a1 back, a2 untouched") => {
-                assert!(worn > 0 && message.contains("as before again: a1"), "{after}: {message}");
-            }
-            (0, _) | (9, "a1 back, a2 torn") => {}
-            other => panic!("{after}: {other:?} {message}"),
-        }
-        seen.insert((ended.exit, states));
-    }
-    assert!(seen.contains(&(8, "a1 skipped, a2 skipped".to_owned())), "{seen:?}");
-    assert!(seen.contains(&(9, "a1 back, a2 untouched".to_owned())), "{seen:?}");
-}
-
-#[test]
-fn a_drive_that_is_done_and_changed_by_somebody_is_not_taken_back_over_it() {
-    // a2 refuses 480@1; with its first telegrams behind the question somebody sets 480@2 of a1, which is done.
-    for after in [20, 22, 24, 26, 28, 30, 32] {
-        let changed = format!(
-            "address = 1\n[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"480@2\" = 12.34 }}\n"
-        );
-        let refuses = format!("address = 2\n[[drive.event]]\nat = \"0s\"\nrefuses = {}\n", 1 << 12 | 480);
-        let bench = TWO.replacen("address = 1\n", &changed, 1).replacen("address = 2\n", &refuses, 1);
-        let ended = plant("-a a1,a2 apply --yes --atomic", [&bench, TWO, ONE]).json().exits(9);
-        let (bench, _) = witness::all_left().swap_remove(0);
-        let now = bench.drive(1).unwrap().eeprom(480, 2);
-        let is_named = ended.value.to_string().contains("reads as 12.34 Hz");
-        assert!(!is_named || now == Some(1234), "{after}: {now:?} {:#}", ended.value);
-    }
 }

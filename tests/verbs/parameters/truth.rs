@@ -283,7 +283,8 @@ fn an_undo_file_of_a_hand_cuts_no_line_and_says_from_where_it_leads_back() {
 
 #[test]
 fn a_check_names_what_the_drive_works_with_where_that_is_not_what_is_stored() {
-    let check = |bench: &str| antrieb("-a 1 dataset check {dir}/x.toml").on(bench).file("x.toml", &file("480 = 5")).json();
+    let check =
+        |bench: &str| antrieb("-a 1 dataset check {dir}/x.toml").on(bench).file("x.toml", &file("480 = 5")).json();
     let differs = check("[[drive]]\nmodel = \"act\"\nset = { \"480\" = 5, \"480@2ram\" = 7.77 }\n").exits(0);
     assert_eq!(differs.warnings(), ["check.in_force"], "{:#}", differs.value);
     assert!(differs.value["warnings"].to_string().contains("P.480@2: stored is 5.00 Hz, the drive works with 7.77 Hz"));
