@@ -111,9 +111,10 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
     for Wanted { place, opened, .. } in wanted {
         let reader = telegram_reader(&place.settings, &opened.family);
         let asked = of_file(&opened.settings, &opened.family);
-        let stored = |asking: &Asking| asking.sets.iter().flat_map(|sets| sets.wire()).collect();
-        let places: [&dyn Fn(&Asking) -> Vec<u8>; 2] = [&stored, &|asking| ram_sets(asking, &opened.family)];
-        for (asking, sets) in places.iter().flat_map(|sets| asked.iter().map(move |asking| (asking, sets(asking)))) {
+        let stored = asked.iter().map(|asking| (asking, asking.sets.iter().flat_map(|sets| sets.wire()).collect()));
+        let in_force = asked.iter().map(|asking| (asking, ram_sets(asking, &opened.family)));
+        let places: Vec<(&Asking, Vec<u8>)> = stored.chain(in_force).collect();
+        for (asking, sets) in places {
             let sets = sets.into_iter();
             telegrams.extend(sets.filter_map(|set| reader.question(place.address, read_question(&asking.param, set))));
         }

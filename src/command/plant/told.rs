@@ -22,12 +22,11 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
     }
     let of = |state| drives.iter().any(|row| row.state == state);
     let (is_torn, is_back) = (of(PlantState::Torn), of(PlantState::Back));
+    // A drive that failed itself says so of all that was written.
+    let tells = |row: &PlantDrive| row.error.as_ref().is_some_and(|error| error.code == "partial.put_back");
+    let adds = is_back && !drives.iter().any(tells);
     let failure = summary(failures, drives.len(), is_torn || is_back).map(|failure| Failure {
-        message: if is_back && drives.len() > 1 {
-            written_and_back(&failure.message, &drives)
-        } else {
-            failure.message
-        },
+        message: if adds && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
         ..failure
     });
     let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });

@@ -38,7 +38,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     (
         "stale.toml",
-        "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1400\n480 = 7\n[undo]\nvalues = { \"372@2\" = 1460 }\n",
+        "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1400\n480 = 7\n[undo]\nvalues = { \"372@2\" = 1460, 480 = 5, \"480@3\" = -12.5 }\n",
     ),
     ("fan.toml", "antrieb = 1\n[drive]\nfamily = \"acu\"\n[values]\n\"480@1\" = \"20 Hz\"\n"),
     (
