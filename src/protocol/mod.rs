@@ -3,6 +3,7 @@
 //! This room knows wire formats and their norms. It knows no drive, no clock and no I/O, and it never panics on any
 //! input: there is no indexing here, only checked access.
 
+pub mod can;
 pub mod check;
 pub mod line;
 pub mod modbus;
