@@ -115,6 +115,9 @@ _antrieb() {
             antrieb__subcmd__dataset,undo)
                 cmd="antrieb__subcmd__dataset__subcmd__undo"
                 ;;
+            antrieb__subcmd__decode,can)
+                cmd="antrieb__subcmd__decode__subcmd__can"
+                ;;
             antrieb__subcmd__decode,control)
                 cmd="antrieb__subcmd__decode__subcmd__control"
                 ;;
@@ -1642,7 +1645,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help telegram trace status control warnings fault error"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help telegram can trace status control warnings fault error"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1687,8 +1690,54 @@ _antrieb() {
             COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
             return 0
             ;;
+        antrieb__subcmd__decode__subcmd__can)
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --protocol)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --word-order)
+                    COMPREPLY=($(compgen -W "high low" -- "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
         antrieb__subcmd__decode__subcmd__control)
-            opts="-q -v -h --mode --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --mode --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1738,7 +1787,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__error)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1784,7 +1833,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__fault)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1830,7 +1879,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__status)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1876,7 +1925,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__telegram)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -1922,12 +1971,16 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__trace)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --candump --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --candump)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --protocol)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
@@ -1968,7 +2021,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__warnings)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

@@ -2413,10 +2413,12 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('telegram', 'telegram', [CompletionResultType]::ParameterValue, 'A telegram of Modbus or VABus')
-            [CompletionResult]::new('trace', 'trace', [CompletionResultType]::ParameterValue, 'A recording made with --trace')
+            [CompletionResult]::new('can', 'can', [CompletionResultType]::ParameterValue, 'Frames of CAN, as candump logs them or SLCAN has them')
+            [CompletionResult]::new('trace', 'trace', [CompletionResultType]::ParameterValue, 'A recording: of --trace, of candump, or of an SLCAN adapter')
             [CompletionResult]::new('status', 'status', [CompletionResultType]::ParameterValue, 'A status word (P.411), such as 0x0237')
             [CompletionResult]::new('control', 'control', [CompletionResultType]::ParameterValue, 'A control word (P.410), such as 0x000F')
             [CompletionResult]::new('warnings', 'warnings', [CompletionResultType]::ParameterValue, 'A warning word (P.270), such as 0x008B')
@@ -2440,11 +2442,12 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
         }
-        'antrieb;decode;trace' {
+        'antrieb;decode;can' {
             [CompletionResult]::new('--protocol', '--protocol', [CompletionResultType]::ParameterName, 'rtu, ascii, vabus, or auto for `scan` [default: rtu]')
             [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05 [default: auto, ask the drive]')
             [CompletionResult]::new('--word-order', '--word-order', [CompletionResultType]::ParameterName, 'First half of 32 bits: high, low [default: ask]')
@@ -2460,6 +2463,29 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
+            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            break
+        }
+        'antrieb;decode;trace' {
+            [CompletionResult]::new('--candump', '--candump', [CompletionResultType]::ParameterName, 'Write the CAN frames of it as a log of candump')
+            [CompletionResult]::new('--protocol', '--protocol', [CompletionResultType]::ParameterName, 'rtu, ascii, vabus, or auto for `scan` [default: rtu]')
+            [CompletionResult]::new('--drive', '--drive', [CompletionResultType]::ParameterName, 'act, acu, lxm05 [default: auto, ask the drive]')
+            [CompletionResult]::new('--word-order', '--word-order', [CompletionResultType]::ParameterName, 'First half of 32 bits: high, low [default: ask]')
+            [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')
+            [CompletionResult]::new('--lang', '--lang', [CompletionResultType]::ParameterName, 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]')
+            [CompletionResult]::new('--color', '--color', [CompletionResultType]::ParameterName, 'Colour [default: auto]')
+            [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
+            [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
+            [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
+            [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')
+            [CompletionResult]::new('--quiet', '--quiet', [CompletionResultType]::ParameterName, 'Less on stderr')
+            [CompletionResult]::new('-v', '-v', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
+            [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
+            [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
+            [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
@@ -2480,6 +2506,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
@@ -2501,6 +2528,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
@@ -2521,6 +2549,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
@@ -2541,6 +2570,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break
@@ -2561,6 +2591,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--verbose', '--verbose', [CompletionResultType]::ParameterName, 'Show settings and telegrams, on stderr')
             [CompletionResult]::new('--no-progress', '--no-progress', [CompletionResultType]::ParameterName, 'No progress bar')
             [CompletionResult]::new('--no-config', '--no-config', [CompletionResultType]::ParameterName, 'Read no project file and no user configuration')
+            [CompletionResult]::new('--force', '--force', [CompletionResultType]::ParameterName, 'Replace the file of --trace if it exists')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             break

@@ -52,7 +52,7 @@ impl Takes {
     pub const EXPLAINS: Takes = Takes {
         first: &["protocol", "drive", "word_order", "format", "lang", "catalogue"],
         silent: &["address", "dry_run", "yes"],
-        refused: &[OF_A_LINE, &["force"]],
+        refused: &[OF_A_LINE],
     };
     /// Knows drives, and no line.
     pub const BROWSES: Takes = Takes {

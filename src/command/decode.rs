@@ -3,14 +3,16 @@
 use super::verb::{Verb, Working};
 use super::{Context, offline_family, telegram_reader};
 use crate::args::Takes;
+use crate::drive::decode::{is_can, log};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::outcome::{Data, Decode, Document, Event, Outcome};
+use crate::outcome::{Data, Decode, Document, Event, Outcome, TelegramDoc};
 use crate::profile::Family;
 use crate::text::{Text, both};
 use clap::{Args as ClapArgs, Subcommand};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Explains telegrams, words and codes. No drive is needed.
 #[derive(Clone, Debug, ClapArgs)]
@@ -31,10 +33,24 @@ enum What {
         #[arg(required = true, value_name = "BYTES")]
         bytes: Vec<String>,
     },
-    /// A recording made with --trace
+    /// Frames of CAN, as candump logs them or SLCAN has them
+    ///
+    /// 605#4074010200000000, also with blanks or points between the bytes, or t60584074010200000000. A recording is taken by
+    /// `decode trace`. What an identifier is for is told by the predefined connection set; drives may have been given others.
+    Can {
+        /// 605#4074010200000000, or t60584074010200000000
+        #[arg(required = true, value_name = "FRAME")]
+        frames: Vec<String>,
+    },
+    /// A recording: of --trace, of candump, or of an SLCAN adapter
     Trace {
         /// The file
         file: PathBuf,
+        /// Write the CAN frames of it as a log of candump
+        ///
+        /// Written whole, or not at all; --force replaces an old one.
+        #[arg(long, value_name = "FILE")]
+        candump: Option<PathBuf>,
     },
     /// A status word (P.411), such as 0x0237
     Status {
@@ -75,6 +91,7 @@ impl Verb for Args {
     const TAKES: Takes = Takes::EXPLAINS;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb decode telegram 01 03 21 74 00 01 CE 2C",
+        "antrieb decode can 605#4074010200000000 585#427401026E050000",
         "antrieb decode trace line.txt",
         "antrieb decode status 0x0237",
         "antrieb decode control 0x000F",
@@ -98,7 +115,9 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
         // The letter of a displayed code tells whose it is.
         family = told;
     }
+    let cube = cube(context, &family);
     let reader = telegram_reader(context.settings, &family);
+    let on_can = telegram_reader(context.settings, &cube);
     let blank = |kind, input: &str| Decode {
         kind,
         input: input.to_owned(),
@@ -110,19 +129,23 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let decode = match &args.what {
         What::Telegram { bytes } => {
             let input = bytes.join(" ");
-            let docs =
-                reader.typed(&input).map_err(|error| Failure::new(Class::Usage, "usage.telegram", error.text()))?;
-            let broken = docs.iter().find(|doc| !doc.check_ok);
-            let failure = broken.map(|doc| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
-            let data = Data::Decode(Decode { telegrams: docs, ..blank("telegram", &input) });
-            return Ok(Outcome { data: Some(data), warnings: Vec::new(), failure });
+            return checked(blank("telegram", &input), reader.typed(&input).map_err(|error| error.text()));
         }
-        What::Trace { file } => {
+        What::Can { frames } => {
+            let input = frames.join(" ");
+            return checked(blank("can", &input), on_can.frames(&input));
+        }
+        What::Trace { file, candump } => {
             let shown = file.display().to_string();
-            let text = files::read(file, files::RECORDING).map_err(|error| error.text());
-            let telegrams = text.and_then(|text| reader.recording(&text)).map_err(|why| {
-                Failure::new(Class::Data, "data.trace", both!("{shown}: {why}", "{shown}: {why}", why))
-            })?;
+            let wrong =
+                |why: Text| Failure::new(Class::Data, "data.trace", both!("{shown}: {why}", "{shown}: {why}", why));
+            let text = files::read(file, files::RECORDING).map_err(|error| wrong(error.text()))?;
+            let reader = if is_can(&text) { on_can } else { reader };
+            let telegrams = reader.recording(&text).map_err(wrong)?;
+            if let Some(path) = candump {
+                let note = write_log(&text, path, context.settings.force)?;
+                (context.observe)(Event::Note(note));
+            }
             Decode { telegrams, ..blank("trace", &shown) }
         }
         What::Status { word } => word_of(&family, "status-word", "status", word, None)?,
@@ -142,6 +165,48 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     Ok(Outcome::of(Data::Decode(decode)))
 }
 
+/// What was typed, taken apart; one that is damaged is told, and is a failure.
+fn checked(blank: Decode, docs: Result<Vec<TelegramDoc>, Text>) -> Result<Outcome, Failure> {
+    let docs = docs.map_err(|why| Failure::new(Class::Usage, "usage.telegram", why))?;
+    let broken = docs.iter().find(|doc| !doc.check_ok);
+    let failure = broken.map(|doc| Failure::new(Class::Garbled, "garbled.telegram", doc.meaning.clone()));
+    let data = Data::Decode(Decode { telegrams: docs, ..blank });
+    Ok(Outcome { data: Some(data), warnings: Vec::new(), failure })
+}
+
+/// The family whose system bus is spoken of: the one that was named, else that of the module with the bus (EM-RES-03).
+fn cube(context: &Context<'_>, family: &Rc<Family>) -> Rc<Family> {
+    let cube = context.registry.family("acu").filter(|_| context.settings.drive.is_none());
+    cube.unwrap_or_else(|| family.clone())
+}
+
+/// Writes the frames of a recording as candump logs them, and says how many.
+fn write_log(text: &str, path: &Path, force: bool) -> Result<Text, Failure> {
+    let shown = path.display();
+    let no_can = || {
+        let message = both!("expected a recording of CAN", "erwartet: eine Aufzeichnung von CAN");
+        Failure::new(Class::Data, "data.trace", message)
+    };
+    let written = log(text).ok_or_else(no_can)?.map_err(|why| Failure::new(Class::Data, "data.trace", why))?;
+    files::write_whole(path, &written.log, force).map_err(|error| {
+        let message = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
+        let failure = Failure::new(Class::Data, "data.output", message);
+        match error {
+            files::FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
+            _ => failure,
+        }
+    })?;
+    let frames = Text::count(written.frames, ["frame", "frames"], ["Frame", "Frames"]);
+    Ok(match written.left_out {
+        0 => both!("{frames} written to {shown}", "{frames} nach {shown} geschrieben", frames),
+        left_out => both!(
+            "{frames} written to {shown}; {left_out} words of the adapter and damaged ones left out",
+            "{frames} nach {shown} geschrieben; {left_out} Worte des Adapters und beschädigte weggelassen",
+            frames
+        ),
+    })
+}
+
 fn fault_number(code: &str, family: &Family) -> Result<u32, Failure> {
     let letter = &family.fault_codes.letter;
     let number = displayed(code, family).or_else(|| number(code));
@@ -159,7 +224,7 @@ fn base(what: &What, family: &Family) -> Option<Text> {
         What::Control { word, .. } => ("control", word, "0x"),
         What::Warnings { word } => ("warnings", word, "0x"),
         What::Fault { code } => ("fault", code, &*family.fault_codes.letter),
-        What::Telegram { .. } | What::Trace { .. } | What::Error { .. } => return None,
+        What::Telegram { .. } | What::Can { .. } | What::Trace { .. } | What::Error { .. } => return None,
     };
     let text = text.trim();
     let is_written_so = text.len() == DIGITS && text.bytes().all(|digit| digit.is_ascii_digit());

@@ -1,5 +1,6 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
+mod can;
 mod modbus;
 mod registers;
 mod services;
@@ -14,6 +15,8 @@ use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::text::{Text, both};
 use crate::transport::{TraceLine, read_trace};
+
+pub use can::{Written, is_can, log};
 
 /// Meaning and fields of what stands between the address and the check value.
 type Said = (Text, Vec<Field>);
@@ -117,6 +120,9 @@ impl Reader<'_> {
 
     /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.
     pub fn recording(&self, text: &str) -> Result<Vec<TelegramDoc>, Text> {
+        if let Some(frames) = self.can_recording(text) {
+            return frames;
+        }
         let mut protocol = recorded_protocol(text).unwrap_or(self.protocol);
         let mut docs: Vec<(TraceLine, Vec<u8>)> = Vec::new();
         for line in read_trace(text)? {

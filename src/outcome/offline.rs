@@ -74,7 +74,7 @@ pub struct ChoiceDoc {
 /// Result of `decode`.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Decode {
-    /// `telegram`, `status`, `control`, `warnings`, `fault`, `error`.
+    /// `telegram`, `can`, `trace`, `status`, `control`, `warnings`, `fault`, `error`.
     pub kind: &'static str,
     /// What was given.
     pub input: String,
@@ -93,7 +93,7 @@ pub struct Decode {
 pub struct TelegramDoc {
     /// Microseconds since the start of the recording, if it is from one.
     pub at_us: Option<u64>,
-    /// `rtu` or `ascii`.
+    /// `rtu`, `ascii`, `mbtcp`, `vabus`, `can`.
     pub protocol: &'static str,
     /// `request`, `reply`, or null if it could be either.
     pub direction: Option<&'static str>,
@@ -109,6 +109,29 @@ pub struct TelegramDoc {
     pub meaning: Text,
     /// Field by field.
     pub fields: Vec<Field>,
+    /// Of a frame of CAN.
+    #[serde(flatten)]
+    pub can: Option<CanDoc>,
+}
+
+/// What only a frame of CAN has. Its node stands as `address`: 0 is everybody for NMT, else the master.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct CanDoc {
+    /// Interface that it came from, where a recording tells it.
+    pub interface: Option<String>,
+    /// Its identifier; null for what was never on the bus.
+    pub identifier: Option<u32>,
+    /// By the predefined connection set: `nmt`, `sync`, `emergency`, `tx_pdo`, `rx_pdo`, `sdo_request`, `sdo_reply`, `boot_up`,
+    /// `heartbeat`, `time`, `free`; else `remote`, `foreign` (29 bits), `adapter`, `trouble`.
+    pub service: &'static str,
+    /// Which PDO (1 to 4) or SDO (1, 2).
+    pub channel: Option<u8>,
+    /// Parameter, or index of an object.
+    pub param: Option<u32>,
+    /// Data set, or sub-index.
+    pub data_set: Option<u8>,
+    /// Value of the parameter, where its width is known; fault key of an emergency; code of an abort.
+    pub raw: Option<i64>,
 }
 
 /// A field of a telegram.

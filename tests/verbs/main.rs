@@ -85,6 +85,7 @@ mod offline {
     mod catalogues;
     mod completing;
     mod decoding;
+    mod decoding_can;
     mod decoding_lexium;
     mod decoding_vabus;
     mod files;

@@ -359,6 +359,7 @@ cases! {
 
     decode_fine: 0, "decode fault F0500";
     decode_telegram: 0, "decode telegram 01 65 21 77 00 00 03 E8 46 C5";
+    decode_can: 0, "decode can 605#4074010200000000 585#427401026E050000 085#0010800000000122";
     decode_garbage: 5, "decode telegram 01 02 03";
     decode_status: 0, "decode status 0x0237";
     decode_control: 0, "--drive act decode control 0x000F --mode 1";

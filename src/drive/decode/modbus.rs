@@ -22,6 +22,7 @@ impl Reader<'_> {
             hex: Hex(bytes).to_string(),
             meaning: Text::default(),
             fields: Vec::new(),
+            can: None,
         };
         let adu = match decoded {
             Ok(adu) => adu,

@@ -42,6 +42,7 @@ impl Reader<'_> {
             hex: Hex(bytes).to_string(),
             meaning: Text::default(),
             fields: Vec::new(),
+            can: None,
         };
         match telegram {
             Ok(telegram) => self.describe(&telegram, &mut doc),

@@ -163,8 +163,10 @@ pub enum Reply {
 }
 
 /// Command specifiers in the top three bits: of the client, and of the server (CiA 301 7.2.4.3).
-const CLIENT: Specifiers = Specifiers { initiate_download: 1, download_segment: 0, initiate_upload: 2, upload_segment: 3 };
-const SERVER: Specifiers = Specifiers { initiate_download: 3, download_segment: 1, initiate_upload: 2, upload_segment: 0 };
+const CLIENT: Specifiers =
+    Specifiers { initiate_download: 1, download_segment: 0, initiate_upload: 2, upload_segment: 3 };
+const SERVER: Specifiers =
+    Specifiers { initiate_download: 3, download_segment: 1, initiate_upload: 2, upload_segment: 0 };
 const ABORT: u8 = 4;
 
 struct Specifiers {

@@ -49,10 +49,10 @@ const END: char = '\r';
 /// Refused.
 const BELL: char = '\u{7}';
 
-/// Whether a text may be SLCAN: every line begins with one of its letters, and one is a frame.
+/// Whether a text may be SLCAN: it begins with a word of it, and one of them is a frame.
 pub fn is_text(text: &str) -> bool {
-    let mut words = cut(text).peekable();
-    words.peek().is_some() && cut(text).all(|word| Word::read(word).is_ok()) && words.any(|word| is_frame(word))
+    let is_word = |word: &&str| Word::read(word).is_ok();
+    cut(text).next().is_some_and(|first| is_word(&first)) && cut(text).any(|word| is_frame(word) && is_word(&word))
 }
 
 /// Whether a word begins as a frame does.

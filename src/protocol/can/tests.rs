@@ -138,7 +138,9 @@ fn candump_is_read_in_both_of_its_forms() {
 
 #[test]
 fn slcan_is_read_and_written() {
-    for word in ["t5858427401026E050000", "r7051", "T1FFFFFFF0", "S6", "O", "L", "C", "F", "F80", "V1013", "Z1", "\u{7}"] {
+    for word in
+        ["t5858427401026E050000", "r7051", "T1FFFFFFF0", "S6", "O", "L", "C", "F", "F80", "V1013", "Z1", "\u{7}"]
+    {
         assert_eq!(slcan::Word::read(word).unwrap().to_string(), word);
     }
     let stamped = slcan::Word::read("t0000EA5F").unwrap();
@@ -147,7 +149,7 @@ fn slcan_is_read_and_written() {
         assert!(slcan::Word::read(wrong).is_err(), "{wrong}");
     }
     assert_eq!(slcan::cut("S6\rO\r\u{7}t1230\r\n").collect::<Vec<_>>(), ["S6", "O", "\u{7}", "t1230"]);
-    assert!(slcan::is_text("S6\rt1230\r") && !slcan::is_text("S6\rhello\r") && !slcan::is_text(""));
+    assert!(slcan::is_text("S6\rt1230\rt12\r") && !slcan::is_text("S6\rhello\r") && !slcan::is_text(""));
 }
 
 fn frames() -> impl Strategy<Value = Frame> {

@@ -22,7 +22,7 @@ impl Page {
             [] => {}
             [only] => text += &self.telegram(only),
             // What was typed is told to the last field; a recording a line each.
-            pair if decode.kind == "telegram" => {
+            pair if ["telegram", "can"].contains(&decode.kind) => {
                 text += &pair.iter().map(|doc| self.telegram(doc)).collect::<Vec<_>>().join("\n");
             }
             several => text += &self.telegrams(several),

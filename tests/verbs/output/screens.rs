@@ -51,6 +51,7 @@ const TYPED: &[(&str, &[&str])] = &[
         "decode",
         &[
             "decode 01 03 21 74 00 01 CE 2C",
+            "decode can 605#4074010200000000 585#427401026E050000",
             "decode status 0x0237 --drive acu",
             "decode fault F0401",
             "decode register 10",
