@@ -1076,6 +1076,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1122,6 +1123,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;shutdown' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1168,6 +1170,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1214,6 +1217,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;switch-on' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1260,6 +1264,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1306,6 +1311,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;enable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1352,6 +1358,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1398,6 +1405,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1444,6 +1452,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1490,6 +1499,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;disable-voltage' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1536,6 +1546,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1582,6 +1593,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;quick-stop' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1628,6 +1640,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1674,6 +1687,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;reset' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1720,6 +1734,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1766,6 +1781,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;goto' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1812,6 +1828,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;statemachine;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1858,6 +1875,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;state;contacts' {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1912,6 +1930,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by lines such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -1970,6 +1989,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--profile', '--profile', [CompletionResultType]::ParameterName, 'Lead the setpoint by lines such as `5s, 25Hz`')
             [CompletionResult]::new('--jog', '--jog', [CompletionResultType]::ParameterName, 'Enable, run for this time, stop')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'With --hold: end after this time')
             [CompletionResult]::new('--on-exit', '--on-exit', [CompletionResultType]::ParameterName, 'Then ramp (default), quick-stop, coast or keep')
             [CompletionResult]::new('--watchdog', '--watchdog', [CompletionResultType]::ParameterName, 'Set the drive''s own watchdog for the run')
             [CompletionResult]::new('--wait', '--wait', [CompletionResultType]::ParameterName, 'How long to wait for a state [default: 3s]')
@@ -2021,6 +2041,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;monitor' {
             [CompletionResult]::new('--interval', '--interval', [CompletionResultType]::ParameterName, 'Time from round to round')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
+            [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'End after this many rounds')
             [CompletionResult]::new('--textfile', '--textfile', [CompletionResultType]::ParameterName, 'Keep a file with the last round, as OpenMetrics')
             [CompletionResult]::new('--record', '--record', [CompletionResultType]::ParameterName, 'Keep what comes in a file')
@@ -2597,6 +2618,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;sniff' {
+            [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'End after this many telegrams')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
@@ -2636,6 +2658,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;simulate' {
             [CompletionResult]::new('--link', '--link', [CompletionResultType]::ParameterName, 'Name the pseudo terminal with this symbolic link')
             [CompletionResult]::new('--tcp', '--tcp', [CompletionResultType]::ParameterName, 'Serve on a loopback address, such as 127.0.0.1:5020')
+            [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--format', '--format', [CompletionResultType]::ParameterName, 'table, json (--json), ndjson, csv [default: table]')
             [CompletionResult]::new('--lang', '--lang', [CompletionResultType]::ParameterName, 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]')

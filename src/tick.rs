@@ -128,7 +128,14 @@ impl FromStr for Span {
             ))
         };
         let typed = text.trim().replacen(',', ".", 1);
-        let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bad)?;
+        let bare = || match typed.bytes().any(|byte| byte.is_ascii_digit()) {
+            true => Wrong(both!(
+                "expected a time such as 500ms, 2s or 1m, got '{text}' without a unit: {typed}s, or {typed}ms?",
+                "erwartet: eine Zeit wie 500ms, 2s oder 1m; angegeben: '{text}' ohne Einheit: {typed}s oder {typed}ms?"
+            )),
+            false => bad(),
+        };
+        let end = typed.find(|c: char| !(c.is_ascii_digit() || c == '.')).ok_or_else(bare)?;
         let (number, unit) = typed.split_at(end);
         if number.trim_matches('.').is_empty() {
             return Err(bad());

@@ -13,7 +13,7 @@ pub struct MotionArgs {
     pub hold: bool,
 
     /// With --hold: end after this time
-    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Run")]
+    #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span, requires = "hold", help_heading = "Run")]
     pub duration: Option<Span>,
 
     /// Then ramp (default), quick-stop, coast or keep

@@ -2,6 +2,7 @@
 
 mod complete;
 mod manual;
+mod overview;
 mod page;
 mod printed;
 mod short;

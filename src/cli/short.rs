@@ -1,5 +1,6 @@
 //! `-h`: a line for each option, and no more lines than a terminal has.
 
+use super::overview;
 use clap::{Arg, Command};
 
 /// Lines of a terminal (80 x 24).
@@ -29,7 +30,7 @@ pub(super) fn of(root: Command) -> Command {
         true => arg.help_heading(COMMON),
         false => arg.help_heading(None::<&str>),
     };
-    root.mut_args(under).mut_subcommands(|verb| {
+    let root = root.mut_subcommands(|verb| {
         let verb = verb.mut_args(under);
         let common: Vec<_> = verb.get_arguments().filter(|arg| is_common(arg)).cloned().collect();
         let verb = verb.mut_subcommands(|inner| {
@@ -38,7 +39,8 @@ pub(super) fn of(root: Command) -> Command {
             fitted(inner.mut_args(under).args(common))
         });
         fitted(verb)
-    })
+    });
+    overview::of(root)
 }
 
 /// What the options of every verb stand under.

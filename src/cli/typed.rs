@@ -14,7 +14,7 @@ use std::ffi::OsString;
 /// Finds drives, says in plain words what they say, reads and writes their parameters in four data sets, and diagnoses
 /// the line. `--port sim` is a built-in bench with two drives: try everything there first.
 #[derive(Debug, Parser)]
-#[command(name = "antrieb", version, after_help = SHORT, after_long_help = exit_codes() + FIRST_STEPS, max_term_width = 100, disable_help_subcommand = true)]
+#[command(name = "antrieb", version, after_long_help = exit_codes() + FIRST_STEPS, max_term_width = 100, disable_help_subcommand = true)]
 pub(super) struct Line {
     #[command(subcommand)]
     pub(super) what: What,
@@ -79,19 +79,10 @@ fn exit_codes() -> String {
     format!("Exit codes:\n    0  done\n{}\n", rows.collect::<String>())
 }
 
-/// What `antrieb -h` ends with.
-const SHORT: &str = "Exit codes: antrieb --help; first steps: antrieb --port sim scan";
-
 /// Everything, for pages and for what does not fit.
 pub(super) fn whole() -> clap::Command {
-    Line::command().mut_args(|arg| {
-        let is_first = FIRST.contains(&arg.get_id().as_str());
-        arg.hide_short_help(!is_first)
-    })
+    Line::command()
 }
-
-/// What `antrieb -h` tells.
-const FIRST: &[&str] = &["port", "address", "baud", "parity", "protocol", "drive", "format", "lang", "dry_run", "yes"];
 
 /// The tree for completions: what is offered, and nothing that only takes the place of something.
 pub(super) fn offered() -> clap::Command {

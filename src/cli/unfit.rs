@@ -1,9 +1,10 @@
 //! What does not fit the tree of arguments, in words of ours: clap knows one language, and says nothing to programs.
 
-use super::closed;
 use super::typed::whole;
+use super::{closed, overview};
 use crate::args::below_zero::SIGN;
 use crate::args::{Environment, Useless, language};
+use crate::command::stop_meant;
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
@@ -45,7 +46,7 @@ pub(super) fn explain(
         };
     } else if place.path.is_empty() && error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         // `antrieb` alone shows its help.
-        error.render().to_string().lines().for_each(|line| console.line(line));
+        overview::of(place.root).render_help().to_string().lines().for_each(|line| console.line(line));
     } else {
         console.failure(&failure);
     }
@@ -77,13 +78,34 @@ impl Place {
     fn of(words: &[Cow<'_, str>]) -> Self {
         let root = whole();
         let (mut path, mut command) = (Vec::new(), &root);
-        for word in words.iter().skip(1) {
-            if let Some(inner) = command.find_subcommand(word.as_ref()) {
+        let words: Vec<String> = words.iter().map(ToString::to_string).collect();
+        for pair in words.windows(2).filter(|pair| of_option(&root, pair).is_none()) {
+            if let Some(inner) = pair.last().and_then(|word| command.find_subcommand(word)) {
                 path.push(inner.get_name().to_owned());
                 command = inner;
             }
         }
-        Place { path, root, words: words.iter().map(ToString::to_string).collect() }
+        Place { path, root, words }
+    }
+
+    /// A verb that an option took as its value, because its own was forgotten: `-a read 411`.
+    fn swallowed(&self, kind: ErrorKind) -> Option<Swallowed<'_>> {
+        use ErrorKind::{InvalidSubcommand, InvalidValue, MissingSubcommand, ValueValidation};
+        let is_open = match kind {
+            MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => true,
+            InvalidSubcommand | InvalidValue | ValueValidation => self.path.is_empty(),
+            _ => false,
+        };
+        let pairs = self.words.windows(2).enumerate().filter(|_| is_open);
+        let is_verb = |pair: &[String]| pair.last().is_some_and(|word| self.root.find_subcommand(word).is_some());
+        let (at, arg) =
+            pairs.filter(|(_, pair)| is_verb(pair)).find_map(|(at, pair)| Some((at, of_option(&self.root, pair)?)))?;
+        let (option, verb) = (self.words.get(at)?, self.words.get(at + 1)?);
+        let value = arg.get_value_names().and_then(|names| names.first()).map_or("VALUE", |name| name.as_str());
+        let mut words = self.words.clone();
+        words.insert(at + 1, value.to_owned());
+        let line = words.get(1..)?.join(" ");
+        Some(Swallowed { option, verb, what: own_value(arg.get_id().as_str()), line })
     }
 
     fn verb(&self) -> &str {
@@ -101,6 +123,17 @@ impl Place {
     fn failure(&self, error: &clap::Error) -> Failure {
         if let Some(useless) = std::error::Error::source(error).and_then(|why| why.downcast_ref::<Useless>()) {
             return useless.clone().into();
+        }
+        if let Some(Swallowed { option, verb, what, line }) = self.swallowed(error.kind()) {
+            let message = both!(
+                "{option} takes '{verb}' as its value: {what} is missing",
+                "{option} nimmt '{verb}' als seinen Wert: es fehlt {what}",
+                option,
+                verb,
+                what
+            );
+            return Failure::new(Class::Usage, "usage.arguments", message)
+                .hint(both!("it is `antrieb {line}`", "es heißt `antrieb {line}`"));
         }
         Failure::new(Class::Usage, "usage.arguments", self.message(error)).hint(self.hint(error))
     }
@@ -185,6 +218,10 @@ impl Place {
 
     /// What to do next: what was perhaps meant, how it is called, or who tells that.
     fn hint(&self, error: &clap::Error) -> Text {
+        // Whoever types a stop may have a turning shaft: nothing is suggested that is only spelt alike.
+        if let Some(how) = self.stop(error) {
+            return how;
+        }
         let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
         if let Some(near) = near.into_iter().find_map(|kind| nearest(error.get(kind)?)) {
             return both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'");
@@ -213,6 +250,11 @@ impl Place {
         }
     }
 
+    fn stop(&self, error: &clap::Error) -> Option<Text> {
+        let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand) else { return None };
+        stop_meant(word).filter(|_| matches!(self.verb(), "" | "statemachine"))
+    }
+
     /// A number and its unit that were typed as two words, in one: `25 Hz`.
     fn parted(&self, error: &clap::Error) -> Option<String> {
         let unit = error.get(Told::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument)?.to_string();
@@ -229,6 +271,41 @@ impl Place {
         }
         let verb = self.root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
         Some(format!("antrieb {} {word}", verb.get_name()))
+    }
+}
+
+/// What an option took that stands in place of its value.
+struct Swallowed<'p> {
+    option: &'p str,
+    verb: &'p str,
+    what: Text,
+    /// How it is meant.
+    line: String,
+}
+
+/// The option of every verb whose value the second word is.
+fn of_option<'r>(root: &'r clap::Command, pair: &[String]) -> Option<&'r clap::Arg> {
+    let option = pair.first()?;
+    let is_it = |arg: &&clap::Arg| match option.strip_prefix("--") {
+        Some(long) => arg.get_long() == Some(long),
+        None => {
+            option.strip_prefix('-').is_some_and(|short| arg.get_short().map(String::from).as_deref() == Some(short))
+        }
+    };
+    root.get_arguments().filter(|arg| arg.get_action().takes_values()).find(is_it)
+}
+
+/// What an option wants.
+fn own_value(option: &str) -> Text {
+    match option {
+        "address" => both!("the address", "die Adresse"),
+        "port" => both!("the port", "der Anschluss"),
+        "baud" => both!("the speed", "die Baudrate"),
+        "drive" => both!("the family", "die Familie"),
+        "protocol" => both!("the protocol", "das Protokoll"),
+        "parity" => both!("the parity", "die Parität"),
+        "timeout" => both!("the time", "die Zeit"),
+        _ => both!("its own", "der eigene"),
     }
 }
 

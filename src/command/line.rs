@@ -49,7 +49,7 @@ enum What {
         ///
         /// Of Modbus P.1376, MBadr; of VABus P.394.
         #[arg(id = "new_address", short = 'a', long = "address", value_name = "ADDRESS")]
-        address: Option<u8>,
+        address: Option<u32>,
     },
 }
 

@@ -20,10 +20,12 @@ pub mod simulate;
 pub mod sniff;
 pub mod sollwert;
 pub mod statemachine;
+mod stopping;
 mod verb;
 pub mod write;
 
 pub use monitor::{keeper, recording};
+pub use stopping::stop_meant;
 pub use verb::{EXAMPLES, Entry, Flow, Typed, Verb, Working, exemplified};
 
 /// Every verb, in the order of the help.

@@ -49,7 +49,7 @@ pub struct Args {
     pub interval: Span,
 
     /// End after this time
-    #[arg(long, value_name = "TIME", value_parser = parse_span)]
+    #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span)]
     pub duration: Option<Span>,
 
     /// End after this many rounds

@@ -34,7 +34,7 @@ pub struct Args {
     pub tcp: Option<SocketAddr>,
 
     /// End after this time
-    #[arg(long = "for", value_name = "TIME", value_parser = parse_span)]
+    #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span)]
     pub duration: Option<Span>,
 }
 
@@ -42,7 +42,7 @@ impl Verb for Args {
     const NAME: &'static str = "simulate";
     const TAKES: Takes = Takes::SERVES;
     const EXAMPLES: &'static [&'static str] =
-        &["antrieb simulate --link drive --for 1m", "antrieb simulate bench.toml --tcp 127.0.0.1:5020"];
+        &["antrieb simulate --link drive --duration 1m", "antrieb simulate bench.toml --tcp 127.0.0.1:5020"];
     type Prints = Document<Simulate>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {

@@ -20,12 +20,12 @@ use clap::Args as ClapArgs;
 /// Times are milliseconds since the port was opened. `>` is a request, `<` a reply, `?` could be either, `!` is
 /// disturbed.
 ///
-/// Ctrl-C is the usual way to end it, and ends it with exit code 0, like --count and --for. If nothing was heard it is
+/// Ctrl-C is the usual way to end it, and ends it with exit code 0, like --count and --duration. If nothing was heard it is
 /// 4, if nothing of it is a telegram 5. The bench and recordings, whose time is virtual, end after 10 s of silence.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// End after this time
-    #[arg(long = "for", value_name = "TIME", value_parser = parse_span)]
+    #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span)]
     pub duration: Option<Span>,
 
     /// End after this many telegrams
@@ -40,7 +40,7 @@ impl Verb for Args {
     const NAME: &'static str = "sniff";
     const TAKES: Takes = Takes::LISTENS;
     const EXAMPLES: &'static [&'static str] = &[
-        "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --for 1m",
+        "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --duration 1m",
         "antrieb --port tape:line.txt sniff --drive act --format ndjson",
     ];
     type Prints = Document<OrPlan<Sniff>>;

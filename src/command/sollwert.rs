@@ -397,7 +397,13 @@ fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>)
     if motion.hold && !wanted.mode.zero {
         told.given_back(&wanted.param);
     }
-    wanted.schedule.values().for_each(|raw| told.write(&wanted.param, 0, raw));
+    // What stays as it is, is given once.
+    let mut given = None;
+    wanted
+        .schedule
+        .values()
+        .filter(|&raw| given.replace(raw) != Some(raw))
+        .for_each(|raw| told.write(&wanted.param, 0, raw));
     if let Some(start) = &wanted.start {
         told.control(start.word);
         told.command("enable");

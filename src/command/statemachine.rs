@@ -260,7 +260,11 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
             "es gibt keinen Zustand '{state}' (möglich: {known})",
             known = known.join(", ")
         );
-        return Err(Failure::new(Class::Usage, "usage.state", message));
+        let failure = Failure::new(Class::Usage, "usage.state", message);
+        return Err(match super::stop_meant(state) {
+            Some(how) => failure.hint(how),
+            None => failure,
+        });
     };
     if context.settings.dry_run {
         return dry_run(context, &family, motion, true, None, |told| told.walk(state));

@@ -43,7 +43,7 @@ pub struct Wish {
     /// P.1375.
     pub parity: Option<Parity>,
     /// P.1376 while the drive speaks Modbus, 1-247; P.394 while it speaks VABus, 1-30.
-    pub address: Option<u8>,
+    pub address: Option<u32>,
 }
 
 /// The way of a drive from where it is to where it is to be.
@@ -157,7 +157,7 @@ impl Wish {
             let rates = rates.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
             return Err(out_of_range("baud", &rates, &baud));
         }
-        match self.address.filter(|address| !(1..=LAST_STATION).contains(address)) {
+        match self.address.filter(|&address| !(1..=u32::from(LAST_STATION)).contains(&address)) {
             Some(address) => Err(out_of_range("address", &format!("1-{LAST_STATION}"), &address)),
             None => Ok(()),
         }

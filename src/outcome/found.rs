@@ -49,7 +49,7 @@ pub struct Search {
     /// Addresses that have not.
     #[serde(default)]
     pub open: String,
-    /// Whether every address was asked.
+    /// Whether every address has had its time.
     pub complete: bool,
     /// Addresses where only garbage came.
     pub garbled: Vec<u8>,

@@ -33,6 +33,11 @@ pub(super) fn near(name: &str, query: &str) -> Option<usize> {
     Some(slips(&name, &query)).filter(|slips| (1..=most).contains(slips))
 }
 
+/// Whether `query` (as typed) is `name`, or a few slips of the keyboard away from it.
+pub fn is_nearly(name: &str, query: &str) -> bool {
+    same(name, query) || near(name, query).is_some()
+}
+
 /// How many letters were left out, put in, taken for another, or swapped with the next (Damerau's distance).
 fn slips(one: &str, other: &str) -> usize {
     let other: Vec<char> = other.chars().collect();

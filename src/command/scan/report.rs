@@ -70,6 +70,8 @@ pub(super) fn report(
 struct Sum {
     addresses: usize,
     asked: usize,
+    /// Asked, but without the full time to answer.
+    glimpsed: usize,
     settings: usize,
     done: usize,
     complete: bool,
@@ -99,9 +101,24 @@ impl Sum {
         }
     }
 
+    /// How many of the addresses were asked, and how thoroughly; one at two settings counts twice.
+    fn told(&self) -> Text {
+        let Sum { addresses, asked, glimpsed, .. } = self;
+        let looked = match glimpsed {
+            0 => Text::default(),
+            _ => both!(", {glimpsed} only a quick look", ", {glimpsed} nur einen kurzen Blick"),
+        };
+        both!(
+            "{asked} of {addresses} addresses had their full time to answer{looked}",
+            "{asked} von {addresses} Adressen hatten ihre volle Zeit für eine Antwort{looked}",
+            looked
+        )
+    }
+
     fn add(&mut self, searched: &Searched) {
         self.addresses += searched.wanted.len();
         self.asked += searched.asked.len();
+        self.glimpsed += searched.glimpsed().len();
         self.settings += 1;
         self.done += usize::from(searched.is_complete());
         self.complete &= searched.is_complete();
@@ -123,8 +140,8 @@ fn coverage(port: &Port, ports: usize, searched: &[Searched]) -> Option<Warning>
     });
     let open = open.unwrap_or_else(none);
     let message = both!(
-        "{port}asked: {asked}{glimpsed}; left open: {open}",
-        "{port}gefragt: {asked}{glimpsed}; offen: {open}",
+        "{port}asked to the end: {asked}{glimpsed}; left open: {open}",
+        "{port}zu Ende gefragt: {asked}{glimpsed}; offen: {open}",
         asked,
         glimpsed,
         open
@@ -195,27 +212,22 @@ fn search(port: &Port, searched: &Searched) -> Search {
 
 /// Why it is not all that was asked for: interrupted, a port that failed, or nobody there.
 fn verdict(settings: &Settings, failures: Vec<Failure>, ports: usize, found_none: bool, sum: &Sum) -> Option<Failure> {
-    let Sum { asked, addresses, .. } = *sum;
     let count = failures.len();
     let interrupted = failures.iter().position(|failure| failure.class == Class::Interrupted);
     let Some(first) = failures.into_iter().nth(interrupted.unwrap_or(0)) else {
         return found_none.then(|| nobody(settings));
     };
     let why = if interrupted.is_some() { Text::new("interrupted", "unterbrochen") } else { first.message.clone() };
-    let so_far = both!(
-        "{why}; {asked} of {addresses} addresses were asked",
-        "{why}; {asked} von {addresses} Adressen wurden gefragt",
-        why
-    );
+    let so_far = both!("{why}; {told}", "{why}; {told}", why, told = sum.told());
     if interrupted.is_some() {
         let left = sum.left.as_millis().div_ceil(1_000);
         let message =
-            both!("{so_far}, the others take about {left} s", "{so_far}, die anderen dauern etwa {left} s", so_far);
+            both!("{so_far}; what is left takes about {left} s", "{so_far}; der Rest dauert etwa {left} s", so_far);
         let message = if sum.settings > 1 { message } else { so_far };
         return Some(Failure { message, ..first }.hint(go_on(settings)));
     }
     if ports == 1 || count == ports {
-        return Some(if addresses > 0 { Failure { message: so_far, ..first } } else { first });
+        return Some(if sum.addresses > 0 { Failure { message: so_far, ..first } } else { first });
     }
     let message = both!(
         "{count} of {ports} ports failed; the first: {why}",
@@ -260,10 +272,10 @@ fn left_to(yielded: Yielded) -> Failure {
 
 /// The time that the user gave it was not enough to find anybody.
 fn over_time(within: Span, settings: &Settings, sum: &Sum) -> Failure {
-    let Sum { asked, addresses, .. } = sum;
     let message = both!(
-        "no drive answered within {within}; {asked} of {addresses} addresses were asked",
-        "kein Antrieb hat innerhalb von {within} geantwortet; {asked} von {addresses} Adressen wurden gefragt"
+        "no drive answered within {within}; {told}",
+        "kein Antrieb hat innerhalb von {within} geantwortet; {told}",
+        told = sum.told()
     );
     Failure::new(Class::No, NOBODY, message).hint(go_on(settings))
 }

@@ -3,6 +3,7 @@
 use super::Args;
 use super::keys::Keys;
 use crate::args::parse_span;
+use crate::command::stop_meant;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Decimal, RunKeys};
@@ -223,7 +224,11 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
             bad(both!("no mode of this drive stands still at 0", "keine Betriebsart dieses Antriebs steht bei 0 still"))
         })?,
         None => unit_mode(&first.text, family)
-            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..at_point(spoken, first, why) })?,
+            .map_err(|why| Failure { code: "usage.unit".to_owned(), ..at_point(spoken, first, why) })
+            .map_err(|failure| match stop_meant(&first.text) {
+                Some(how) => failure.hint(how),
+                None => failure,
+            })?,
     };
     let said = every_point(spoken, mode, family)?;
     let schedule = schedule(spoken, &said)?;

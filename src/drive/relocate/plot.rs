@@ -25,7 +25,7 @@ pub async fn course(session: &mut Session<'_>, target: &mut Target, wish: &Wish)
             coded(&protocols(&family), Some(protocol)).ok_or_else(|| speaks_one_only(&from.protocol))?;
         plot.speak(protocol, raw).await?;
     }
-    if let Some(address) = wish.address.filter(|address| *address != plot.here.address) {
+    if let Some(address) = wish.address.filter(|&address| address != u32::from(plot.here.address)) {
         plot.readdress(address)?;
     }
     if let Some((baud, raw)) = coded(&family.link.line.baud_rates, wish.baud) {
@@ -84,11 +84,10 @@ impl Plot<'_, '_> {
         Ok(())
     }
 
-    fn readdress(&mut self, address: u8) -> Result<(), Failure> {
+    fn readdress(&mut self, address: u32) -> Result<(), Failure> {
         let last = if self.here.protocol == Protocol::Vabus { Address::LAST } else { LAST_STATION };
-        if address > last {
-            return Err(out_of_range("address", &format!("1-{last}"), &address));
-        }
+        let fits = u8::try_from(address).ok().filter(|address| *address <= last);
+        let address = fits.ok_or_else(|| out_of_range("address", &format!("1-{last}"), &address))?;
         let param = self.row(address_role(self.here.protocol))?;
         let old = Some(self.here.address.into());
         self.here.address = address;

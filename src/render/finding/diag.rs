@@ -4,7 +4,6 @@ use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::{Diag, Diagnosis, LinkTest, Value, Word};
 use crate::profile::value::format_decimal;
-use crate::render::clean;
 
 impl Finding for Diag {
     fn table(&self, page: Page) -> String {
@@ -64,7 +63,7 @@ impl Page {
     fn diagnosis(self, report: &Diagnosis) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(error.message.get(self.lang)));
+            return text + &self.prose(error.message.get(self.lang));
         }
         let mut rows = self.fault_or_none(report.fault.as_ref(), report.fault_code);
         rows.extend(report.warnings.iter().flat_map(|word| self.warnings(word)));

@@ -19,7 +19,7 @@ impl Page {
     fn identity(self, identity: &Identity) -> String {
         let mut text = self.heading(identity.address, &identity.drive);
         if let Some(error) = &identity.error {
-            return text + &format!("{}\n", clean(error.message.get(self.lang)));
+            return text + &self.prose(error.message.get(self.lang));
         }
         let product = identity.product.as_ref().map_or_else(String::new, |product| format!(", {product}"));
         text += &format!("{}\n\n", clean(&(identity.title.get(self.lang).to_owned() + &product)));

@@ -3,6 +3,7 @@
 use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::{Adapter, AdapterErrors, Bucket, LineCheck};
+use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::clean;
 
@@ -43,7 +44,11 @@ impl Page {
         ];
         if let Some(errors) = errors {
             let AdapterErrors { frame, overrun, parity, brk } = errors;
-            rows.push(("adapter errors", format!("frame {frame}, parity {parity}, overrun {overrun}, break {brk}")));
+            let told = match self.lang {
+                Lang::En => format!("frame {frame}, parity {parity}, overrun {overrun}, break {brk}"),
+                Lang::De => format!("Rahmen {frame}, Parität {parity}, Überlauf {overrun}, Break {brk}"),
+            };
+            rows.push(("adapter errors", told));
         }
         let mut text = format!("{} {} {}\n", check.port, check.line, check.protocol) + &self.pairs(rows);
         for drive in &check.drives {
@@ -53,10 +58,10 @@ impl Page {
                 text += &self.histogram(&test.histogram);
             }
             if let Some(error) = &drive.error {
-                text += &format!("{}\n", clean(error.message.get(self.lang)));
+                text += &self.prose(error.message.get(self.lang));
             }
         }
-        let advice = check.advice.iter().map(|advice| format!("- {}\n", advice.text.get(self.lang)));
+        let advice = check.advice.iter().map(|advice| self.prose(&format!("- {}", advice.text.get(self.lang))));
         let nothing = format!("{}\n", self.word("nothing to complain of"));
         let fine = check.drives.iter().all(|drive| drive.error.is_none());
         let advice = if check.advice.is_empty() && fine { nothing } else { advice.collect() };

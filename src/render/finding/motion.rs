@@ -3,7 +3,6 @@
 use super::page::{Page, shown};
 use super::{Finding, Row, list};
 use crate::outcome::{Motion, Setpoint, State, Stopped, Stops};
-use crate::render::clean;
 
 impl Finding for Motion {
     fn table(&self, page: Page) -> String {
@@ -31,8 +30,7 @@ impl Page {
             Some(motion) => self.motion(motion),
             None => self.heading(drive.address, "unknown"),
         };
-        let error =
-            drive.error.as_ref().map_or_else(String::new, |error| format!("{}\n", clean(error.message.get(self.lang))));
+        let error = drive.error.as_ref().map_or_else(String::new, |error| self.prose(error.message.get(self.lang)));
         text + &error
     }
 

@@ -5,6 +5,7 @@ use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::clean;
 use crate::render::words::word;
+use crate::render::wrap::wrap;
 use crate::text::Text;
 use comfy_table::{Cell, CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
 use unicode_width::UnicodeWidthStr;
@@ -86,6 +87,11 @@ impl Page {
     /// Names at the left, what belongs to them at the right.
     pub(super) fn pairs(self, rows: Vec<(&'static str, String)>) -> String {
         self.table(&["", ""], rows.into_iter().map(|(name, text)| vec![self.word(name).to_owned(), text]).collect())
+    }
+
+    /// A line of prose, ours or of a drive, in as many lines as the terminal needs.
+    pub(super) fn prose(self, text: &str) -> String {
+        format!("{}\n", wrap(&clean(text), self.width))
     }
 
     pub(super) fn heading(self, address: u8, drive: &str) -> String {

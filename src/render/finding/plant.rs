@@ -128,7 +128,7 @@ impl Page {
         if rows.is_empty() {
             return String::new();
         }
-        let odd = shown.filter_map(|row| Some(format!("{}\n", clean(&self.say(&row.error.as_ref()?.message)))));
+        let odd = shown.filter_map(|row| Some(self.prose(row.error.as_ref()?.message.get(self.lang))));
         format!(
             "\n{}{}",
             self.table(&[">param", "set", "name", ">old", ">new", "unit", "result"], rows),

@@ -4,7 +4,6 @@ use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::Simulate;
 use crate::profile::Lang;
-use crate::render::clean;
 
 impl Finding for Simulate {
     fn table(&self, page: Page) -> String {
@@ -22,7 +21,7 @@ impl Finding for Simulate {
             ),
         };
         let remark = page.lang.pick("remark", "Anmerkung");
-        self.remarks.iter().for_each(|told| text += &format!("{remark}: {}\n", clean(told)));
+        self.remarks.iter().for_each(|told| text += &page.prose(&format!("{remark}: {told}")));
         text
     }
 

@@ -3,7 +3,6 @@
 use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::{SetpointReport, Sollwert};
-use crate::render::clean;
 
 impl Finding for Sollwert {
     fn table(&self, page: Page) -> String {
@@ -24,7 +23,7 @@ impl Page {
     fn setpoints(self, report: &SetpointReport) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(error.message.get(self.lang)));
+            return text + &self.prose(error.message.get(self.lang));
         }
         for (name, values) in
             [("setpoints", &report.setpoints), ("actual values", &report.actual), ("sources", &report.sources)]

@@ -3,7 +3,6 @@
 use super::page::{Page, number};
 use super::{Finding, Row, list};
 use crate::outcome::{StateReport, Statemachine, Value};
-use crate::render::clean;
 
 impl Finding for Statemachine {
     fn table(&self, page: Page) -> String {
@@ -19,7 +18,7 @@ impl Page {
     fn state(self, report: &StateReport) -> String {
         let mut text = self.heading(report.address, &report.drive);
         if let Some(error) = &report.error {
-            return text + &format!("{}\n", clean(error.message.get(self.lang)));
+            return text + &self.prose(error.message.get(self.lang));
         }
         let mut rows = Vec::new();
         rows.extend(report.state.iter().map(|state| ("state", self.say(&state.name))));

@@ -4,7 +4,6 @@ use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::{Plan, Sniff, TelegramDoc};
 use crate::profile::value::format_decimal;
-use crate::render::clean;
 
 impl Finding for Plan {
     fn table(&self, page: Page) -> String {
@@ -28,7 +27,7 @@ impl Finding for Sniff {
 
 impl Page {
     fn plan(self, plan: &Plan) -> String {
-        let notes: String = plan.notes.iter().map(|note| format!("- {}\n", clean(note.get(self.lang)))).collect();
+        let notes: String = plan.notes.iter().map(|note| self.prose(&format!("- {}", note.get(self.lang)))).collect();
         let gap = if notes.is_empty() { "" } else { "\n" };
         self.telegrams(&plan.telegrams) + gap + &notes
     }

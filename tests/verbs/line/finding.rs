@@ -132,7 +132,7 @@ fn an_interrupted_scan_leaves_an_honest_part() {
     let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();
     let failure = outcome.failure.unwrap();
     assert_eq!((failure.class, failure.class.exit()), (Class::Interrupted, 130));
-    assert!(failure.to_string().contains("1 of 247 addresses were asked"), "{failure}");
+    assert!(failure.to_string().contains("1 of 247 addresses had their full time to answer"), "{failure}");
     let Some(Data::Scan(found)) = outcome.data else { panic!("no data") };
     assert_eq!((found.complete, found.asked, found.drives.len()), (false, 1, 1));
 }

@@ -83,7 +83,7 @@ async fn one_move(
 }
 
 fn line(baud: u32, parity: Parity, address: u8) -> Wish {
-    Wish { baud: Some(baud), parity: Some(parity), address: Some(address), ..Wish::default() }
+    Wish { baud: Some(baud), parity: Some(parity), address: Some(address.into()), ..Wish::default() }
 }
 
 #[test]

@@ -192,14 +192,15 @@ fn an_interrupted_search_tells_what_was_covered_and_what_was_not() {
     assert_eq!((&searches[0]["asked"], &searches[0]["open"]), (&"1-32".into(), &"33-247".into()));
     assert_eq!((&searches[48]["asked"], &searches[48]["open"]), (&"2-5".into(), &"1,6-247".into()));
     let told = outcome.warnings.iter().find(|warning| warning.code == "scan.open").unwrap().message.get(Lang::En);
-    assert!(told.starts_with("asked: 1-32 at ") && told.contains("left open: 33-247 at "), "{told}");
+    assert!(told.starts_with("asked to the end: 1-32 at ") && told.contains("left open: 33-247 at "), "{told}");
     let german = outcome.warnings[0].message.get(Lang::De);
-    assert!(german.starts_with("gefragt: 1-32 mit ") && german.contains("offen: 33-247 mit "), "{german}");
+    assert!(german.starts_with("zu Ende gefragt: 1-32 mit ") && german.contains("offen: 33-247 mit "), "{german}");
     let failure = outcome.failure.unwrap();
     let message = failure.message.get(Lang::En);
     assert!(
         message.starts_with("interrupted; ")
-            && message.contains("of 10584 addresses were asked, the others take about "),
+            && message.contains(" of 10584 addresses had their full time to answer")
+            && message.contains("; what is left takes about "),
         "{message}"
     );
 }

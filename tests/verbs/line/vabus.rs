@@ -89,6 +89,8 @@ fn what_cannot_be_set_is_refused_before_anything_is_opened() {
         ("-p sim -a 1 --yes line set --parity mark", 2),
         ("-p sim -a 1 --yes line set --baud 38400", 7),
         ("-p sim -a 1 --yes line set --address 248", 7),
+        ("-p sim -a 1 --yes line set --address 300", 7),
+        ("-p sim -a 1 --yes line set --address 0", 7),
         ("-p sim --yes line set --address 9", 2),
         ("-p sim -a 1,2 --yes line set --address 9", 2),
         ("-p sim -a 1 --yes protocol set p-bus", 2),
@@ -96,6 +98,15 @@ fn what_cannot_be_set_is_refused_before_anything_is_opened() {
         ("-p sim -a 1 --yes line set --address 2", 8),
     ] {
         antrieb(line).json().exits(exit);
+    }
+    // One range, whatever does not fit it.
+    for address in [0, 250, 300] {
+        let refused = antrieb(&format!("-p sim -a 1 --yes line set --address {address}")).exits(7);
+        assert!(
+            refused.err.starts_with(&format!("error: address: expected 1-247, got {address}\n")),
+            "{}",
+            refused.err
+        );
     }
 }
 

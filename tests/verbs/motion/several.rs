@@ -70,3 +70,18 @@ fn a_dry_run_tells_the_telegrams_to_each() {
     };
     assert!(to(1) > 1 && to(1) == to(2), "{told:?}");
 }
+
+/// What stays as it is, goes out once; the plan says so.
+#[test]
+fn a_dry_run_tells_a_setpoint_as_often_as_it_is_sent() {
+    let act = "[[drive]]\nmodel = \"act\"\nset = { \"412\" = 1 }\n";
+    let given = |hex: &str| hex.starts_with("01 65 01 E4");
+    for setpoint in ["12Hz", "12,5Hz", "-5Hz", "12Hz --enable", "0Hz", "--ramp 1Hz:2Hz:10ms --enable"] {
+        let line = format!("-a 1 --drive act --yes sollwert {setpoint}");
+        let planned = antrieb(&line).on(act).and("--dry-run").json();
+        let told = planned.data("/telegrams").as_array().unwrap().clone();
+        let told = told.iter().filter(|row| given(row["hex"].as_str().unwrap())).count();
+        let sent = antrieb(&format!("-v {line}")).on(act).run().sent();
+        assert_eq!(told, sent.iter().filter(|hex| given(hex)).count(), "{setpoint}: {sent:?}");
+    }
+}

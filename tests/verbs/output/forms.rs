@@ -66,6 +66,33 @@ fn eighty_columns_are_enough() {
     }
 }
 
+/// What goes out without a word of caution is the prose around a table: notes of a dry run, what went wrong with a drive.
+#[test]
+fn prose_under_a_table_is_wrapped_between_words() {
+    for lang in ["en", "de"] {
+        for line in [
+            "-p sim -a 1 --drive act sollwert 12Hz --enable --dry-run",
+            "-p sim -a 1 --drive act sollwert 0 --dry-run",
+            "-p sim init {dir}/antrieb.toml --dry-run",
+            "-p sim -a 1-3 statemachine quick-stop",
+            "-p sim -a 1,7 statemachine",
+            "-p sim -a 1,7 sollwert",
+            "-p sim -a 1,7 diag",
+            "-p sim -a 1,7 diag line --count 3",
+            "-p sim -a 1,7 identify",
+        ] {
+            let run = antrieb(&format!("--lang {lang} {line}")).columns(80).run();
+            let piped = antrieb(&format!("--lang {lang} {line}")).run();
+            let long: Vec<_> = run.out.lines().filter(|shown| shown.width() > 80).collect();
+            assert_eq!(long, [""; 0], "{line}");
+            assert!(
+                piped.out.lines().any(|shown| shown.starts_with("- "))
+                    == run.out.lines().any(|shown| shown.starts_with("- "))
+            );
+        }
+    }
+}
+
 #[test]
 fn eighty_columns_tear_no_number_apart() {
     let run = antrieb("-p sim -a 1 read 372@2 481 411 375").columns(80).exits(0);

@@ -38,6 +38,28 @@ fn short_help_has_a_line_for_each_option_and_fits_a_screen() {
     }
 }
 
+/// Every command stands in it, by what it is for (`cli::overview`).
+#[test]
+fn the_help_of_the_program_fits_a_screen() {
+    let page = antrieb("-h").exits(0).out;
+    assert!(page.lines().count() <= SCREEN, "{} lines\n{page}", page.lines().count());
+    assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+    for needed in ["--port", "--address", "--dry-run", "--yes", "antrieb --help", "  Motion  statemachine "] {
+        assert!(page.contains(needed), "{needed}\n{page}");
+    }
+}
+
+/// `--duration` everywhere, and `--for` as well.
+#[test]
+fn how_long_is_asked_by_either_name_everywhere() {
+    for line in ["sniff", "simulate", "monitor", "sollwert 0Hz --hold", "statemachine enable --hold"] {
+        for option in ["--duration", "--for"] {
+            let wrong = antrieb(&format!("-p sim -a 1 {line} {option} soon")).exits(2).err;
+            assert!(wrong.contains("'soon' does not fit '--duration <TIME>'"), "{line} {option}: {wrong}");
+        }
+    }
+}
+
 #[test]
 fn long_help_tells_all_that_a_verb_takes_and_short_help_nothing_else() {
     for verb in VERBS {

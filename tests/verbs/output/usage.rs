@@ -162,6 +162,63 @@ const MISTAKES: &[Mistake] = &[
         ["there is no verb 'frobnicate'", "es gibt keinen Befehl 'frobnicate'"],
         ["there are: scan, ", "es gibt: scan, "],
     ),
+    mistake(
+        "-a read 411",
+        [
+            "-a takes 'read' as its value: the address is missing",
+            "-a nimmt 'read' als seinen Wert: es fehlt die Adresse",
+        ],
+        ["it is `antrieb ", "es heißt `antrieb "],
+    ),
+    mistake(
+        "-a diag line",
+        [
+            "-a takes 'diag' as its value: the address is missing",
+            "-a nimmt 'diag' als seinen Wert: es fehlt die Adresse",
+        ],
+        ["it is `antrieb ", "es heißt `antrieb "],
+    ),
+    mistake(
+        "-b read 411",
+        [
+            "-b takes 'read' as its value: the speed is missing",
+            "-b nimmt 'read' als seinen Wert: es fehlt die Baudrate",
+        ],
+        ["it is `antrieb ", "es heißt `antrieb "],
+    ),
+    mistake(
+        "-p sim --drive read 411",
+        ["--drive takes 'read' as its value: the family is missing", "--drive nimmt 'read' als seinen Wert: es fehlt"],
+        ["it is `antrieb ", "es heißt `antrieb "],
+    ),
+    mistake(
+        "--port scan",
+        ["--port takes 'scan' as its value: the port is missing", "--port nimmt 'scan' als seinen Wert: es fehlt der"],
+        ["it is `antrieb ", "es heißt `antrieb "],
+    ),
+    mistake("stop", ["there is no verb 'stop'", "den Befehl 'stop' gibt es nicht"], STOP),
+    mistake("halt", ["there is no verb 'halt'", "den Befehl 'halt' gibt es nicht"], STOP),
+    mistake("stpo", ["there is no verb 'stpo'", "den Befehl 'stpo' gibt es nicht"], STOP),
+    mistake("statemachine stop", ["expected behind `statemachine`: ", "erwartet hinter `statemachine`: "], STOP),
+    mistake("state halt", ["expected behind `statemachine`: ", "erwartet hinter `statemachine`: "], STOP),
+    mistake("-p sim -a 1 statemachine goto stop", ["there is no state 'stop'", "es gibt keinen Zustand 'stop'"], STOP),
+    mistake("-p sim -a 1 sollwert stop", ["expected a setpoint with its", "erwartet: Sollwert mit Einheit"], STOP),
+    mistake(
+        "sollwert 1Hz --hold --duration 3",
+        ["'3' without a unit: 3s, or 3ms?", "'3' ohne Einheit: 3s oder 3ms?"],
+        ["`antrieb sollwert -h` shows", "`antrieb sollwert -h` zeigt"],
+    ),
+    mistake(
+        "read 411 --timeout 500",
+        ["'500' without a unit: 500s, or 500ms?", "'500' ohne Einheit: 500s oder 500ms?"],
+        ["`antrieb read -h` shows", "`antrieb read -h` zeigt"],
+    ),
+];
+
+/// A word that means a stop is never answered with one that starts something.
+const STOP: [&str; 2] = [
+    "a drive is stopped by `antrieb statemachine quick-stop`",
+    "ein Antrieb wird angehalten mit `antrieb statemachine quick-stop`",
 ];
 
 #[test]
@@ -198,5 +255,6 @@ fn a_program_gets_the_same_words_in_their_fields() {
 #[test]
 fn without_a_word_the_help_is_shown() {
     let page = antrieb("").exits(2);
-    assert!(page.err.contains("Commands:") && !page.err.contains("error:"), "{}", page.err);
+    assert!(page.err.contains("Usage:") && !page.err.contains("error:"), "{}", page.err);
+    assert_eq!(page.err, antrieb("-h").exits(0).out);
 }

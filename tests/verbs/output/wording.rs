@@ -114,7 +114,7 @@ fn a_search_that_was_cut_short_names_its_settings() {
     assert!(told.contains("left open: ") && told.contains("19200 8E1 rtu"), "{told}");
     assert!(!told.contains("1 other settings"), "{told}");
     let known = antrieb("-p sim -a 1-200 scan --within 1500ms").exits(0).err;
-    assert!(known.contains("warning: asked: 1-") && known.contains("-200 at 19200 8E1 rtu"), "{known}");
+    assert!(known.contains("warning: asked to the end: 1-") && known.contains("-200 at 19200 8E1 rtu"), "{known}");
     let saved = antrieb("-p sim --baud auto -a 30-60 scan --within 2s").json().exits(1);
     assert!(
         saved.error()["hint"].as_str().unwrap().contains("--baud auto scan --resume RESULT.json"),
