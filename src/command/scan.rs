@@ -36,7 +36,8 @@ use std::path::PathBuf;
 ///
 /// A line is left alone when another master turns out to ask on it: nothing more is sent, and the exit code is 8. Where settings
 /// are sought it is listened to for 1.25 s before anything is sent, and if somebody speaks, at every speed and parity: whoever
-/// speaks more than 1.5 times a second, understood or not, is left alone as well; a few bytes now and then are noise. --force
+/// speaks more than 1.5 times a second, understood or not, is left alone as well; a few bytes now and then are noise. A master who begins later
+/// is heard between our questions alone: at another setting than his it can take some seconds until he is known as one. --force
 /// searches beside him: what both send at once is lost for both.
 ///
 /// Ctrl-C ends the search, as --within does, and shows what was found so far and what was left open; `--resume` goes on from a

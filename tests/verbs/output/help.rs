@@ -49,6 +49,14 @@ fn the_help_of_the_program_fits_a_screen() {
     }
 }
 
+/// The limit of listening first.
+#[test]
+fn the_help_of_a_search_says_what_listening_first_does_not_hear() {
+    let page = antrieb("scan --help").exits(0).out;
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("listened to for 1.25 s") && page.contains("A master who begins later is heard"), "{page}");
+}
+
 /// `--duration` everywhere, and `--for` as well.
 #[test]
 fn how_long_is_asked_by_either_name_everywhere() {
