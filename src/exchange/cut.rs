@@ -35,3 +35,39 @@ impl Cutter {
         self.pause
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::line::Parity;
+    use crate::protocol::modbus::{Framing, ascii, rtu};
+
+    fn cutter(framing: Framing) -> Cutter {
+        Cutter::new(framing.into(), LineSetting::rtu(19_200, Parity::Even))
+    }
+
+    #[test]
+    fn telegrams_come_out_whole_and_noise_in_pieces_no_longer_than_a_telegram() {
+        let mut cutter = cutter(Framing::Rtu);
+        assert_eq!(cutter.pause(), Span::from_millis(50));
+        let reply = rtu::encode(1, &[3, 2, 5, 6]);
+        assert_eq!(cutter.feed(&[&[0x55][..], &reply, &reply[..3]].concat()), [] as [Vec<u8>; 0], "nothing is certain");
+        assert_eq!(cutter.silence(), [vec![0x55], reply.clone(), reply[..3].to_vec()]);
+        assert_eq!((cutter.feed(&reply), cutter.silence()), (vec![reply], vec![]));
+        let noise = vec![0x55; 700];
+        let pieces = [cutter.feed(&noise), cutter.silence()].concat();
+        assert_eq!(pieces.iter().map(Vec::len).collect::<Vec<_>>(), [256, 256, 188]);
+    }
+
+    #[test]
+    fn a_line_of_ascii_is_cut_where_it_begins_and_where_it_ends() {
+        let mut cutter = cutter(Framing::Ascii);
+        assert_eq!(cutter.pause(), ascii::MAX_PAUSE);
+        let longest = ascii::encode(1, &[3; 253]);
+        assert_eq!(longest.len(), ascii::MAX_FRAME);
+        assert_eq!(cutter.feed(&[b":01", &longest[..], b"x"].concat()), [b":01".to_vec(), longest]);
+        assert_eq!(cutter.silence(), [b"x".to_vec()]);
+        let pieces = [cutter.feed(&[b'A'; 1_100]), cutter.silence()].concat();
+        assert_eq!(pieces.iter().map(Vec::len).collect::<Vec<_>>(), [514, 514, 72], "nothing is kept without end");
+    }
+}

@@ -403,4 +403,31 @@ mod tests {
         };
         assert_eq!([left(1, 0), left(1, 10), left(2, 0), left(2, 10), left(3, 0)], [1, 2, 2, 1, 2]);
     }
+
+    #[test]
+    fn a_reply_pays_what_was_asked_alike_and_nothing_else() {
+        let double = Question::Modbus(Request::ReadRegisters { start: 1, count: 2 });
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(500), at(0));
+        debts.owes(1, double.clone(), at(500), at(10));
+        assert!(debts.pays(1, &words(&[1, 2]), at(20)));
+        assert!(debts.is_late(1, Some(&words(&[7]))) && !debts.is_late(1, Some(&words(&[1, 2]))));
+        // 16 of those that are missing are remembered, the latest.
+        let mut debts = Debts::default();
+        debts.owes(1, double, at(500), at(0));
+        (0..15).for_each(|start| debts.owes(1, question(start), at(500), at(10)));
+        assert!(debts.is_late(1, Some(&words(&[1, 2]))));
+        debts.owes(1, question(15), at(500), at(10));
+        assert!(!debts.is_late(1, Some(&words(&[1, 2]))) && debts.is_late(1, Some(&words(&[7]))));
+    }
+
+    #[test]
+    fn what_was_overtaken_arrives_within_seven_seconds() {
+        for (ms, arrives) in [(6_999, true), (7_000, false)] {
+            let mut debts = Debts::default();
+            debts.owes(1, question(1), at(500), at(0));
+            debts.settle(1, at(10), at(20));
+            assert_eq!(debts.arrives(1, &words(&[7]), at(ms)), arrives, "{ms}");
+        }
+    }
 }

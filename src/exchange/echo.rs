@@ -64,6 +64,7 @@ mod tests {
         assert_eq!(learnt(&[&[0], &[0xFF, 0, 1]]), Echo::Absent);
         assert_eq!(learnt(&[&[0; 4], &[0; 7]]), Echo::Unknown(0), "an echo that was spoilt, perhaps");
         assert_eq!(learnt(&[&[0], &[0; 8], &[0]]), Echo::Unknown(1), "in a row");
+        assert_eq!(learnt(&[&[0; 4]]), Echo::Unknown(0), "half of it is no little noise");
         assert_eq!(learnt(&[&[]]), Echo::Absent);
     }
 

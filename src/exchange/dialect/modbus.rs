@@ -136,15 +136,15 @@ impl Speech for Modbus {
 
     fn question(&self, bytes: &[u8]) -> Option<(u8, Question)> {
         let adu = self.framing.decode(bytes).ok()?;
-        if is_zero_behind_telegram(self.framing, bytes) {
+        if may_end_in_noise(self.framing, bytes) {
             return None;
         }
         let request = Request::decode(&adu.pdu).ok()?;
-        let only_asks = match &request {
-            Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. } => false,
-            request if request.is_write() => true,
-            _ => !Reply::decode(&adu.pdu).is_ok_and(|reply| !matches!(reply, Reply::Other { .. })),
-        };
+        // Question and reply of these have one form, or nobody knows which.
+        let only_asks = !matches!(
+            request,
+            Request::Other { .. } | Request::Diagnostics { .. } | Request::ReadIdentification { .. }
+        );
         only_asks.then(|| (adu.station, request.into()))
     }
 
@@ -281,11 +281,10 @@ fn is_line(bytes: &[u8]) -> bool {
     bytes.first() == Some(&ascii::START) && bytes.ends_with(ascii::END)
 }
 
-/// Whether this is a whole telegram and a zero of noise: the remainder of a CRC and itself is 0, so in RTU its check value is
-/// right once more, and the reply to a read in one byte more has the form of a read.
-fn is_zero_behind_telegram(framing: Framing, bytes: &[u8]) -> bool {
-    let Some((0, telegram)) = bytes.split_last() else { return false };
-    framing == Framing::Rtu && framing.decode(telegram).is_ok()
+/// Whether a whole telegram may be a shorter one and a zero of noise: the remainder of a CRC and itself is 0, so in RTU the check
+/// value of one that ends in 0 is right without it as well, and the reply to a read in one byte more has the form of a read.
+fn may_end_in_noise(framing: Framing, telegram: &[u8]) -> bool {
+    framing == Framing::Rtu && telegram.last() == Some(&0)
 }
 
 fn is_counter(question: &Question) -> bool {

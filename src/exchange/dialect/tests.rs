@@ -96,3 +96,115 @@ fn a_reply_is_known_by_its_form() {
     assert!(ascii(b":0103FC\r\n") && !ascii(b"0103FC\r\n") && !ascii(b":0103FC"));
     assert!(!has_form_of_reply(Framing::Tcp, b":0103FC\r\n"));
 }
+
+/// Writes P.480 of a drive.
+fn select() -> Question {
+    let Question::Vabus(vabus::Request::Enquiry { address, header }) = enquiry(0) else { unreachable!() };
+    Question::Vabus(vabus::Request::Select { address, header, data: vabus::Data::word(7) })
+}
+
+#[test]
+fn what_is_harmless_is_asked_for_its_answer_alone() {
+    let Question::Vabus(vabus::Request::Enquiry { address, header }) = enquiry(0) else { unreachable!() };
+    let header = Header { number: vabus::ParamNumber::ERROR_REGISTER, ..header };
+    let cleared = Question::Vabus(vabus::Request::Enquiry { address, header });
+    let harmless = |question: Question| question.is_harmless();
+    assert!(harmless(enquiry(0)) && !harmless(select()) && !harmless(cleared), "P.11 is cleared by reading");
+    assert!(!harmless(read(1)) && !harmless(counter(11)) && !harmless(write(1)));
+}
+
+#[test]
+fn an_order_and_a_question_of_vabus_are_told_apart() {
+    let Question::Vabus(vabus::Request::Enquiry { address, header }) = enquiry(2) else { unreachable!() };
+    assert!(select().is_write() && !enquiry(2).is_write());
+    assert_eq!([select().function(), enquiry(2).function()], [1, 0]);
+    let value = |header| Said::Vabus(vabus::Reply::Value { address, header, data: vabus::Data::word(7) });
+    let other = Header { number: vabus::ParamNumber::new(481).unwrap(), ..header };
+    assert!(enquiry(2).is_answered_by(&value(header)) && !enquiry(2).is_answered_by(&value(other)));
+    assert!(!enquiry(2).is_answered_by(&Said::Modbus(Reply::Registers(vec![7]))));
+    assert!(vabus().confuses(&select(), &other_select()), "an ACK names nothing");
+    assert!(!vabus().confuses(&select(), &enquiry(2)) && !vabus().confuses(&enquiry(2), &select()));
+}
+
+fn other_select() -> Question {
+    let Question::Vabus(vabus::Request::Select { address, header, .. }) = select() else { unreachable!() };
+    Question::Vabus(vabus::Request::Select { address, header, data: vabus::Data::word(8) })
+}
+
+#[test]
+fn a_question_of_somebody_else_is_known_by_its_bytes() {
+    let asked = |dialect: Dialect, bytes: &[u8]| crate::exchange::foreign::last(dialect, bytes, |_| false);
+    let rtu = |request: Request| rtu::encode(9, &request.encode());
+    // A telegram that ends in 0 is a whole one without it, too: it may be a reply and a little noise.
+    let all = (0..u16::MAX).map(|start| rtu(Request::ReadRegisters { start, count: 1 }));
+    let zero: Vec<Vec<u8>> = all.filter(|bytes| bytes.last() == Some(&0)).collect();
+    let decode = |bytes: &[u8]| Framing::Rtu.decode(bytes).is_ok();
+    assert!(zero.iter().all(|bytes| decode(&bytes[..7]) && asked(dialect(Framing::Rtu), bytes).is_none()));
+    for bytes in [rtu(Request::ReadLong { address: 210 }), rtu(Request::WriteRegister { address: 1, value: 2 })] {
+        assert_eq!(asked(dialect(Framing::Rtu), &bytes).map(|found| found.0), Some(9), "{bytes:?}");
+    }
+    let nobodys = [
+        Request::Diagnostics { sub: 11, data: 0 },
+        Request::ReadIdentification { category: 1, object: 0 },
+        Request::Other { function: 0x55, data: vec![1] },
+    ];
+    for request in nobodys.map(rtu) {
+        assert_eq!(asked(dialect(Framing::Rtu), &request), None, "{request:?} may be an answer as well");
+    }
+    assert_eq!(asked(vabus(), &enquiry(2).telegram(Protocol::Vabus, 1)), Some((1, enquiry(2))));
+}
+
+#[test]
+fn what_a_protocol_says_of_its_telegrams() {
+    let [rtu, ascii, tcp] = [Framing::Rtu, Framing::Ascii, Framing::Tcp].map(dialect);
+    assert_eq!([rtu, ascii, tcp, vabus()].map(|dialect| dialect.shortest_reply()), [5, 11, 9, 2]);
+    let line = LineSetting::rtu(9_600, crate::protocol::line::Parity::Even);
+    assert_eq!(rtu.least_turnaround(line), line.t35());
+    assert_eq!([ascii, vabus()].map(|dialect| dialect.least_turnaround(line).as_micros()), [0, 1_000]);
+    // A question of another protocol goes out as it would on a serial line of its own.
+    assert_eq!(vabus().encode(9, &read(1)), rtu::encode(9, &[3, 0, 1, 0, 1]));
+    // An exchange of registers names as many as it reads.
+    let exchange = |count| {
+        Question::Modbus(Request::ExchangeRegisters { start: 1, count, write_start: 5, values: vec![count, 0] })
+    };
+    assert!(rtu.confuses(&exchange(2), &{
+        let values = vec![9];
+        Question::Modbus(Request::ExchangeRegisters { start: 3, count: 2, write_start: 5, values })
+    }));
+    assert!(!rtu.confuses(&exchange(2), &exchange(3)));
+}
+
+#[test]
+fn a_reply_is_found_behind_noise_as_soon_as_it_can_end() {
+    let refusal = rtu::encode(1, &[0x83, 2]);
+    let within =
+        |noise: usize| dialect(Framing::Rtu).reply_within(&[&vec![0x55; noise][..], &refusal, &[0x55]].concat());
+    assert_eq!([0, 1, 2, 3, 9].map(within), [0, 1, 2, 3, 9].map(|noise| Some(noise..noise + 5)));
+}
+
+#[test]
+fn a_fence_is_a_counter_that_counts_itself_or_one_that_was_asked_in_vain() {
+    let rtu = dialect(Framing::Rtu);
+    let fence = |missing: &[Question], question: Question, counters: &[u16]| {
+        rtu.fence(&Old { missing, question: &question, known: &[], counters: Some(counters) })
+    };
+    assert_eq!(fence(&[read(2)], read(1), &[0x0C, 0x0E, 0x12]), Some(counter(0x0E)));
+    assert_eq!(fence(&[read(2), counter(0x0E)], read(1), &[0x0C, 0x0E]), Some(counter(0x0C)));
+    assert_eq!(fence(&[read(2), counter(0x0E)], read(1), &[0x0E]), Some(counter(0x0E)), "asked in vain");
+    assert_eq!(fence(&[counter(0x0E), read(2)], read(1), &[0x0E]), None, "something was asked since");
+    assert_eq!(fence(&[counter(0x0E)], counter(0x0E), &[0x0E]), None);
+    let stands = [0x0B, 0x0E, 0x0C, 0x12].map(|sub| rtu.may_stand_still(&counter(sub)));
+    assert_eq!(stands, [false, false, true, true], "these two count the very question");
+    assert!(!rtu.may_stand_still(&read(1)) && !vabus().may_stand_still(&enquiry(1)));
+}
+
+#[test]
+fn an_older_count_is_lower_and_over_vabus_nothing_is_an_echo() {
+    let rtu = dialect(Framing::Rtu);
+    let counted = |data| Said::Modbus(Reply::Diagnostics { sub: 11, data });
+    assert_eq!([4, 7, 8].map(|data| rtu.is_older(&counted(data), &counted(7))), [true, false, false]);
+    assert!(!rtu.is_older(&Said::Modbus(Reply::Registers(vec![1])), &counted(7)));
+    let Question::Vabus(vabus::Request::Enquiry { address, header }) = enquiry(1) else { unreachable!() };
+    let said = Said::Vabus(vabus::Reply::Value { address, header, data: vabus::Data::word(7) });
+    assert!(vabus().settles(&enquiry(1), &said, &[select()], true) && !vabus().is_older(&said, &said));
+}

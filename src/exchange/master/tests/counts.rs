@@ -83,3 +83,70 @@ fn the_line_is_owed_a_while_by_a_station_that_was_heard_and_no_longer() {
     assert_eq!(line.master.owes_until(until), None);
     assert_eq!(line.master.owes_until(until + Span::from_secs(1)), None);
 }
+
+#[test]
+fn a_question_is_over_when_its_time_is_and_not_if_its_answer_has_come() {
+    for (came, late) in [(false, 0), (true, 0), (true, 1)] {
+        let mut line = once();
+        line.master.ask(1, READ, line.now);
+        while !matches!(line.master.step(line.now), Step::Send(_)) {
+            line.now += Span::from_micros(100);
+        }
+        let end = line.now + line.master.line.chars(8);
+        assert_eq!(line.master.owes_until(line.now), Some(end + Span::from_millis(500)), "it is open");
+        let until = line.master.job.as_ref().unwrap().until;
+        if came {
+            line.master.feed(end + Span::from_millis(10), &value(7));
+        }
+        let outcome = line.master.step(until + Span::from_micros(late));
+        assert_eq!(matches!(outcome, Step::Done(Ok(_))), came, "{outcome:?}");
+        assert!(came || outcome == Step::Done(Err(ExchangeError::Unproven { asked: 1 })), "{outcome:?}");
+        assert_eq!(line.master.tally().garbled, u64::from(!came));
+    }
+}
+
+#[test]
+fn a_question_that_finds_the_line_free_has_waited_for_nothing() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    line.now = line.master.ready_at;
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    assert_eq!(line.master.pauses().count, 0);
+}
+
+/// Feeds an answer that begins so long after the question, in microseconds; tells whether it is taken.
+fn taken_after(master: &mut Master, begins: u64) -> bool {
+    let mut now = Tick::from_micros(1_000_000);
+    master.ask(1, READ, now);
+    while !matches!(master.step(now), Step::Send(_)) {
+        now += Span::from_micros(100);
+    }
+    let at = now + master.line.chars(8) + Span::from_micros(begins) + master.line.chars(7);
+    master.feed(at, &value(7));
+    matches!(master.step(at), Step::Done(Ok(_)))
+}
+
+#[test]
+fn what_ends_sooner_than_the_wires_allow_is_no_answer() {
+    let least = LineSetting::rtu(19_200, Parity::Even).t35().as_micros();
+    let rows = [
+        (0, true, false),
+        (least - 201, true, false),
+        (least - 200, true, true),
+        (least, true, true),
+        (0, false, true),
+    ];
+    for (begins, wired, expected) in rows {
+        let mut line = once();
+        line.master.set_wired(wired);
+        assert_eq!(taken_after(&mut line.master, begins), expected, "{begins} us, wired: {wired}");
+    }
+    // What was set stays so when the line is set anew, and so does what was counted.
+    let mut line = once();
+    line.master.set_wired(true);
+    assert!(taken_after(&mut line.master, least));
+    let (sent, rate) = (line.master.tally().sent, LineSetting::rtu(9_600, Parity::Even));
+    line.master.retune(Framing::Rtu.into(), rate, Tick::from_micros(2_000_000));
+    assert_eq!((line.master.line(), line.master.tally().sent), (rate, sent));
+    assert!(!taken_after(&mut line.master, 0) && !line.master.take_records().is_empty());
+}
