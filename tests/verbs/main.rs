@@ -69,6 +69,7 @@ mod motion {
     mod refused;
     mod relief;
     mod rig;
+    mod rounds;
     mod runs;
     mod several;
     mod shown;

@@ -22,13 +22,10 @@ pub(in crate::command) async fn stop_each<'p>(
     let Context { settings, registry, interrupt, observe, ask } = context;
     interrupt.hear_only_keys();
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let mut said = Vec::new();
-    for &address in addresses {
-        said.push((address, stop_first(&mut session, settings, registry, address, act, None).await));
-    }
+    let said = stop_first(&mut session, (settings, registry), addresses, act, None).await?;
     let mut around = Around { settings, registry, interrupt, ask: *ask };
     let (mut drives, mut failures, mut succeeded) = (Vec::new(), Vec::new(), 0);
-    for (address, first) in said {
+    for (&address, first) in addresses.iter().zip(said) {
         let outcome = match first {
             Ok((said, first_word)) => {
                 let plan = Plan { said, ..plan() };

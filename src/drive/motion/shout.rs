@@ -25,32 +25,34 @@
 //! - LXM05: a setpoint acts in its own mode only, so that of the mode that the drive shows goes out; if it shows none, that of
 //!   every mode in which a zero brings the shaft to rest.
 
-use super::look::{raw, role_raw};
 use super::relief::command_of;
 use crate::drive::access::AccessError;
 use crate::drive::recognise;
-use crate::drive::route::{Cell, Inquiry, Meant};
+use crate::drive::route::{Meant, no};
 use crate::drive::session::Session;
-use crate::drive::target::Target;
 use crate::exchange::{Answer, Limits, Question};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Event;
-use crate::profile::{Control, DataSets, Family, Mode, Param, Registry, Sets, Type};
+use crate::profile::{Family, Registry};
 use crate::text::both;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
+use std::collections::VecDeque;
 use std::rc::Rc;
+use word::{first_word, telegrams};
+
+mod word;
+mod zero;
+
+pub use zero::shout_zero;
 
 /// How long an answer is waited for before the stop is said again. Longer than a drive takes that has nothing else to do;
 /// an answer that comes later still counts, because the same was asked again.
 const SHORT: Span = Span::from_millis(250);
 /// How long the stop waits for the answer to a question before it.
 const GLANCE: Span = Span::from_millis(150);
-/// How long it is asked what a ramp is: for as long as a drive may take to answer (500 ms, CM-485 manual 6.8), and once more,
-/// if that was lost.
-const TO_TELL: Span = Span::from_millis(700);
-/// How long it is looked whether a setpoint of zero only slows the shaft.
-const LOOKING: Span = Span::from_millis(600);
+/// How long a drive keeps the others waiting in the first round: for as long as a drive may take to answer (CM-485 manual 6.8).
+const TURN: Span = Span::from_millis(500);
 /// How long one telegram of it may take with its answer, whatever comes over the line.
 const BRIEF: Span = Span::from_millis(450);
 /// The pause before the same is asked again: a drive may say no, or say nothing that can be read, at once.
@@ -67,104 +69,201 @@ pub struct FirstWord {
     pub(super) instead: bool,
 }
 
-/// Sends what stops the drive until it is acknowledged, or has been said often enough. An act that is no command sends
+/// Sends what stops these drives, until each has acknowledged it or was told often enough. An act that is no command sends
 /// nothing.
+///
+/// In rounds: whoever is silent is spoken to again only when everybody else had his turn, which is no longer than one reply may
+/// take. So the drives behind a cabinet that is switched off hear their stop in time.
 pub async fn shout(
     session: &mut Session<'_>,
     registry: &Registry,
-    meant: &Meant,
+    drives: &[Meant],
     act: Relief,
-) -> Result<FirstWord, AccessError> {
-    if command_of(act).is_none() {
-        return Ok(FirstWord::default());
+) -> Vec<Result<FirstWord, AccessError>> {
+    let mut calls: Vec<Call<'_>> = drives.iter().map(Call::new).collect();
+    if command_of(act).is_some() {
+        at_once(session, async |session: &mut Session<'_>| rounds(session, registry, &mut calls, act).await).await;
     }
-    at_once(session, async |session: &mut Session<'_>| say(session, registry, meant, act).await).await
+    calls.into_iter().map(Call::end).collect()
 }
 
-async fn say(
-    session: &mut Session<'_>,
-    registry: &Registry,
-    meant: &Meant,
-    act: Relief,
-) -> Result<FirstWord, AccessError> {
-    let families = match &meant.family {
-        Some(family) => vec![family.clone()],
-        None => presumed(session, registry, meant.address).await?,
-    };
-    let (said, refused) = say_to(session, meant, &families, act).await?;
-    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
+async fn rounds(session: &mut Session<'_>, registry: &Registry, calls: &mut [Call<'_>], act: Relief) {
+    let mut tell = if calls.len() == 1 { Tell::Alone } else { Tell::First };
+    let mut interrupted = false;
+    while calls.iter().any(Call::goes_on) {
+        for call in calls.iter_mut().filter(|call| call.goes_on()) {
+            match call.turn(session, registry, act, tell).await {
+                Ok(pressed) => interrupted |= pressed,
+                Err(error) => call.ended = Some(Err(error)),
+            }
+        }
+        if interrupted {
+            calls.iter_mut().filter(|call| call.was_told()).for_each(Call::interrupt);
+        }
+        tell = if calls.len() == 1 { Tell::Alone } else { Tell::Again };
+    }
+}
+
+/// How long it may be asked which word stops a drive, and what follows where that is not told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Tell {
+    /// Nobody waits for it: a quick stop.
+    Alone,
+    /// Others wait: it is asked again.
+    First,
+    /// Others wait, and it was asked before: a quick stop.
+    Again,
+}
+
+/// What one drive is told.
+struct Call<'m> {
+    meant: &'m Meant,
+    /// The families that it may be, once that was asked.
+    families: Option<Vec<Rc<Family>>>,
+    /// Those of them whose word is not known yet.
+    untold: Vec<Rc<Family>>,
+    /// What is said in turn.
+    words: VecDeque<Question>,
+    /// How often something was said.
+    said: usize,
+    first: FirstWord,
+    /// It refused the words of its family.
+    refused: bool,
+    /// It is told those of the others too.
+    widened: bool,
+    ended: Option<Result<FirstWord, AccessError>>,
+}
+
+impl<'m> Call<'m> {
+    fn new(meant: &'m Meant) -> Self {
+        Call {
+            meant,
+            families: None,
+            untold: Vec::new(),
+            words: VecDeque::new(),
+            said: 0,
+            first: FirstWord::default(),
+            refused: false,
+            widened: false,
+            ended: None,
+        }
+    }
+
+    fn end(self) -> Result<FirstWord, AccessError> {
+        self.ended.unwrap_or(Ok(self.first))
+    }
+
+    fn goes_on(&self) -> bool {
+        self.ended.is_none()
+    }
+
+    /// Whether every word that it knows went out.
+    fn was_told(&self) -> bool {
+        self.goes_on() && self.untold.is_empty() && self.said >= self.words.len()
+    }
+
+    fn interrupt(&mut self) {
+        self.ended = Some(Err(AccessError::Interrupted));
+    }
+
+    /// Says one word more; whether somebody interrupted that.
+    async fn turn(
+        &mut self,
+        session: &mut Session<'_>,
+        registry: &Registry,
+        act: Relief,
+        tell: Tell,
+    ) -> Result<bool, AccessError> {
+        let by = session.now() + TURN;
+        if self.families.is_none() {
+            let families = match &self.meant.family {
+                Some(family) => vec![family.clone()],
+                None => presumed(session, registry, self.meant.address).await?,
+            };
+            self.untold.clone_from(&families);
+            self.families = Some(families);
+        }
+        self.learn(session, act, tell, by).await?;
+        let is_late = tell == Tell::First && !self.untold.is_empty() && session.now() >= by;
+        let by = if tell == Tell::First { by } else { session.now() };
+        let pressed = if is_late { false } else { self.say(session, by).await? };
+        let often = self.said >= usize::from(TIMES) * self.words.len() && self.untold.is_empty();
+        if self.goes_on() && (often || self.refused) && !self.widen(session, registry) && often {
+            self.ended = Some(Ok(self.first));
+        }
+        Ok(pressed)
+    }
+
+    /// Finds out the words that are not known yet.
+    async fn learn(&mut self, session: &mut Session<'_>, act: Relief, tell: Tell, by: Tick) -> Result<(), AccessError> {
+        for family in std::mem::take(&mut self.untold) {
+            let by = match tell {
+                Tell::Alone => None,
+                Tell::First => Some(by),
+                Tell::Again => Some(session.now() + SHORT),
+            };
+            let Some(first) = first_word(session, self.meant, &family, act, (by, tell != Tell::First)).await? else {
+                self.untold.push(family);
+                continue;
+            };
+            self.words.extend(first.word.into_iter().flat_map(|word| telegrams(session, self.meant, &family, word)));
+            if family.motion.control.is_some() && !self.widened {
+                self.first = first;
+            }
+        }
+        Ok(())
+    }
+
+    /// Waits for the answer at least until `by`, where nothing was asked before it.
+    async fn say(&mut self, session: &mut Session<'_>, by: Tick) -> Result<bool, AccessError> {
+        let Some(word) = self.words.pop_front() else { return Ok(false) };
+        let limits = Limits { reply_timeout: SHORT.longer(by.since(session.now())), ..session.limits() };
+        let address = self.meant.address;
+        let said = async |session: &mut Session<'_>| insist(session, address, &word).await;
+        let (answer, pressed) = session.within(limits, said).await;
+        self.said += 1;
+        match answer {
+            Ok(Answer::Reply { said, .. }) => match no(&said) {
+                None => self.ended = Some(Ok(self.first)),
+                // Who is busy may take it a moment later.
+                Some(no) => self.refused |= !no.passes(),
+            },
+            Err(error) if error.is_fatal() => return Err(error),
+            _ => {}
+        }
+        self.words.push_back(word);
+        Ok(pressed)
+    }
+
+    /// Who refuses the words of its family, or cannot be told them, may be of another one, and runs.
+    fn widen(&mut self, session: &mut Session<'_>, registry: &Registry) -> bool {
+        let may_be = self.families.as_deref().unwrap_or_default();
+        let is_refused = self.refused || self.words.is_empty();
+        let Some((named, others)) = others(registry, may_be).filter(|_| is_refused && !self.widened) else {
+            return false;
+        };
         session.tell(Event::Note(both!(
             "the drive refuses the stop of a {drive}: is --drive right? The stop of the other families goes out too",
             "der Antrieb lehnt den Halt eines {drive} ab: stimmt --drive? Der Halt der anderen Familien geht auch hinaus",
             drive = named.drive
         )));
-        say_to(session, meant, &others, act).await?;
+        (self.untold, self.widened, self.said) = (others, true, 0);
+        true
     }
-    Ok(said)
 }
 
-/// Who refuses the words of its family may be of another one, and runs: the families of the other kinds, if there was one.
+/// Who refuses the words of its family may be of another one: the families of the other kinds, if there was one.
 fn others(registry: &Registry, families: &[Rc<Family>]) -> Option<(Rc<Family>, Vec<Rc<Family>>)> {
     let [named] = families else { return None };
     let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect();
     named.is_movable().then(|| (named.clone(), others))
 }
 
-/// Says it in the words of these families; whether nobody acknowledged it and somebody refused it.
-async fn say_to(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    families: &[Rc<Family>],
-    act: Relief,
-) -> Result<(FirstWord, bool), AccessError> {
-    let (mut words, mut said) = (Vec::new(), FirstWord::default());
-    for family in families {
-        let first = first_word(session, meant, family, act).await?;
-        words.extend(first.word.into_iter().flat_map(|word| telegrams(session, meant, family, word)));
-        if family.motion.control.is_some() {
-            said = first;
-        }
-    }
-    // What the protocol has no telegram for was refused before it went out.
-    let unspeakable = words.is_empty();
-    let refused = repeat(session, meant, words.into_iter().map(|word| vec![word]).collect()).await?;
-    Ok((said, refused || unspeakable))
-}
-
-/// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.
-async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Question>>) -> Result<bool, AccessError> {
-    let limits = session.limits();
-    let (mut refused, mut interrupted) = (false, false);
-    session.set_limits(Limits { reply_timeout: SHORT, ..limits });
-    for _ in 0..TIMES {
-        for words in &mut wholes {
-            for word in std::mem::take(words) {
-                let (answer, pressed) = insist(session, meant.address, &word).await;
-                interrupted |= pressed;
-                match answer {
-                    Ok(Answer::Reply { said, .. }) if crate::drive::route::no(&said).is_none() => continue,
-                    Ok(Answer::Reply { .. }) => refused = true,
-                    Err(error) if error.is_fatal() => return Err(error),
-                    _ => {}
-                }
-                words.push(word);
-            }
-            if words.is_empty() {
-                return Ok(false);
-            }
-        }
-        if interrupted {
-            return Err(AccessError::Interrupted);
-        }
-    }
-    Ok(refused)
-}
-
 /// Says it once; whoever interrupts that gets it said again, and waits no longer than for this answer. Whether somebody did.
 async fn insist(session: &mut Session<'_>, address: u8, word: &Question) -> (Result<Answer, AccessError>, bool) {
     let mut pressed = false;
     loop {
-        session.end_at(Some(session.now() + BRIEF));
+        session.end_at(Some(session.now() + BRIEF.longer(session.limits().reply_timeout)));
         match session.blurt(address, word.clone()).await {
             Err(AccessError::Interrupted) => {
                 session.note_interrupts();
@@ -175,22 +274,8 @@ async fn insist(session: &mut Session<'_>, address: u8, word: &Question) -> (Res
     }
 }
 
-/// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
-/// family that may be meant.
-pub async fn shout_zero(
-    session: &mut Session<'_>,
-    registry: &Registry,
-    meant: &Meant,
-    modes: &dyn Fn(&Family) -> Vec<Mode>,
-) -> Result<bool, AccessError> {
-    at_once(session, async |session: &mut Session<'_>| say_zero(session, registry, meant, modes).await).await
-}
-
 /// Does it in short questions, also into a busy line; afterwards the session is as before.
-async fn at_once<T>(
-    session: &mut Session<'_>,
-    work: impl AsyncFnOnce(&mut Session<'_>) -> Result<T, AccessError>,
-) -> Result<T, AccessError> {
+async fn at_once<T>(session: &mut Session<'_>, work: impl AsyncFnOnce(&mut Session<'_>) -> T) -> T {
     session.insist(true);
     let limits = session.limits();
     let brief = Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits };
@@ -198,108 +283,6 @@ async fn at_once<T>(
     session.end_at(None);
     session.insist(false);
     said
-}
-
-async fn say_zero(
-    session: &mut Session<'_>,
-    registry: &Registry,
-    meant: &Meant,
-    modes: &dyn Fn(&Family) -> Vec<Mode>,
-) -> Result<bool, AccessError> {
-    let families = match &meant.family {
-        Some(family) => vec![family.clone()],
-        None => presumed(session, registry, meant.address).await?,
-    };
-    let (mut said, refused) = say_zero_to(session, meant, &families, modes).await?;
-    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
-        session.tell(Event::Note(both!(
-            "the drive refuses the setpoint of a {drive}: is --drive right? A zero of the other families goes out too, \
-             where they know it",
-            "der Antrieb lehnt den Sollwert eines {drive} ab: stimmt --drive? Die Null der anderen Familien geht auch \
-             hinaus, wo sie sie kennen",
-            drive = named.drive
-        )));
-        said |= say_zero_to(session, meant, &others, modes).await?.0;
-    }
-    Ok(said)
-}
-
-/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it.
-async fn say_zero_to(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    families: &[Rc<Family>],
-    modes: &dyn Fn(&Family) -> Vec<Mode>,
-) -> Result<(bool, bool), AccessError> {
-    let (mut wholes, mut unspeakable) = (Vec::new(), false);
-    for family in families {
-        // Each acts in its own mode only, so one that is acknowledged is not enough.
-        let mut zeros = Vec::new();
-        for mode in acting(session, meant, family, modes(family)).await? {
-            if mode.source.is_none() || only_slows(session, meant, family).await? {
-                let param = family.param_or_unknown(mode.setpoint);
-                let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Long), 0);
-                let zero = meant.questions(session.protocol(), session.node(), family, inquiry, false);
-                // What the protocol has no telegram for was refused before it went out.
-                unspeakable |= zero.is_empty();
-                zeros.extend(zero);
-            }
-        }
-        wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
-    }
-    let said = !wholes.is_empty();
-    let refused = match repeat(session, meant, wholes).await {
-        // It went out: what came of it is told.
-        Err(AccessError::Interrupted) => false,
-        repeated => repeated?,
-    };
-    Ok((said, refused || (unspeakable && !said)))
-}
-
-/// Of these modes the one that the drive shows; all, where it shows none.
-async fn acting(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    family: &Rc<Family>,
-    modes: Vec<Mode>,
-) -> Result<Vec<Mode>, AccessError> {
-    let active = told(session, meant, family, "mode-active").await?;
-    let known = |active: &i64| family.modes.iter().any(|mode| mode.value == Some(*active));
-    let Some(active) = active.filter(known) else { return Ok(modes) };
-    Ok(modes.into_iter().filter(|mode| mode.value.is_none_or(|value| value == active)).collect())
-}
-
-/// Whether a line setpoint of zero cannot turn the shaft faster, nor the other way, as far as that is told in time.
-async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
-    let begun = session.now();
-    let (mut internal, mut line) = (None, None);
-    while session.now().since(begun) < LOOKING {
-        if internal.is_none() {
-            internal = told(session, meant, family, "setpoint-internal").await?;
-        }
-        // One after the other: the same asked again needs no fence between.
-        if internal.is_some_and(|internal| internal != 0) && line.is_none() {
-            line = told(session, meant, family, "setpoint-bus").await?;
-        }
-        match (internal, line) {
-            (Some(0), _) | (_, Some(0)) => return Ok(true),
-            (Some(internal), Some(line)) => return Ok(internal.signum() == line.signum()),
-            _ => session.rest(PAUSE).await?,
-        }
-    }
-    Ok(internal.is_none() && line.is_none())
-}
-
-/// The raw value of a role, if the drive tells it in a short time.
-async fn told(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    family: &Rc<Family>,
-    role: &str,
-) -> Result<Option<i64>, AccessError> {
-    let mut target = Target::new(meant.address, family.clone());
-    session.end_at(Some(session.now() + BRIEF));
-    in_short(role_raw(session, &mut target, role).await)
 }
 
 /// What was not told in a short time is not known.
@@ -347,93 +330,4 @@ fn kinds(registry: &Registry) -> Vec<Rc<Family>> {
 /// Drives whose control words are reached the same way are stopped the same way.
 fn kind(family: &Family) -> (crate::profile::Route, Option<u32>) {
     (family.link.route, family.role("control-word").map(|param| param.id))
-}
-
-/// The word that goes out first. Where it could close contacts it must be proven that it does not.
-async fn first_word(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    family: &Rc<Family>,
-    act: Relief,
-) -> Result<FirstWord, AccessError> {
-    let word_of = |slug| family.machine.command(slug).map(|command| command.word);
-    let Some(control) = family.motion.control.filter(|_| act == Relief::Disable) else {
-        return Ok(FirstWord { word: command_of(act).and_then(word_of), instead: false });
-    };
-    let ramp = ramp_word(session, meant, family, control).await;
-    if let Some(word) = unless_interrupted(session, ramp)?.flatten() {
-        return Ok(FirstWord { word: Some(word), instead: false });
-    }
-    let label = family.role_label("control-mode");
-    session.tell(Event::Note(both!(
-        "{label} did not tell in time what the control word is: a quick stop in place of the ramp",
-        "{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"
-    )));
-    Ok(FirstWord { word: word_of("quick-stop"), instead: true })
-}
-
-/// The word that ramps the drive down and closes no contact; `None` if that was not told in time.
-async fn ramp_word(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    family: &Rc<Family>,
-    control: Control,
-) -> Result<Option<u16>, AccessError> {
-    let command = command_of(Relief::Disable).and_then(|slug| family.machine.command(slug));
-    let (Some(word), Some(disable)) = (family.role("control-word"), command.map(|command| command.word)) else {
-        return Ok(None);
-    };
-    let Some(stands) = asked(session, meant, family, word, 0).await?.and_then(|word| u16::try_from(word).ok()) else {
-        return Ok(None);
-    };
-    if disable & !stands == 0 {
-        return Ok(Some(disable));
-    }
-    Ok(match in_force(session, meant, family).await? {
-        Some(mode) if mode == control.obeys => Some(disable),
-        Some(mode) if mode == control.contacts => Some(stands & !control.start_contacts),
-        // Nobody listens to it: the one that could do no harm if somebody did.
-        Some(_) => family.machine.command("quick-stop").map(|command| command.word),
-        None => None,
-    })
-}
-
-/// What the control word stands for, as the drive works with it.
-async fn in_force(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<Option<i64>, AccessError> {
-    let (Some(mode), Some(active)) = (family.role("control-mode"), family.role("active-set")) else { return Ok(None) };
-    let active = if mode.sets == Some(Sets::Four) { asked(session, meant, family, active, 0).await? } else { Some(0) };
-    let Some(active) = active.and_then(|active| u8::try_from(active).ok()) else { return Ok(None) };
-    asked(session, meant, family, mode, DataSets::RAM_OFFSET + active).await
-}
-
-/// Asks until it is told, as long as a drive may take. Asked again sooner, an answer that comes then would count as none:
-/// it could be one to either.
-async fn asked(
-    session: &mut Session<'_>,
-    meant: &Meant,
-    family: &Rc<Family>,
-    param: &Param,
-    set: u8,
-) -> Result<Option<i64>, AccessError> {
-    let mut target = Target::new(meant.address, family.clone());
-    let until = session.now() + TO_TELL;
-    session.end_at(Some(until));
-    let patient = Limits { reply_timeout: Limits::default().reply_timeout, ..session.limits() };
-    let tell = async |session: &mut Session<'_>| loop {
-        match raw(session, &mut target, param, set).await {
-            Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < until => {}
-            told => break in_short(told),
-        }
-        session.rest(PAUSE).await?;
-    };
-    session.within(patient, tell).await
-}
-
-/// The telegrams that carry a control word: in both orders where it is not known which half comes first.
-fn telegrams(session: &Session<'_>, meant: &Meant, family: &Family, word: u16) -> Vec<Question> {
-    let Some(param) = family.role("control-word") else { return Vec::new() };
-    let cell = Cell { number: param.id, set: 0 };
-    let inquiry = Inquiry::Write(cell, param.kind.unwrap_or(Type::Uint), word.into());
-    let both = word != 0 && family.role("word-order").is_some();
-    meant.questions(session.protocol(), session.node(), family, inquiry, both)
 }

@@ -70,7 +70,7 @@ fn an_interrupt_of_the_questions_before_a_stop_does_not_keep_it_back() {
                 |count, _| count == press,
                 async |session, registry| {
                     let meant = Meant { address: 1, family: named.and_then(|name| registry.family(name)), order: None };
-                    let _interrupted_or_not = shout(session, registry, &meant, act).await;
+                    let _interrupted_or_not = shout(session, registry, &[meant], act).await;
                 },
             );
             let told = format!("{named:?} {act:?} {press}: {:?}", came.sent);
@@ -90,7 +90,8 @@ fn an_interrupt_of_a_stop_that_nobody_answers_leaves_no_family_out() {
             |count, _| count == press,
             async |session, registry| {
                 let meant = Meant { address: 1, family: None, order: None };
-                assert!(shout(session, registry, &meant, Relief::QuickStop).await.is_err() || press == 0);
+                let said = shout(session, registry, &[meant], Relief::QuickStop).await.pop().unwrap();
+                assert!(said.is_err() || press == 0);
             },
         );
         // P.410, and DCOMcontrol in both orders.

@@ -1,0 +1,159 @@
+//! A setpoint of zero, said before anything is asked that it does not need.
+
+use super::super::look::role_raw;
+use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
+use crate::drive::access::AccessError;
+use crate::drive::route::{Cell, Inquiry, Meant, no};
+use crate::drive::session::Session;
+use crate::drive::target::Target;
+use crate::exchange::{Answer, Limits, Question};
+use crate::outcome::Event;
+use crate::profile::{Family, Mode, Registry, Type};
+use crate::text::both;
+use crate::tick::Span;
+use std::rc::Rc;
+
+/// How long it is looked whether a setpoint of zero only slows the shaft.
+const LOOKING: Span = Span::from_millis(600);
+
+/// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
+/// family that may be meant.
+pub async fn shout_zero(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    meant: &Meant,
+    modes: &dyn Fn(&Family) -> Vec<Mode>,
+) -> Result<bool, AccessError> {
+    at_once(session, async |session: &mut Session<'_>| say_zero(session, registry, meant, modes).await).await
+}
+
+async fn say_zero(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    meant: &Meant,
+    modes: &dyn Fn(&Family) -> Vec<Mode>,
+) -> Result<bool, AccessError> {
+    let families = match &meant.family {
+        Some(family) => vec![family.clone()],
+        None => presumed(session, registry, meant.address).await?,
+    };
+    let (mut said, refused) = say_zero_to(session, meant, &families, modes).await?;
+    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
+        session.tell(Event::Note(both!(
+            "the drive refuses the setpoint of a {drive}: is --drive right? A zero of the other families goes out too, \
+             where they know it",
+            "der Antrieb lehnt den Sollwert eines {drive} ab: stimmt --drive? Die Null der anderen Familien geht auch \
+             hinaus, wo sie sie kennen",
+            drive = named.drive
+        )));
+        said |= say_zero_to(session, meant, &others, modes).await?.0;
+    }
+    Ok(said)
+}
+
+/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it.
+async fn say_zero_to(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    families: &[Rc<Family>],
+    modes: &dyn Fn(&Family) -> Vec<Mode>,
+) -> Result<(bool, bool), AccessError> {
+    let (mut wholes, mut unspeakable) = (Vec::new(), false);
+    for family in families {
+        // Each acts in its own mode only, so one that is acknowledged is not enough.
+        let mut zeros = Vec::new();
+        for mode in acting(session, meant, family, modes(family)).await? {
+            if mode.source.is_none() || only_slows(session, meant, family).await? {
+                let param = family.param_or_unknown(mode.setpoint);
+                let inquiry = Inquiry::Write(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Long), 0);
+                let zero = meant.questions(session.protocol(), session.node(), family, inquiry, false);
+                // What the protocol has no telegram for was refused before it went out.
+                unspeakable |= zero.is_empty();
+                zeros.extend(zero);
+            }
+        }
+        wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
+    }
+    let said = !wholes.is_empty();
+    let refused = match repeat(session, meant, wholes).await {
+        // It went out: what came of it is told.
+        Err(AccessError::Interrupted) => false,
+        repeated => repeated?,
+    };
+    Ok((said, refused || (unspeakable && !said)))
+}
+
+/// Of these modes the one that the drive shows; all, where it shows none.
+async fn acting(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    family: &Rc<Family>,
+    modes: Vec<Mode>,
+) -> Result<Vec<Mode>, AccessError> {
+    let active = told(session, meant, family, "mode-active").await?;
+    let known = |active: &i64| family.modes.iter().any(|mode| mode.value == Some(*active));
+    let Some(active) = active.filter(known) else { return Ok(modes) };
+    Ok(modes.into_iter().filter(|mode| mode.value.is_none_or(|value| value == active)).collect())
+}
+
+/// Whether a line setpoint of zero cannot turn the shaft faster, nor the other way, as far as that is told in time.
+async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
+    let begun = session.now();
+    let (mut internal, mut line) = (None, None);
+    while session.now().since(begun) < LOOKING {
+        if internal.is_none() {
+            internal = told(session, meant, family, "setpoint-internal").await?;
+        }
+        // One after the other: the same asked again needs no fence between.
+        if internal.is_some_and(|internal| internal != 0) && line.is_none() {
+            line = told(session, meant, family, "setpoint-bus").await?;
+        }
+        match (internal, line) {
+            (Some(0), _) | (_, Some(0)) => return Ok(true),
+            (Some(internal), Some(line)) => return Ok(internal.signum() == line.signum()),
+            _ => session.rest(PAUSE).await?,
+        }
+    }
+    Ok(internal.is_none() && line.is_none())
+}
+
+/// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.
+async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Question>>) -> Result<bool, AccessError> {
+    let limits = session.limits();
+    let (mut refused, mut interrupted) = (false, false);
+    session.set_limits(Limits { reply_timeout: SHORT, ..limits });
+    for _ in 0..TIMES {
+        for words in &mut wholes {
+            for word in std::mem::take(words) {
+                let (answer, pressed) = insist(session, meant.address, &word).await;
+                interrupted |= pressed;
+                match answer {
+                    Ok(Answer::Reply { said, .. }) if no(&said).is_none() => continue,
+                    Ok(Answer::Reply { .. }) => refused = true,
+                    Err(error) if error.is_fatal() => return Err(error),
+                    _ => {}
+                }
+                words.push(word);
+            }
+            if words.is_empty() {
+                return Ok(false);
+            }
+        }
+        if interrupted {
+            return Err(AccessError::Interrupted);
+        }
+    }
+    Ok(refused)
+}
+
+/// The raw value of a role, if the drive tells it in a short time.
+async fn told(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    family: &Rc<Family>,
+    role: &str,
+) -> Result<Option<i64>, AccessError> {
+    let mut target = Target::new(meant.address, family.clone());
+    session.end_at(Some(session.now() + BRIEF));
+    in_short(role_raw(session, &mut target, role).await)
+}
