@@ -188,7 +188,8 @@ impl<'m> Call<'m> {
         let by = if tell == Tell::First { by } else { session.now() };
         let pressed = if is_late { false } else { self.say(session, by).await? };
         let often = self.said >= usize::from(TIMES) * self.words.len() && self.untold.is_empty();
-        if self.goes_on() && (often || self.refused) && !self.widen(session, registry) && often {
+        let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
+        if self.goes_on() && often && !widens {
             self.ended = Some(Ok(self.first));
         }
         Ok(pressed)
