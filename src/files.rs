@@ -76,6 +76,9 @@ impl FileError {
     }
 }
 
+/// How the standard library begins what it says of a name that leads to no address.
+const NO_HOST: &str = "failed to lookup address information";
+
 /// What the operating system said, as far as it is one of the usual things; else in its own words.
 pub fn of_system(error: &io::Error) -> Text {
     use io::ErrorKind as Kind;
@@ -100,7 +103,14 @@ pub fn of_system(error: &io::Error) -> Text {
         Kind::UnexpectedEof => "unerwartetes Ende",
         Kind::Interrupted => "unterbrochen",
         Kind::ResourceBusy => "das Gerät ist belegt",
-        _ => return Text::name(error),
+        Kind::FileTooLarge => "die Datei wird zu groß",
+        Kind::QuotaExceeded => "das Kontingent auf dem Datenträger ist erschöpft",
+        Kind::InvalidInput => "das wird hier nicht angenommen",
+        Kind::Unsupported => "das gibt es hier nicht",
+        Kind::OutOfMemory => "der Speicher reicht nicht",
+        // It has no kind of its own.
+        _ if error.to_string().starts_with(NO_HOST) => "diesen Rechnernamen kennt niemand",
+        _ => return Text::quoted(error),
     };
     let code = error.raw_os_error().map_or_else(String::new, |code| format!(" (Systemfehler {code})"));
     Text { en: error.to_string().into(), de: format!("{german}{code}").into() }
@@ -282,6 +292,15 @@ fn unhurried(options: &mut OpenOptions, _follows: bool) -> &mut OpenOptions {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_the_system_says_is_said_in_german_or_quoted() {
+        let said = |error: io::Error| of_system(&error).de.into_owned();
+        let nobody = "failed to lookup address information: Name or service not known";
+        assert_eq!(said(io::Error::other(nobody)), "diesen Rechnernamen kennt niemand");
+        assert_eq!(said(io::Error::from_raw_os_error(27)), "die Datei wird zu groß (Systemfehler 27)");
+        assert_eq!(said(io::Error::other("frobnicated")), "\"frobnicated\"");
+    }
     use std::os::unix::fs::symlink;
 
     fn told<T: std::fmt::Debug>(result: Result<T, FileError>) -> String {

@@ -15,6 +15,7 @@ use crate::args::{ColorChoice, Environment, Globals, Settings, language, setting
 use crate::command::{Context, Entry, Flow, Typed, keeper, recording};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
+use crate::files::of_system;
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
 use crate::render::{self, Console, Format, Keep, Manner, Patience, Place, Stream, Streams, Terminal, View};
@@ -198,6 +199,7 @@ fn unwritten(mut outcome: Outcome, error: &io::Error) -> Outcome {
         failure.message = both!(
             "cannot write the output: {error}; {what}",
             "die Ausgabe lässt sich nicht schreiben: {error}; {what}",
+            error = of_system(error),
             what = failure.message
         );
         (failure.class, failure.code) = (Class::Port, "port.output".into());
@@ -321,7 +323,8 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
     if error.kind() == io::ErrorKind::BrokenPipe {
         return 0;
     }
-    let text = both!("cannot write the output: {error}", "die Ausgabe lässt sich nicht schreiben: {error}");
+    let error = of_system(error);
+    let text = both!("cannot write the output: {error}", "die Ausgabe lässt sich nicht schreiben: {error}", error);
     let failure = Failure::new(Class::Port, "port.output", text);
     console.failure(&failure);
     failure.class.exit()
@@ -343,8 +346,11 @@ fn files_left() -> Result<(), Failure> {
     {
         let taken: io::Result<Vec<_>> = (0..FILES).map(|_| std::fs::File::open("/dev/null")).collect();
         taken.map_err(|error| {
-            let text =
-                both!("too few files can be opened: {error}", "es lassen sich zu wenige Dateien öffnen: {error}");
+            let text = both!(
+                "too few files can be opened: {error}",
+                "es lassen sich zu wenige Dateien öffnen: {error}",
+                error = of_system(&error)
+            );
             Failure::new(Class::Port, "port.files", text).hint(both!(
                 "`ulimit -n` shows the limit of this shell; 64 are plenty",
                 "`ulimit -n` zeigt die Grenze dieser Shell; 64 reichen gut"

@@ -10,7 +10,7 @@ use crate::drive::{Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Selection, Selector, Type};
-use crate::text::both;
+use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Reads parameters.
@@ -160,7 +160,7 @@ pub(super) fn select_failure(error: &crate::profile::SelectError) -> Failure {
                     "`antrieb params WORT` sucht im Katalog; eine Nummer geht immer"
                 )
             } else {
-                both!("did you mean {near}?", "gemeint ist vielleicht {near}", near = near.join(", "))
+                both!("did you mean {near}?", "gemeint ist vielleicht {near}", near = Text::join(near, ", "))
             };
             failure(Class::Data, "data.unknown_parameter").hint(hint)
         }

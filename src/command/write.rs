@@ -136,7 +136,7 @@ fn assignments(args: &Args) -> Result<Vec<(&str, &str)>, Failure> {
                         "a unit stands behind its number without a blank: {name}={value}{text}",
                         "eine Einheit steht ohne Leerzeichen hinter der Zahl: {name}={value}{text}"
                     ),
-                    None => both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1,5kW"),
+                    None => both!("for example 376@4=1.5kW", "zum Beispiel 376@4=1.5kW"),
                 };
                 return Err(Failure::new(Class::Usage, "usage.assignment", message).hint(hint));
             }

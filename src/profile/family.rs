@@ -50,6 +50,8 @@ pub struct Family {
     pub(super) groups: BTreeMap<String, Vec<u32>>,
     pub(super) enums: BTreeMap<String, BTreeMap<i64, Text>>,
     pub(super) bits: BTreeMap<String, BTreeMap<u8, BitRow>>,
+    /// What people say for the beginning of a word of a name, both folded.
+    pub(super) synonyms: BTreeMap<String, String>,
 }
 
 /// A bit of a decoded word.
@@ -72,7 +74,7 @@ pub enum LookupError {
         /// What was asked.
         query: String,
         /// Names that come near.
-        near: Vec<String>,
+        near: Vec<Text>,
     },
     /// More than one fits.
     #[error("{}", self.text().en)]
@@ -80,7 +82,7 @@ pub enum LookupError {
         /// What was asked.
         query: String,
         /// Parameters that fit.
-        found: Vec<String>,
+        found: Vec<Text>,
     },
 }
 
@@ -92,10 +94,16 @@ impl LookupError {
                 both!("no parameter is called '{query}'", "kein Parameter heißt '{query}'")
             }
             LookupError::Ambiguous { query, found } => {
-                both!("'{query}' could be {found}", "'{query}' kann {found} sein", found = found.join(", "))
+                both!("'{query}' could be {found}", "'{query}' kann {found} sein", found = Text::join(found, ", "))
             }
         }
     }
+}
+
+/// A parameter as it is suggested: by its slug, or by its German name, which is found as well.
+fn called(param: &Param) -> Text {
+    let known = Text { en: param.slug.clone().into(), de: param.name.de.clone() };
+    both!("{id} ({known})", "{id} ({known})", id = param.id, known)
 }
 
 impl Family {
@@ -121,6 +129,7 @@ impl Family {
             groups: BTreeMap::new(),
             enums: BTreeMap::new(),
             bits: BTreeMap::new(),
+            synonyms: BTreeMap::new(),
         }
     }
 
@@ -167,28 +176,42 @@ impl Family {
     }
 
     /// Finds a parameter by slug, by the maker's short name or by a name in either language: exact first, then as a
-    /// unique start.
+    /// unique start; then the same in the words of the names (`synonyms` of the catalogue).
     pub fn find(&self, query: &str) -> Result<&Param, LookupError> {
-        let fitting = |fits: fn(&str, &str) -> bool| {
+        let fitting = |fits: fn(&str, &str) -> bool, query: &str| {
             let rows = self.params.values().filter(|param| param.names().any(|name| fits(name, query)));
             rows.collect::<Vec<_>>()
         };
-        for fits in [same as fn(&str, &str) -> bool, starts] {
-            match fitting(fits).as_slice() {
+        let spelt = self.spelt(query);
+        for (query, fits) in
+            spelt.iter().flat_map(|query| [same as fn(&str, &str) -> bool, starts].map(|fits| (query, fits)))
+        {
+            match fitting(fits, query).as_slice() {
                 [] => {}
                 [only] => return Ok(only),
                 several => {
-                    let found = several.iter().take(8).map(|param| format!("{} ({})", param.id, param.slug));
-                    return Err(LookupError::Ambiguous { query: query.to_owned(), found: found.collect() });
+                    let found = several.iter().take(8).map(|param| called(param));
+                    return Err(LookupError::Ambiguous { query: query.clone(), found: found.collect() });
                 }
             }
         }
         let mut near = self.search(query);
         if near.is_empty() {
-            near = self.resembling(query);
+            near = spelt.iter().flat_map(|query| self.resembling(query)).collect();
         }
-        let near = near.into_iter().take(5).map(|param| format!("{} ({})", param.id, param.slug));
+        let near = near.into_iter().take(5).map(called);
         Err(LookupError::Unknown { query: query.to_owned(), near: near.collect() })
+    }
+
+    /// What was typed, and the same in the words of the names, if some of it is said in others.
+    fn spelt(&self, query: &str) -> Vec<String> {
+        let folded = fold(query);
+        let said = folded.split(' ').map(|word| {
+            let synonym = self.synonyms.iter().find_map(|(said, name)| Some((name, word.strip_prefix(said.as_str())?)));
+            synonym.map_or_else(|| word.to_owned(), |(name, rest)| format!("{name}{rest}"))
+        });
+        let said = said.collect::<Vec<_>>().join(" ");
+        if said == folded { vec![query.to_owned()] } else { vec![query.to_owned(), said] }
     }
 
     /// Parameters with a name that was perhaps meant, the likeliest first.
@@ -204,14 +227,21 @@ impl Family {
         self.modes.iter().find(|mode| mode.slug == slug)
     }
 
-    /// Every parameter whose number, slug or names contain all words of `query`.
+    /// Every parameter whose number, slug or names contain all words of `query`, as typed or in the words of the names.
     pub fn search(&self, query: &str) -> Vec<&Param> {
-        let words: Vec<String> = fold(query).split(' ').map(str::to_owned).collect();
+        let spelt = self.spelt(query);
+        let queries: Vec<Vec<String>> =
+            spelt.iter().map(|query| fold(query).split(' ').map(str::to_owned).collect()).collect();
         let hay = |param: &Param| {
             let names: Vec<&str> = param.names().chain(param.unit.as_deref()).collect();
             fold(&format!("{} {}", param.id, names.join(" ")))
         };
-        self.params.values().filter(|param| words.iter().all(|word| hay(param).contains(word.as_str()))).collect()
+        let fits = |hay: &str, words: &[String]| words.iter().all(|word| hay.contains(word.as_str()));
+        let is_hit = |param: &&Param| {
+            let hay = hay(param);
+            queries.iter().any(|words| fits(&hay, words))
+        };
+        self.params.values().filter(is_hit).collect()
     }
 
     /// Texts of a parameter's values.

@@ -156,7 +156,7 @@ impl Console {
             Event::Telegram { at_us, direction, hex, meaning } => {
                 let at = format!("{}.{:03}", at_us / 1_000, at_us % 1_000);
                 let meaning = meaning.get(inner.lang).to_owned();
-                inner.line(&format!("{at:>10} ms {direction} {hex}  {meaning}"));
+                inner.say(&format!("{at:>10} ms {direction} {hex}  {meaning}"));
             }
             Event::Progress { done, total, what } => inner.progress(String::new(), done, total, &what),
             Event::Search { port, done, total, what } => inner.progress(port, done, total, &what),

@@ -65,14 +65,14 @@ pub enum LinkError {
         message: String,
     },
     /// The direction of an RS-485 line cannot be switched as asked.
-    #[error("port '{port}' does not offer --rs485 {}: {message}", mode.name())]
+    #[error("port '{port}' does not offer --rs485 {}: {}", mode.name(), message.en)]
     Direction {
         /// The port.
         port: String,
         /// Who should have switched.
         mode: Rs485Mode,
         /// What the driver said.
-        message: String,
+        message: Text,
     },
     /// The serial line behind a raw TCP port or a gateway cannot be set through it.
     #[error("the serial line behind '{0}' cannot be set from here")]
@@ -81,12 +81,12 @@ pub enum LinkError {
     #[error("'{0}' does not speak RFC 2217")]
     NoRfc2217(String),
     /// Nobody answers at that address of the network.
-    #[error("cannot connect to '{port}': {message}")]
+    #[error("cannot connect to '{port}': {}", message.en)]
     Unreachable {
         /// The port.
         port: String,
         /// What the system said.
-        message: String,
+        message: Text,
     },
     /// The adapter, or the other end of a connection, takes no bytes any more.
     #[error("port '{0}' takes no bytes: what is behind it does not fetch them")]

@@ -3,8 +3,9 @@
 use super::clock::Clock;
 use super::rfc2217::{Telnet, Unsettled};
 use super::{Endpoint, Ends, LinkError, Wake};
+use crate::files::of_system;
 use crate::protocol::line::LineSetting;
-use crate::text::Text;
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use std::io;
 use tokio::io::AsyncWriteExt;
@@ -57,11 +58,13 @@ impl NetLink {
     /// Connects anew; the clock goes on.
     pub(super) async fn reopen(&mut self) -> Result<(), LinkError> {
         self.connection = Ends::Closed;
-        let stream = connect(&self.endpoint).await.map_err(|error| self.unreachable(&error))?;
+        let connecting = tokio::time::timeout(LIMIT.into(), connect(&self.endpoint)).await;
+        let stream =
+            connecting.map_err(|_| self.unreachable(silent()))?.map_err(|error| self.unreachable(of_system(&error)))?;
         let telnet = (self.far == Far::Rfc2217).then(|| Telnet::new(self.line));
         let mut connection = Connection { stream, telnet };
         if self.far == Far::Raw {
-            connection.discard(self.clock).await.map_err(|error| self.unreachable(&error))?;
+            connection.discard(self.clock).await.map_err(|error| self.unreachable(of_system(&error)))?;
         }
         self.deviations = connection.settle(self.clock).await.map_err(|why| self.unsettled(why))?;
         self.connection = Ends::Open(connection);
@@ -138,8 +141,8 @@ impl NetLink {
         woken.map_err(|_| self.connection.lost(&self.name))
     }
 
-    fn unreachable(&self, error: &io::Error) -> LinkError {
-        LinkError::Unreachable { port: self.name.clone(), message: error.to_string() }
+    fn unreachable(&self, message: Text) -> LinkError {
+        LinkError::Unreachable { port: self.name.clone(), message }
     }
 
     fn unsettled(&self, why: Unsettled) -> LinkError {
@@ -183,11 +186,12 @@ impl Connection {
     }
 }
 
+fn silent() -> Text {
+    both!("no answer within {LIMIT}", "keine Antwort innerhalb von {LIMIT}")
+}
+
 async fn connect(endpoint: &Endpoint) -> io::Result<TcpStream> {
-    let connecting = TcpStream::connect((endpoint.host.as_str(), endpoint.port));
-    let stream = tokio::time::timeout(LIMIT.into(), connecting).await.map_err(|_| {
-        io::Error::new(io::ErrorKind::TimedOut, format!("no answer within {} ms", LIMIT.as_micros() / 1_000))
-    })??;
+    let stream = TcpStream::connect((endpoint.host.as_str(), endpoint.port)).await?;
     // Telegrams are small and every one of them is waited for: nothing may be held back for the next.
     stream.set_nodelay(true)?;
     Ok(stream)

@@ -6,6 +6,7 @@ use super::clock::Clock;
 use super::ports::{Host, Identity, Whereabouts};
 use super::rs485::{Rs485, Rs485Mode};
 use super::{Ends, LinkError, Wake, tty};
+use crate::files::of_system;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
@@ -220,7 +221,7 @@ fn connect(name: &str, line: LineSetting, rs485: Rs485) -> Result<(OpenPort, Vec
     let mut port = OpenPort { driver: side_door.map(Tuned::new), stream, rts: None };
     let switched = port.choose_direction(rs485);
     let refused =
-        |error: io::Error| LinkError::Direction { port: name.to_owned(), mode: rs485.mode, message: error.to_string() };
+        |error: io::Error| LinkError::Direction { port: name.to_owned(), mode: rs485.mode, message: of_system(&error) };
     deviations.extend(switched.map_err(refused)?);
     Ok((port, deviations))
 }

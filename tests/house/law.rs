@@ -67,7 +67,7 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
         ],
     ),
     ("command", &["args", "drive", "profile", "scope", "gate", "outcome", "failure", "files", "text", "tick"]),
-    ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure", "text", "tick"]),
+    ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure", "files", "text", "tick"]),
 ];
 
 /// Files of `drive` that may name `protocol` and `simulator`; the rest of the room speaks of parameters.

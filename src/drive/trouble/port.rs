@@ -56,14 +56,17 @@ fn said(error: &LinkError) -> Text {
         LinkError::Permission(port) => both!("{error}", "keine Berechtigung, Anschluss '{port}' zu öffnen"),
         LinkError::Setting { port, message } => both!("{error}", "Anschluss '{port}': \"{message}\""),
         LinkError::Direction { port, mode, message } => {
-            let mode = mode.name();
-            both!("{error}", "Anschluss '{port}' bietet --rs485 {mode} nicht: \"{message}\"")
+            let (mode, german) = (mode.name(), &message.de);
+            both!("{error}", "Anschluss '{port}' bietet --rs485 {mode} nicht: {german}")
         }
         LinkError::Fixed(port) => {
             both!("{error}", "die serielle Leitung hinter '{port}' ist von hier nicht einstellbar")
         }
         LinkError::NoRfc2217(port) => both!("{error}", "'{port}' spricht kein RFC 2217"),
-        LinkError::Unreachable { port, message } => both!("{error}", "keine Verbindung zu '{port}': \"{message}\""),
+        LinkError::Unreachable { port, message } => {
+            let german = &message.de;
+            both!("{error}", "keine Verbindung zu '{port}': {german}")
+        }
         LinkError::Lost(port) => {
             both!("{error}", "Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
         }

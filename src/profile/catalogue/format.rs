@@ -61,6 +61,9 @@ pub(super) struct Body {
     pub(super) roles: BTreeMap<Role, u32>,
     #[serde(default)]
     pub(super) groups: BTreeMap<String, Vec<u32>>,
+    /// What people say for the beginning of a word of a name.
+    #[serde(default)]
+    pub(super) synonyms: BTreeMap<String, String>,
     #[serde(default)]
     pub(super) enums: BTreeMap<String, BTreeMap<String, EnumRow>>,
     #[serde(default)]

@@ -48,6 +48,7 @@ impl Origin {
         }
         family.roles.extend(body.roles);
         family.groups.extend(body.groups);
+        family.synonyms.extend(body.synonyms.iter().map(|(said, name)| (fold(said), fold(name))));
         Ok(())
     }
 

@@ -182,7 +182,7 @@ impl List<'_> {
         if draft.decimals.is_none() {
             let what = both!(
                 "the scale '{cell}' is no 1, 0.1, 0.01 …, so the value is shown raw",
-                "die Skalierung '{cell}' ist nicht 1, 0,1, 0,01 …, der Wert wird roh gezeigt"
+                "die Skalierung '{cell}' ist nicht 1, 0.1, 0.01 …, der Wert wird roh gezeigt"
             );
             self.note(record.line, &what);
             // Without a unit a raw number would pass for the value.

@@ -9,7 +9,9 @@ impl Finding for Import {
     fn table(&self, page: Page) -> String {
         // Without a file the page is the catalogue, and what is told stands in it as comments.
         let mark = if self.catalogue.is_some() { "# " } else { "" };
-        let told: String = self.told.iter().map(|line| format!("{mark}{}\n", clean(&page.say(line)))).collect();
+        let narrow = Page { width: page.width.map(|width| width.saturating_sub(mark.len() as u16)), ..page };
+        let told: String = self.told.iter().map(|line| narrow.prose(line.get(page.lang))).collect();
+        let told: String = told.lines().map(|line| format!("{mark}{line}\n")).collect();
         told + self.catalogue.as_deref().unwrap_or_default()
     }
 

@@ -11,7 +11,7 @@ fn a_slip_of_the_keyboard_is_answered_with_what_was_meant() {
         let english = antrieb(&format!("-p sim -a 1 read {typed}")).exits(7).err;
         assert!(english.contains(&format!("hint: did you mean {meant}")), "{english}");
         let german = antrieb(&format!("--lang de -p sim -a 1 read {typed}")).exits(7).err;
-        assert!(german.contains(&format!("Hinweis: gemeint ist vielleicht {meant}")), "{german}");
+        assert!(german.contains("Hinweis: gemeint ist vielleicht 372 (Bemessungsdrehzahl)"), "{german}");
     }
     let far = antrieb("-p sim -a 1 read frobnication").exits(7).err;
     assert!(!far.contains("did you mean"), "{far}");
@@ -113,5 +113,58 @@ fn a_value_below_zero_may_be_a_word_of_its_own() {
     for unknown in ["write 480=1 --yess", "write 480 -x", "sollwert --hodl 5Hz", "read -5"] {
         let said = antrieb(&format!("-p sim -a 1 {unknown}")).exits(2).err;
         assert!(said.contains(" is not expected behind `"), "{unknown}: {said}");
+    }
+}
+
+/// What a German technician says for what the manual writes; the table is in the catalogue (`synonyms`).
+#[test]
+fn parameters_are_found_by_what_people_say() {
+    for (said, param) in
+        [("Nennfrequenz", "375"), ("nenndrehzahl", "372"), ("Nenndreh", "372"), ("Nominal Speed", "372")]
+    {
+        let read = antrieb(&format!("-p sim -a 1 read '{said}'")).json().exits(0);
+        assert_eq!(read.data("/values/0/param").to_string(), param, "{said}");
+    }
+    let found = antrieb("--drive act params nenn").json().exits(0);
+    let found: Vec<_> = found.data("/params").as_array().unwrap().iter().map(|row| row["param"].as_u64()).collect();
+    assert_eq!(found, [Some(372), Some(375), Some(376)]);
+    let power = antrieb("-p sim -a 1 read Nennleistung").exits(7).err;
+    assert!(power.contains("did you mean 376 (rated-mechanical-power)"), "{power}");
+}
+
+#[test]
+fn a_suggestion_is_in_the_language_of_the_output_and_is_taken_as_it_stands() {
+    for (lang, typed, meant) in
+        [("en", "rated-freqency", "rated-frequency"), ("de", "Bemessungsfreqenz", "Bemessungsfrequenz")]
+    {
+        let told = antrieb(&format!("--lang {lang} -p sim -a 1 read {typed}")).exits(7).err;
+        assert!(told.contains(&format!("375 ({meant})")), "{told}");
+        assert_eq!(antrieb(&format!("-p sim -a 1 read {meant}")).json().exits(0).data("/values/0/param"), 375);
+    }
+}
+
+/// What the system says of a host is said in German as well.
+#[test]
+fn a_host_that_is_not_there_is_told_in_both_languages() {
+    let told = |lang: &str| antrieb(&format!("--lang {lang} -p tcp://127.0.0.1:1 -a 1 read 411")).exits(3).err;
+    assert!(told("en").contains("cannot connect to 'tcp://127.0.0.1:1': Connection refused"), "{}", told("en"));
+    let german = told("de");
+    assert!(german.contains("keine Verbindung zu 'tcp://127.0.0.1:1': Verbindung abgewiesen"), "{german}");
+    assert!(!german.contains('"'), "{german}");
+}
+
+/// A language changes names and texts, never a number: what is printed is taken as it stands, and a comma as well.
+#[test]
+fn numbers_have_a_decimal_point_in_every_language() {
+    for lang in ["en", "de"] {
+        let hint = antrieb(&format!("--lang {lang} -p sim -a 1 write 376@4")).exits(2).err;
+        let example = hint.split_whitespace().last().unwrap();
+        assert_eq!(example, "376@4=1.5kW", "{hint}");
+        for typed in [example, "376@4=1,5kW"] {
+            let planned = antrieb(&format!("--lang {lang} -p sim -a 1 --drive act write {typed} --dry-run")).exits(0);
+            assert!(planned.out.contains("1.5 kW") && !planned.out.contains("1,5"), "{}", planned.out);
+        }
+        let read = antrieb(&format!("--lang {lang} -p sim -a 1 read 375")).exits(0);
+        assert!(read.out.contains(" 50.00 "), "{}", read.out);
     }
 }
