@@ -115,17 +115,29 @@ _antrieb() {
             antrieb__subcmd__dataset,undo)
                 cmd="antrieb__subcmd__dataset__subcmd__undo"
                 ;;
+            antrieb__subcmd__decode,basic-control)
+                cmd="antrieb__subcmd__decode__subcmd__basic__subcmd__control"
+                ;;
+            antrieb__subcmd__decode,basic-status)
+                cmd="antrieb__subcmd__decode__subcmd__basic__subcmd__status"
+                ;;
             antrieb__subcmd__decode,can)
                 cmd="antrieb__subcmd__decode__subcmd__can"
                 ;;
             antrieb__subcmd__decode,control)
                 cmd="antrieb__subcmd__decode__subcmd__control"
                 ;;
+            antrieb__subcmd__decode,diagnosis)
+                cmd="antrieb__subcmd__decode__subcmd__diagnosis"
+                ;;
             antrieb__subcmd__decode,error)
                 cmd="antrieb__subcmd__decode__subcmd__error"
                 ;;
             antrieb__subcmd__decode,fault)
                 cmd="antrieb__subcmd__decode__subcmd__fault"
+                ;;
+            antrieb__subcmd__decode,pkw)
+                cmd="antrieb__subcmd__decode__subcmd__pkw"
                 ;;
             antrieb__subcmd__decode,status)
                 cmd="antrieb__subcmd__decode__subcmd__status"
@@ -1645,8 +1657,100 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help telegram can trace status control warnings fault error"
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --protocol)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --word-order)
+                    COMPREPLY=($(compgen -W "high low" -- "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__decode__subcmd__basic__subcmd__control)
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --protocol)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --word-order)
+                    COMPREPLY=($(compgen -W "high low" -- "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__decode__subcmd__basic__subcmd__status)
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
@@ -1786,6 +1890,52 @@ _antrieb() {
             COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
             return 0
             ;;
+        antrieb__subcmd__decode__subcmd__diagnosis)
+            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --protocol)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --word-order)
+                    COMPREPLY=($(compgen -W "high low" -- "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
         antrieb__subcmd__decode__subcmd__error)
             opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
@@ -1878,6 +2028,52 @@ _antrieb() {
             COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
             return 0
             ;;
+        antrieb__subcmd__decode__subcmd__pkw)
+            opts="-q -v -h --reply --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --protocol)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --word-order)
+                    COMPREPLY=($(compgen -W "high low" -- "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
         antrieb__subcmd__decode__subcmd__status)
             opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
@@ -1925,12 +2121,16 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__decode__subcmd__telegram)
-            opts="-q -v -h --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            opts="-q -v -h --cfg --protocol --drive --word-order --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --cfg)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --protocol)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0

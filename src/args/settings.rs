@@ -9,6 +9,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::profile::{CatalogueFile, Lang};
 use crate::protocol::Protocol;
+use crate::protocol::dp::NAME as DP;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Framing;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -36,6 +37,8 @@ pub struct Settings {
     pub rs485: Rs485,
     /// What is spoken.
     pub protocol: Protocol,
+    /// PROFIBUS-DP is spoken, by the verbs that can; `protocol` says nothing then.
+    pub profibus: bool,
     /// What of this is only a guess, because it is to be found out.
     pub unknown: Unknown,
     /// Family, or `None` to ask the drive.
@@ -93,7 +96,7 @@ impl Settings {
         let mut low = Low::read(globals, environment)?;
         let (addresses, node) = low.addresses()?;
         let ports = ports(&mut low)?;
-        let (protocol, is_unknown) = protocol(&mut low, &ports)?;
+        let (protocol, is_unknown, profibus) = protocol(&mut low, &ports)?;
         let line = line(&mut low, protocol)?;
         check_node(node, protocol)?;
         let unknown = Unknown {
@@ -123,6 +126,7 @@ impl Settings {
             line,
             rs485,
             protocol,
+            profibus,
             unknown,
             drive,
             word_order: globals.word_order.map(WordOrder::from),
@@ -163,7 +167,7 @@ impl Settings {
             ("parity", Some(or_auto(self.unknown.parity, format!("{:?}", self.line.parity).to_lowercase()))),
             ("data_bits", Some(self.line.data_bits.to_string())),
             ("stop_bits", Some(self.line.stop_bits.to_string())),
-            ("protocol", Some(or_auto(self.unknown.protocol, self.protocol.name().to_owned()))),
+            ("protocol", Some(or_auto(self.unknown.protocol, self.spoken().to_owned()))),
             ("drive", Some(self.drive.clone().unwrap_or_else(auto))),
             ("timeout", self.timeout.map(|span| span.to_string())),
             ("retries", self.retries.map(|count| count.to_string())),
@@ -175,6 +179,11 @@ impl Settings {
         });
         let told: Vec<Text> = told.collect();
         both!("settings: {told}", "Einstellungen: {told}", told = Text::join(&told, ", "))
+    }
+
+    /// The word that names what is spoken.
+    fn spoken(&self) -> &'static str {
+        if self.profibus { DP } else { self.protocol.name() }
     }
 
     /// Whether the form of the output is one document or table of data, so that nothing can be told on the way.
@@ -273,15 +282,18 @@ fn ports(low: &mut Low<'_>) -> Result<Vec<Port>, Failure> {
     Ok(ports.unwrap_or_default())
 }
 
-/// What is spoken, and whether that is only a guess.
-fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool), Failure> {
+/// What is spoken, and whether that is only a guess; and whether it is PROFIBUS-DP.
+fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool, bool), Failure> {
     let said = low.said(|drive| drive.protocol.clone(), |file| file.protocol.clone());
     let text = low.pick("protocol", low.flags.protocol.clone(), said, Ok::<_, Text>)?;
     let text = text.as_deref();
+    if text.is_some_and(|text| text.trim().eq_ignore_ascii_case(DP)) {
+        return Ok((Protocol::Modbus(Framing::Rtu), false, true));
+    }
     let named =
         text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: Wrong| protocol_failure(text, why.0)));
     let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
-    Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO)))
+    Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO), false))
 }
 
 /// Speed and format.
@@ -381,10 +393,12 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
 const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
 
 fn protocol_failure(text: &str, why: Text) -> Failure {
-    let later = ["profibus", "sdo"].contains(&text.to_ascii_lowercase().as_str());
     let failure = bad_setting("protocol", why);
-    let hint = || both!("{text} is not supported by this version", "{text} kann diese Version noch nicht");
-    if later { failure.hint(hint()) } else { failure }
+    match text.to_ascii_lowercase().as_str() {
+        "sdo" => failure.hint(both!("{text} is not supported by this version", "{text} kann diese Version noch nicht")),
+        "profibus" => failure.hint(both!("PROFIBUS-DP is dp here", "PROFIBUS-DP heißt hier dp")),
+        _ => failure,
+    }
 }
 
 /// The user's catalogues: configuration directory, then files named in configurations, then `--catalogue`.

@@ -112,7 +112,8 @@ fn shown<'o>(stream: Stream<'o>, carry_out: impl FnOnce(&RefCell<Stream<'o>>) ->
 fn settings_for(what: &What, globals: &Globals, environment: &Environment) -> Result<Settings, Failure> {
     let is_of_plant = matches!(what, What::Work(entry, _) if entry.of_plant);
     let resolve = if is_of_plant { settings_of_plant } else { Settings::resolve };
-    what.unkept(globals).map_or_else(|| resolve(globals, environment), Err)
+    let settings = what.unkept(globals).map_or_else(|| resolve(globals, environment), Err)?;
+    what.unspoken(&settings).map_or(Ok(settings), Err)
 }
 
 /// Who watches a run. Its line is progress; where its records or its view have the terminal there is none.

@@ -3,9 +3,10 @@
 use super::page::FIRST_STEPS;
 use super::printed::{PRINTED, Printed};
 use super::short;
-use crate::args::{Globals, below_zero};
+use crate::args::{Globals, Settings, below_zero};
 use crate::command::{self, Entry, VERBS};
 use crate::failure::{Class, Failure};
+use crate::text::both;
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -38,6 +39,20 @@ impl What {
             What::Work(verb, _) => verb.takes.unkept(verb.name, typed),
             What::Print(printed, _) => printed.takes.unkept(printed.name, typed),
         }
+    }
+
+    /// What is to be spoken and is not, by this verb.
+    pub(super) fn unspoken(&self, settings: &Settings) -> Option<Failure> {
+        let What::Work(verb, _) = self else { return None };
+        let cannot = settings.profibus && !verb.profibus && verb.takes.offers("protocol");
+        cannot.then(|| {
+            let name = verb.name;
+            let can: Vec<_> = VERBS.iter().filter(|verb| verb.profibus).map(|verb| verb.name).collect();
+            let can = can.join(", ");
+            let message = both!("`{name}` does not speak PROFIBUS-DP yet", "`{name}` spricht noch kein PROFIBUS-DP");
+            Failure::new(Class::Usage, "usage.profibus", message)
+                .hint(both!("what understands it: {can}", "was es versteht: {can}"))
+        })
     }
 }
 

@@ -1,8 +1,11 @@
 //! `decode`: what do these bytes, this word, this code say? Without a drive.
 
+mod dp;
+
 use super::verb::{Verb, Working};
 use super::{Context, offline_family, telegram_reader};
 use crate::args::Takes;
+use crate::drive::decode::dp::Cyclic;
 use crate::drive::decode::{is_can, log};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -23,15 +26,21 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
-    /// A telegram of Modbus or VABus
+    /// A telegram of Modbus, VABus or PROFIBUS-DP
     ///
-    /// Hex bytes, or an ASCII telegram from its colon on.
+    /// Hex bytes, or an ASCII telegram from its colon on; several of PROFIBUS one behind the other.
     Telegram {
         /// 01 03 21 74 00 01 CE 2C, or :01032174000166
         ///
-        /// Over VABus 04 41 30 32 33 37 32 05.
+        /// Over VABus 04 41 30 32 33 37 32 05, over PROFIBUS 10 08 02 49 53 16.
         #[arg(required = true, value_name = "BYTES")]
         bytes: Vec<String>,
+        /// What PROFIBUS carries: basic, ppo1 to ppo5, or hex
+        ///
+        /// No telegram of Data_Exchange tells what its bytes are; the configuration of the slave does. For an SJ2-PB it is one of
+        /// these, or the bytes of Chk_Cfg, such as F3F1.
+        #[arg(long, value_name = "CFG")]
+        cfg: Option<Cyclic>,
     },
     /// Frames of CAN, as candump logs them or SLCAN has them
     ///
@@ -84,6 +93,8 @@ enum What {
         /// The code
         code: String,
     },
+    #[command(flatten)]
+    Profibus(dp::What),
 }
 
 impl Verb for Args {
@@ -98,7 +109,13 @@ impl Verb for Args {
         "antrieb decode warnings 0x008B",
         "antrieb decode fault F0500",
         "antrieb decode error 11",
+        "antrieb decode telegram 10 08 02 49 53 16",
+        "antrieb decode pkw 7393 0100 0000 0022",
+        "antrieb decode diagnosis 02 05 00 FF 0A 35",
+        "antrieb decode basic-status 0x0DD0",
+        "antrieb decode basic-control 0x0050",
     ];
+    const PROFIBUS: bool = true;
     type Prints = Document<Decode>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -118,18 +135,12 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let cube = cube(context, &family);
     let reader = telegram_reader(context.settings, &family);
     let on_can = telegram_reader(context.settings, &cube);
-    let blank = |kind, input: &str| Decode {
-        kind,
-        input: input.to_owned(),
-        telegrams: Vec::new(),
-        word: None,
-        fault: None,
-        register: None,
-    };
     let decode = match &args.what {
-        What::Telegram { bytes } => {
+        What::Telegram { bytes, cfg } => {
             let input = bytes.join(" ");
-            return checked(blank("telegram", &input), reader.typed(&input).map_err(|error| error.text()));
+            let is_profibus = context.settings.profibus || cfg.is_some() || dp::is_spoken(&input);
+            let docs = if is_profibus { dp::reader(&family, *cfg).typed(&input) } else { reader.typed(&input) };
+            return checked(blank("telegram", &input), docs.map_err(|error| error.text()));
         }
         What::Can { frames } => {
             let input = frames.join(" ");
@@ -158,6 +169,7 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
             let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
             Decode { register: Some(describe::register(&family, number)), ..blank("error", code) }
         }
+        What::Profibus(what) => dp::explain(what, &family)?,
     };
     if let Some(note) = base(&args.what, &family) {
         (context.observe)(Event::Note(note));
@@ -207,6 +219,12 @@ fn write_log(text: &str, path: &Path, force: bool) -> Result<Text, Failure> {
     })
 }
 
+/// Nothing decoded yet.
+fn blank(kind: &'static str, input: &str) -> Decode {
+    let input = input.to_owned();
+    Decode { kind, input, telegrams: Vec::new(), word: None, fault: None, register: None, parts: None }
+}
+
 fn fault_number(code: &str, family: &Family) -> Result<u32, Failure> {
     let letter = &family.fault_codes.letter;
     let number = displayed(code, family).or_else(|| number(code));
@@ -224,7 +242,9 @@ fn base(what: &What, family: &Family) -> Option<Text> {
         What::Control { word, .. } => ("control", word, "0x"),
         What::Warnings { word } => ("warnings", word, "0x"),
         What::Fault { code } => ("fault", code, &*family.fault_codes.letter),
-        What::Telegram { .. } | What::Can { .. } | What::Trace { .. } | What::Error { .. } => return None,
+        What::Telegram { .. } | What::Can { .. } | What::Trace { .. } | What::Error { .. } | What::Profibus(_) => {
+            return None;
+        }
     };
     let text = text.trim();
     let is_written_so = text.len() == DIGITS && text.bytes().all(|digit| digit.is_ascii_digit());
@@ -248,7 +268,7 @@ fn word_of(family: &Family, role: &str, kind: &'static str, text: &str, mode: Op
         Failure::new(Class::Data, "data.role", both!("this family has no {role}", "diese Familie hat kein {role}"))
     })?;
     let word = describe::word(family, param, raw, &|_| mode.map(i64::from));
-    Ok(Decode { kind, input: text.to_owned(), telegrams: Vec::new(), word: Some(word), fault: None, register: None })
+    Ok(Decode { word: Some(word), ..blank(kind, text) })
 }
 
 /// Reads a fault as the drives of a family display it: `F0500`, `EB303`.

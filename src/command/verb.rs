@@ -25,6 +25,8 @@ pub trait Verb: clap::Args + Debug + 'static {
     const TURNS: bool = false;
     /// Whether it works on a whole plant, over several lines: then `-a` and `-p` pick of its drives.
     const OF_PLANT: bool = false;
+    /// Whether it understands PROFIBUS-DP (`--protocol dp`).
+    const PROFIBUS: bool = false;
     /// The longest that it takes, whatever comes over the line.
     const UPPER: Upper = Upper::OFFLINE;
     /// Which of the options of every verb it takes.
@@ -94,6 +96,8 @@ pub struct Entry {
     pub turns: bool,
     /// Whether it works on a whole plant.
     pub of_plant: bool,
+    /// Whether it understands PROFIBUS-DP.
+    pub profibus: bool,
     /// The longest that it takes, whatever comes over the line.
     pub upper: Upper,
     /// Which of the options of every verb it takes.
@@ -115,6 +119,7 @@ pub(super) const fn entry<V: Verb>() -> Entry {
         alias: V::ALIAS,
         turns: V::TURNS,
         of_plant: V::OF_PLANT,
+        profibus: V::PROFIBUS,
         upper: V::UPPER,
         takes: V::TAKES,
         examples: V::EXAMPLES,

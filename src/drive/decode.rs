@@ -1,6 +1,7 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
 mod can;
+pub mod dp;
 mod modbus;
 mod registers;
 mod services;
@@ -76,6 +77,22 @@ fn parse_input(text: &str) -> Result<(Protocol, Vec<u8>), InputError> {
         let digits = digits.replace("\\r", "").replace("\\n", "");
         return Ok((Framing::Ascii.into(), [digits.as_bytes(), ascii::END].concat()));
     }
+    let bytes = hex_bytes(text)?;
+    // The hex columns of the manual also print ASCII telegrams byte by byte.
+    let protocol = match bytes.first() {
+        Some(&ascii::START) => Framing::Ascii.into(),
+        _ if rtu::decode(&bytes).is_err() && vabus::is_telegram(&bytes) => Protocol::Vabus,
+        _ => Framing::Rtu.into(),
+    };
+    Ok((protocol, bytes))
+}
+
+/// Reads hex bytes as people type them: `01 03 21 74`, `01032174`, `0x01,0x03`.
+fn hex_bytes(text: &str) -> Result<Vec<u8>, InputError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(InputError::Empty);
+    }
     let mut bytes = Vec::new();
     for word in text.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '-')).filter(|word| !word.is_empty())
     {
@@ -89,13 +106,7 @@ fn parse_input(text: &str) -> Result<(Protocol, Vec<u8>), InputError> {
             bytes.push(u8::from_str_radix(pair, 16).map_err(|_| bad())?);
         }
     }
-    // The hex columns of the manual also print ASCII telegrams byte by byte.
-    let protocol = match bytes.first() {
-        Some(&ascii::START) => Framing::Ascii.into(),
-        _ if rtu::decode(&bytes).is_err() && vabus::is_telegram(&bytes) => Protocol::Vabus,
-        _ => Framing::Rtu.into(),
-    };
-    Ok((protocol, bytes))
+    Ok(bytes)
 }
 
 /// Fewer bytes than this are no telegram that is checked: address, function code, CRC.

@@ -27,7 +27,7 @@ pub use line::{Adapter, AdapterErrors, Advice, CheckedDrive, LineCheck, Pauses};
 pub use motion::{
     Change, Motion, Setpoint, SetpointReport, Sollwert, StateReport, StateRow, Statemachine, Step, Stop, Stopped, Stops,
 };
-pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Simulate, TelegramDoc};
+pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Params, Parts, Simulate, TelegramDoc};
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};

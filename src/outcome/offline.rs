@@ -74,7 +74,7 @@ pub struct ChoiceDoc {
 /// Result of `decode`.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Decode {
-    /// `telegram`, `can`, `trace`, `status`, `control`, `warnings`, `fault`, `error`.
+    /// `telegram`, `can`, `trace`, `status`, `control`, `warnings`, `fault`, `error`, `pkw`, `diagnosis`, `basic-status`, `basic-control`.
     pub kind: &'static str,
     /// What was given.
     pub input: String,
@@ -86,6 +86,17 @@ pub struct Decode {
     pub fault: Option<Fault>,
     /// The code of the error register.
     pub register: Option<Register>,
+    /// What stands in a telegram of PROFIBUS-DP, taken apart.
+    pub parts: Option<Parts>,
+}
+
+/// What bytes say, as a whole and field by field.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Parts {
+    /// As a whole.
+    pub meaning: Text,
+    /// Field by field.
+    pub fields: Vec<Field>,
 }
 
 /// A telegram taken apart.
@@ -93,11 +104,11 @@ pub struct Decode {
 pub struct TelegramDoc {
     /// Microseconds since the start of the recording, if it is from one.
     pub at_us: Option<u64>,
-    /// `rtu`, `ascii`, `mbtcp`, `vabus`, `can`.
+    /// `rtu`, `ascii`, `mbtcp`, `vabus`, `can`, `dp`.
     pub protocol: &'static str,
     /// `request`, `reply`, or null if it could be either.
     pub direction: Option<&'static str>,
-    /// Address of the slave; 0 is a broadcast.
+    /// Address of the slave; 0 is a broadcast, over PROFIBUS 127.
     pub address: Option<u8>,
     /// Function code, without the exception bit.
     pub function: Option<u8>,

@@ -5,6 +5,7 @@
 
 pub mod can;
 pub mod check;
+pub mod dp;
 pub mod line;
 pub mod modbus;
 pub mod vabus;

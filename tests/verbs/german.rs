@@ -34,11 +34,25 @@ const ALIKE: &str = "
     exceptions exit fmax format gateway halt hz in ixt kw lexium lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
     nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
     tk type udc uint vabus version war was watchdog
+    ak basic block dch dl dp dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
 ";
 
 /// What stands in a German page as it is called everywhere: sources of the catalogue, and names it gives in English.
-const NAMES: &[&str] =
-    &["CM-485 manual", "EM-RES-03 manual", "facts S4", "built-in", "Local/Remote", "RS232/RS485 Watchdog Timer"];
+const NAMES: &[&str] = &[
+    "CM-485 manual",
+    "EM-RES-03 manual",
+    "facts S4",
+    "built-in",
+    "Local/Remote",
+    "RS232/RS485 Watchdog Timer",
+    // SJ2-PB manual 3.2.2, 3.2.3, and the norm of PROFIBUS.
+    "Run Fwd",
+    "Net Ctrl",
+    "Net Ref",
+    "Conn Sta",
+    "Faulted",
+    "SRD high",
+];
 
 /// The words of a page that could be those of a language, in lower case.
 fn words(page: &str) -> BTreeSet<String> {
@@ -193,6 +207,14 @@ const WRONG: &[(u8, &str)] = &[
     (5, "decode telegram ':01032174000167'"),
     (5, "decode telegram ':0103217400016X'"),
     (2, "decode status nonsense"),
+    (2, "decode pkw 7393"),
+    (2, "decode diagnosis 02 05"),
+    (2, "decode basic-status nonsense"),
+    (2, "decode telegram 10 08 02 49 53 16 --cfg ppo9"),
+    (2, "--protocol dp read 480"),
+    (5, "--protocol dp decode telegram 55"),
+    (5, "--protocol dp decode telegram 68 05 06 68"),
+    (5, "--protocol dp decode telegram 10 08 02 49 53 17"),
     (2, "decode fault nonsense"),
     (7, "decode trace {dir}/no-file"),
     (7, "decode trace {dir}/file"),

@@ -87,6 +87,7 @@ mod offline {
     mod completing;
     mod decoding;
     mod decoding_can;
+    mod decoding_dp;
     mod decoding_lexium;
     mod decoding_vabus;
     mod files;

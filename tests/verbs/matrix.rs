@@ -366,6 +366,12 @@ cases! {
     decode_warnings: 0, "decode warnings 0x8083";
     decode_fault: 0, "decode fault F2105";
     decode_error: 0, "decode error 11";
+    decode_dp: 0, "decode telegram 68 05 05 68 88 82 6D 3C 3E F1 16 68 0B 0B 68 82 88 08 3E 3C 02 05 00 FF 0A 35 D1 16";
+    decode_dp_garbage: 5, "--protocol dp decode telegram 10 08 02 49 54 16";
+    decode_pkw: 0, "decode pkw 7393 0100 0000 0022";
+    decode_diagnosis: 0, "decode diagnosis 08 0C 00 02 0A 35 04 01 02 03";
+    decode_basic_status: 0, "decode basic-status 0x0DD0";
+    decode_basic_control: 0, "decode basic-control 0x4051";
 
     diag_line: 0, "-a 2 diag line --count 20";
     diag_line_partial: 9, "-a 2,7 diag line --count 20";

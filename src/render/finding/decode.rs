@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::{Finding, Row, list};
-use crate::outcome::{Decode, TelegramDoc};
+use crate::outcome::{Decode, Field, TelegramDoc};
 use crate::render::clean;
 
 impl Finding for Decode {
@@ -45,6 +45,10 @@ impl Page {
             (None, "fault") => text += &self.pairs(vec![("fault", self.word("none").to_owned())]),
             _ => {}
         }
+        if let Some(parts) = &decode.parts {
+            text += &self.table(&[""], vec![vec![self.say(&parts.meaning)]]);
+            text += &self.fields(&parts.fields);
+        }
         if let Some(register) = &decode.register {
             let mut rows = vec![("error register", format!("{} {}", register.code, self.say(&register.name)))];
             rows.extend(register.hint.iter().map(|hint| ("hint", self.say(hint))));
@@ -55,13 +59,17 @@ impl Page {
 
     fn telegram(self, doc: &TelegramDoc) -> String {
         let mut text = self.table(&[""], vec![vec![doc.hex.clone()], vec![self.say(&doc.meaning)]]);
-        let rows = doc.fields.iter();
+        text += &self.fields(&doc.fields);
+        text
+    }
+
+    fn fields(self, fields: &[Field]) -> String {
+        let rows = fields.iter();
         let rows = rows.map(|field| vec![field.hex.clone(), self.say(&field.name), self.say(&field.value)]);
         let rows: Vec<_> = rows.collect();
-        if !rows.is_empty() {
-            text += "\n";
-            text += &self.table(&["", "field", "value"], rows);
+        match rows.is_empty() {
+            true => String::new(),
+            false => "\n".to_owned() + &self.table(&["", "field", "value"], rows),
         }
-        text
     }
 }
