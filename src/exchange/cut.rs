@@ -53,10 +53,24 @@ mod tests {
         let reply = rtu::encode(1, &[3, 2, 5, 6]);
         assert_eq!(cutter.feed(&[&[0x55][..], &reply, &reply[..3]].concat()), [] as [Vec<u8>; 0], "nothing is certain");
         assert_eq!(cutter.silence(), [vec![0x55], reply.clone(), reply[..3].to_vec()]);
-        assert_eq!((cutter.feed(&reply), cutter.silence()), (vec![reply], vec![]));
+        let question = rtu::encode(1, &[3, 1, 0x9B, 0, 1]);
+        assert_eq!(cutter.feed(&[&reply[..], &question].concat()), [reply, question]);
+        assert_eq!((cutter.silence(), cutter.feed(&[0x55; 510]).len()), (vec![], 0));
+        assert_eq!(
+            (cutter.feed(&[0x55]).len(), cutter.silence().len()),
+            (1, 1),
+            "256 of 511 are no telegram for certain"
+        );
         let noise = vec![0x55; 700];
         let pieces = [cutter.feed(&noise), cutter.silence()].concat();
         assert_eq!(pieces.iter().map(Vec::len).collect::<Vec<_>>(), [256, 256, 188]);
+    }
+
+    #[test]
+    fn telegrams_of_vabus_are_cut_as_they_come() {
+        let mut cutter = Cutter::new(Protocol::Vabus, LineSetting::ascii(9_600, Parity::Even));
+        let question = b"\x04A00411\x05";
+        assert_eq!(cutter.feed(question), [question.to_vec()]);
     }
 
     #[test]

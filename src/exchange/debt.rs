@@ -412,6 +412,11 @@ mod tests {
         debts.owes(1, double.clone(), at(500), at(10));
         assert!(debts.pays(1, &words(&[1, 2]), at(20)));
         assert!(debts.is_late(1, Some(&words(&[7]))) && !debts.is_late(1, Some(&words(&[1, 2]))));
+        // Nobody answers before he is asked; at that moment he may.
+        let mut debts = Debts::default();
+        debts.owes(1, question(1), at(500), at(10));
+        debts.owes(1, double.clone(), at(500), at(10));
+        assert!(debts.pays(1, &words(&[1]), at(10)) && !debts.is_late(1, Some(&words(&[7]))));
         // 16 of those that are missing are remembered, the latest.
         let mut debts = Debts::default();
         debts.owes(1, double, at(500), at(0));

@@ -172,6 +172,11 @@ fn what_a_protocol_says_of_its_telegrams() {
         Question::Modbus(Request::ExchangeRegisters { start: 3, count: 2, write_start: 5, values })
     }));
     assert!(!rtu.confuses(&exchange(2), &exchange(3)));
+    // Registers that were written are told by their first one and their number.
+    let written = |start, count| Question::Modbus(Request::WriteRegisters { start, values: vec![7; count] });
+    let other = Question::Modbus(Request::WriteRegisters { start: 1, values: vec![8, 9] });
+    let confused = [other, written(2, 2), written(1, 3)].map(|question| rtu.confuses(&written(1, 2), &question));
+    assert_eq!(confused, [true, false, false]);
 }
 
 #[test]

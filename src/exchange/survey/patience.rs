@@ -78,11 +78,13 @@ impl Patience {
         let one = |window: Span| dialect.duration(line, length) + window.longer(silence);
         let again = if self.again { self.twice.min(stations) } else { 0 };
         let first = one(self.window).times(stations as u64);
-        // Whoever is asked twice has had his time first.
-        let (pause, second) = match again {
-            0 => (Span::ZERO, self.window),
-            1 => (self.full - one(self.window).times(stations as u64 - 1), self.full),
-            again => (self.full - one(self.window).times((stations - again) as u64), self.second_window()),
+        // Unless whoever is asked twice has had his time by then, the last one is waited for first.
+        let rest = one(self.window).times((stations - again) as u64) + self.window;
+        let pause = if again == 0 || rest >= self.full { Span::ZERO } else { self.tail - self.window };
+        let second = match again {
+            0 => self.window,
+            1 => self.full,
+            _ => self.second_window(),
         };
         let tail = self.tail.longer(second) - second;
         silence + first + pause + one(second).times(again as u64) + tail
