@@ -81,11 +81,7 @@ impl Patience {
         // Unless whoever is asked twice has had his time by then, the last one is waited for first.
         let rest = one(self.window).times((stations - again) as u64) + self.window;
         let pause = if again == 0 || rest >= self.full { Span::ZERO } else { self.tail - self.window };
-        let second = match again {
-            0 => self.window,
-            1 => self.full,
-            _ => self.second_window(),
-        };
+        let second = if again == 0 { self.window } else { self.second_window() };
         let tail = self.tail.longer(second) - second;
         silence + first + pause + one(second).times(again as u64) + tail
     }

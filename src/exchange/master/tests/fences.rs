@@ -180,6 +180,7 @@ fn a_gateway_that_lost_a_reply_is_asked_once_more() {
         [(10, mbap::encode(number, 1, &said.encode()))]
     };
     assert_eq!(line.ask(1, READ, &[&unreached(1, 3), &reply(2, 1)]), Err(ExchangeError::Unreached));
+    assert_eq!(line.master.tally().silences, 1);
     assert!(line.ask(1, READ, &[&reply(2, 1390)]).is_ok());
     assert_eq!(taken(line.ask(1, READ, &[&unreached(3, 3), &reply(4, 1391)])), Reply::Registers(vec![1391]));
     assert_eq!(line.ask(1, READ, &[&unreached(5, 3), &unreached(6, 3), &reply(7, 7)]), Err(ExchangeError::Unreached));

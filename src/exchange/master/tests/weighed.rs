@@ -1,0 +1,204 @@
+//! Answers that are weighed: said again, sooner than ever, behind noise, two at once; and what is noted of all the rest.
+
+use super::*;
+
+fn once() -> Line {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    line
+}
+
+fn counted(sub: u16, data: u16) -> Vec<u8> {
+    frame(1, &Reply::Diagnostics { sub, data })
+}
+
+/// How many telegrams this took.
+fn sent(line: &mut Line, ask: impl FnOnce(&mut Line)) -> usize {
+    let before = line.sent.len();
+    ask(line);
+    line.sent.len() - before
+}
+
+#[test]
+fn words_of_a_moment_ago_behind_noise_leave_the_true_answer_owed() {
+    for (noise, telegrams) in [(vec![], 1), (vec![0x00], 3)] {
+        let mut line = once();
+        taken(line.ask(1, READ, &[&[(10, value(7))]]));
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, [noise, value(7)].concat())]])), Reply::Registers(vec![7]));
+        let replies: [&[(u64, Vec<u8>)]; 3] = [&[(10, fence_reply())], &[(10, value(8))], &[(10, value(8))]];
+        assert_eq!(
+            sent(&mut line, |line| drop(line.ask(1, OTHER, if telegrams == 1 { &replies[1..] } else { &replies }))),
+            telegrams
+        );
+    }
+}
+
+#[test]
+fn so_late_as_it_was_believed_once_an_answer_is_the_usual_one() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    taken(line.ask(1, READ, &[&[(60, value(7))]]));
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(10, fence_reply())], &[(10, value(8))], &[(10, value(8))]];
+    assert_eq!(sent(&mut line, |line| drop(line.ask(1, OTHER, &replies))), 3, "it may have been a copy");
+    // Of what a fence has overtaken nothing comes any more.
+    line.now += Span::from_secs(8);
+    taken(line.ask(1, READ, &[&[(60, value(9))]]));
+    taken(line.ask(1, READ, &[&[(60, value(9))]]));
+    assert_eq!(sent(&mut line, |line| drop(line.ask(1, OTHER, &replies[1..]))), 1);
+}
+
+#[test]
+fn two_answers_in_other_words_are_two_drives_and_the_question_is_asked_anew() {
+    let one_piece: &[(u64, Vec<u8>)] = &[(10, [value(8), value(9)].concat())];
+    let two: &[(u64, Vec<u8>)] = &[(6, value(8)), (20, value(9))];
+    for first in [one_piece, two] {
+        let mut line = once();
+        taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+        let begun = line.now;
+        let replies: [&[(u64, Vec<u8>)]; 4] = [first, &[(20, fence_reply())], &[(20, value(9))], &[(20, value(9))]];
+        _ = line.ask(1, OTHER, &replies);
+        assert!(line.master.differs(1), "{:?}", line.verdicts());
+        assert!(
+            line.now.since(begun) > Span::from_millis(600),
+            "no copy of either is believed: {}",
+            line.now.since(begun)
+        );
+        assert!(line.master.tally().strays >= 2 && line.master.tally().garbled >= 1, "{:?}", line.master.tally());
+    }
+    // Said twice in one piece it is one answer; how many give it is found out.
+    let mut line = once();
+    let replies: [&[(u64, Vec<u8>)]; 3] =
+        [&[(10, [value(7), value(7)].concat())], &[(10, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, READ, &replies)), Reply::Registers(vec![7]));
+    assert!(!line.master.differs(1) && line.master.tally().garbled == 0, "{:?}", line.master.tally());
+}
+
+#[test]
+fn sooner_than_ever_is_doubted_once_where_more_comes_than_was_asked_for() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+    line.master.heard.sees_surplus();
+    let soon: &[(u64, Vec<u8>)] = &[(6, value(8))];
+    assert_eq!(
+        sent(&mut line, |line| assert_eq!(taken(line.ask(1, OTHER, &[soon, soon])), Reply::Registers(vec![8]))),
+        2
+    );
+    assert_eq!((line.master.tally().strays, line.master.tally().garbled), (1, 1));
+    assert!(line.verdicts().contains(&Verdict::Stray { station: 1 }));
+}
+
+#[test]
+fn a_line_that_echoed_once_may_echo_the_fence() {
+    let mut line = once();
+    let echo = rtu::encode(1, &READ.encode());
+    taken(line.ask(1, READ, &[&[(10, [echo, value(1390)].concat())]]));
+    taken(line.ask(1, READ, &[&[(10, value(1390))]]));
+    assert_eq!(line.master.echoes(), Some(false));
+    assert!(line.ask(1, READ, &[&[(620, value(1390))]]).is_err());
+    let replies: [&[(u64, Vec<u8>)]; 2] = [&[(1, counted(0x0B, 0)), (300, fence_reply())], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![7]));
+}
+
+#[test]
+fn the_end_of_the_last_exchange_before_an_echo_is_ours() {
+    let mut line = Line::vabus();
+    let address = Address::drive(1).unwrap();
+    let header = Header { number: ParamNumber::new(411).unwrap(), ..Header::default() };
+    let asked = vabus::Request::Enquiry { address, header };
+    let reply = vabus::Reply::Value { address, header, data: Data::word(7) }.encode();
+    let came = [&[vabus::EOT][..], &asked.encode(), &reply].concat();
+    assert!(line.ask(1, asked.clone(), &[&[(10, came)]]).is_ok());
+    let records = line.master.take_records();
+    let at = |verdict| records.iter().find(|record| record.verdict == verdict).map(|record| record.at);
+    let gap = line.master.dialect.gap(line.master.line, Limits::default().pause);
+    assert_eq!(at(Verdict::Garbage), None);
+    assert_eq!(at(Verdict::Farewell), at(Verdict::Reply).map(|at| at + gap), "it ends behind the pause of the manual");
+    // A value names what it answers, so it is not asked for again behind noise.
+    let begun = line.sent.len();
+    assert!(line.ask(1, asked, &[&[(10, [&[0x55; 3][..], &reply].concat())]]).is_ok());
+    assert_eq!(line.sent.len() - begun, 2);
+}
+
+#[test]
+fn a_fence_is_waited_for_as_long_as_any_answer_takes_if_somebody_is_there() {
+    let mut line = once();
+    assert!(line.ask(1, READ, &[]).is_err());
+    // The late answer to READ tells that the station is there.
+    let replies: [&[(u64, Vec<u8>)]; 3] = [&[(100, value(1390))], &[(2_000, counted(0x0E, 5))], &[(10, value(7))]];
+    let outcome = line.ask(1, OTHER, &[replies[0], replies[1], replies[2], replies[2], replies[2]]);
+    assert_eq!(taken(outcome), Reply::Registers(vec![7]));
+    let mut line = once();
+    assert!(line.ask(1, READ, &[]).is_err());
+    let begun = line.now;
+    assert!(line.ask(1, OTHER, &[]).is_err());
+    assert!(line.now.since(begun) < Span::from_secs(2), "a silent one is not: {}", line.now.since(begun));
+}
+
+#[test]
+fn garbage_as_long_as_the_shortest_reply_was_the_reply() {
+    for (bytes, soon) in [(4, false), (5, true)] {
+        let mut line = once();
+        assert!(line.ask(1, READ, &[&[(10, vec![0x55; bytes])]]).is_err());
+        assert_eq!(line.now < Tick::from_micros(100_000), soon, "{bytes}");
+    }
+    // What was spoilt is not owed: the same words of a moment ago are a copy too many.
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    assert!(line.ask(1, READ, &[&[(10, vec![0x55; 7])]]).is_err());
+    line.master.feed(line.now, &value(7));
+    assert!(line.master.heard.has_surplus());
+}
+
+#[test]
+fn a_late_answer_is_known_as_the_one_to_what_was_asked() {
+    let mut line = once();
+    assert!(line.ask(2, READ, &[&[(10, vec![0x55; 9])]]).is_err());
+    assert!(line.ask(1, READ, &[]).is_err());
+    line.master.feed(line.now, &value(1390));
+    let again = sent(&mut line, |line| {
+        assert_eq!(taken(line.ask(1, READ, &[&[(10, value(1390))]])), Reply::Registers(vec![1390]))
+    });
+    assert_eq!(again, 1, "the same of the same is no sign of a copy");
+}
+
+#[test]
+fn another_answer_within_a_second_is_a_second_drives() {
+    for (ms, differs) in [(1, true), (999, true), (1_000, false), (1_001, false)] {
+        let mut line = once();
+        taken(line.ask(1, READ, &[&[(10, value(7))]]));
+        line.master.feed(line.now + Span::from_millis(ms), &value(8));
+        assert_eq!(line.master.differs(1), differs, "{ms}");
+    }
+    // While somebody else is asked, and while something is asked that it does not answer.
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    taken(line.ask(2, OTHER, &[&[(10, value(8)), (20, frame(2, &Reply::Registers(vec![5])))]]));
+    assert!(line.master.differs(1));
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    assert!(line.ask(1, Request::ReadLong { address: 210 }, &[]).is_err());
+    _ = line.ask(1, Request::ReadLong { address: 211 }, &[&[(10, value(8)), (30, fence_reply())]]);
+    assert!(line.master.differs(1));
+}
+
+#[test]
+fn what_nobody_waits_for_is_noted_piece_by_piece_and_not_without_end() {
+    for (gap, pieces) in [(50_000, 1), (50_001, 2), (80_000, 2)] {
+        let mut line = once();
+        line.master.feed(line.now, &[0x55]);
+        line.master.feed(line.now + Span::from_micros(gap), &[0xAA]);
+        line.now += Span::from_secs(1);
+        assert!(line.ask(1, READ, &[]).is_err());
+        let garbage = line.verdicts().into_iter().filter(|verdict| *verdict == Verdict::Garbage).count();
+        assert_eq!(garbage, pieces, "{gap}");
+    }
+    let mut line = once();
+    line.master.feed(line.now, &[0x55; MOST_BYTES]);
+    assert!(line.verdicts().is_empty());
+    line.master.feed(line.now, &[0x55]);
+    assert_eq!(line.verdicts(), [Verdict::Garbage]);
+    for _ in 0..MOST_RECORDS + 5 {
+        line.master.record(Record { at: line.now, verdict: Verdict::Garbage, bytes: vec![0x55] });
+    }
+    assert_eq!(line.verdicts().len(), MOST_RECORDS);
+}
