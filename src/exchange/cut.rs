@@ -46,11 +46,15 @@ mod tests {
         Cutter::new(framing.into(), LineSetting::rtu(19_200, Parity::Even))
     }
 
+    fn reply_of(value: u8) -> Vec<u8> {
+        rtu::encode(1, &[3, 2, value, 6])
+    }
+
     #[test]
     fn telegrams_come_out_whole_and_noise_in_pieces_no_longer_than_a_telegram() {
         let mut cutter = cutter(Framing::Rtu);
         assert_eq!(cutter.pause(), Span::from_millis(50));
-        let reply = rtu::encode(1, &[3, 2, 5, 6]);
+        let reply = reply_of(5);
         assert_eq!(cutter.feed(&[&[0x55][..], &reply, &reply[..3]].concat()), [] as [Vec<u8>; 0], "nothing is certain");
         assert_eq!(cutter.silence(), [vec![0x55], reply.clone(), reply[..3].to_vec()]);
         let question = rtu::encode(1, &[3, 1, 0x9B, 0, 1]);
@@ -61,6 +65,10 @@ mod tests {
             (1, 1),
             "256 of 511 are no telegram for certain"
         );
+        // What has the form of a reply is none without its check value.
+        let spoilt = [&reply_of(5)[..5], &[0, 0, 9]].concat();
+        let pieces = [cutter.feed(&[&spoilt[..], &reply_of(5)].concat()), cutter.silence()].concat();
+        assert_eq!(pieces, [spoilt, reply_of(5)]);
         let noise = vec![0x55; 700];
         let pieces = [cutter.feed(&noise), cutter.silence()].concat();
         assert_eq!(pieces.iter().map(Vec::len).collect::<Vec<_>>(), [256, 256, 188]);

@@ -225,6 +225,16 @@ mod tests {
     }
 
     #[test]
+    fn of_what_is_open_the_last_bytes_are_kept() {
+        let mut ear = Ear::default();
+        ear.hears(at(1), &[1, 2, 3]);
+        ear.keep(3);
+        assert_eq!(ear.bytes(), [1, 2, 3]);
+        ear.keep(2);
+        assert_eq!(ear.take(), [2, 3]);
+    }
+
+    #[test]
     fn a_telegram_of_ours_is_known_again_for_as_long_as_it_may_come_back() {
         let mut ours = Ours::default();
         ours.sends(at(0), sent(1));
