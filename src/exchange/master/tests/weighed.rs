@@ -39,7 +39,8 @@ fn so_late_as_it_was_believed_once_an_answer_is_the_usual_one() {
     taken(line.ask(1, READ, &[&[(10, value(7))]]));
     taken(line.ask(1, READ, &[&[(60, value(7))]]));
     let replies: [&[(u64, Vec<u8>)]; 3] = [&[(10, fence_reply())], &[(10, value(8))], &[(10, value(8))]];
-    assert_eq!(sent(&mut line, |line| drop(line.ask(1, OTHER, &replies))), 3, "it may have been a copy");
+    taken(line.ask(1, READ, &[&[(60, value(7))]]));
+    assert_eq!(sent(&mut line, |line| drop(line.ask(1, OTHER, &replies))), 3, "one of the two may have been a copy");
     // Of what a fence has overtaken nothing comes any more.
     line.now += Span::from_secs(8);
     taken(line.ask(1, READ, &[&[(60, value(9))]]));
@@ -201,4 +202,93 @@ fn what_nobody_waits_for_is_noted_piece_by_piece_and_not_without_end() {
         line.master.record(Record { at: line.now, verdict: Verdict::Garbage, bytes: vec![0x55] });
     }
     assert_eq!(line.verdicts().len(), MOST_RECORDS);
+}
+
+#[test]
+fn what_may_not_be_asked_again_is_believed_in_words_of_a_moment_ago() {
+    let rough = || {
+        let mut line = once();
+        assert!(line.ask(2, READ, &[&[(10, vec![0x55; 9])]]).is_err());
+        taken(line.ask(1, READ, &[&[(10, value(7))]]));
+        line
+    };
+    let mut line = rough();
+    let write = |value| Request::WriteRegisters { start: 6914, values: vec![0, value] };
+    let written: &[(u64, Vec<u8>)] = &[(10, frame(1, &Reply::RegistersWritten { start: 6914, count: 2 }))];
+    assert!(line.ask(1, write(1), &[written]).is_ok());
+    assert_eq!(sent(&mut line, |line| assert!(line.ask(1, write(2), &[written]).is_ok())), 1);
+    let mut line = rough();
+    line.master.set_limits(Limits { retries: 0, witness: false, ..Limits::default() });
+    assert_eq!(sent(&mut line, |line| drop(taken(line.ask(1, OTHER, &[&[(10, value(7))]])))), 1);
+}
+
+#[test]
+fn long_after_the_last_answer_a_late_one_is_no_other_to_it() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(10, value(7))]]));
+    line.now += Span::from_secs(1);
+    assert_eq!(sent(&mut line, |line| drop(taken(line.ask(1, OTHER, &[&[(60, value(8))]])))), 1);
+}
+
+#[test]
+fn two_answers_in_one_piece_are_not_believed_under_a_stop_either() {
+    let mut line = once();
+    line.master.set_limits(Limits { retries: 0, insist: Some(crate::exchange::INSIST), ..Limits::default() });
+    let both: &[(u64, Vec<u8>)] = &[(10, [value(8), value(9)].concat())];
+    let again: &[(u64, Vec<u8>)] = &[(10, value(9))];
+    assert_eq!(taken(line.ask(1, READ, &[both, again, again, again])), Reply::Registers(vec![9]));
+}
+
+#[test]
+fn how_soon_a_fence_is_answered_says_nothing_of_questions() {
+    let mut line = once();
+    assert!(line.ask(1, READ, &[]).is_err());
+    taken(line.ask(1, OTHER, &[&[(30, fence_reply())], &[(10, value(7))], &[(10, value(7))]]));
+    let begun = line.now;
+    taken(line.ask(1, Request::Diagnostics { sub: 0x0C, data: 0 }, &[&[(6, counted(0x0C, 1))]]));
+    assert!(line.now.since(begun) < Span::from_millis(15), "{}", line.now.since(begun));
+}
+
+#[test]
+fn an_echo_before_an_answer_that_is_waited_upon_is_one() {
+    let mut line = once();
+    let echo = |request: &Request| rtu::encode(1, &request.encode());
+    taken(line.ask(1, READ, &[&[(20, [echo(&READ), value(1390)].concat())]]));
+    let fence = Request::Diagnostics { sub: 0x0B, data: 0 };
+    let replies: [&[(u64, Vec<u8>)]; 3] = [
+        &[(6, [echo(&OTHER), value(8)].concat()), (20, value(8))],
+        &[(20, [echo(&fence), fence_reply()].concat())],
+        &[(20, [echo(&OTHER), value(9)].concat())],
+    ];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![9]));
+    assert_eq!((line.master.echoes(), line.master.tally().echoes), (Some(true), 4));
+}
+
+#[test]
+fn what_is_new_takes_the_place_of_a_copy_and_is_decided_upon_when_its_time_comes() {
+    let mut line = once();
+    taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+    line.master.heard.sees_surplus();
+    let begun = line.now;
+    let copy_first = [(3, value(1390)), (8, value(9))];
+    let replies: [&[(u64, Vec<u8>)]; 4] = [&copy_first, &[(20, value(9))], &[(20, fence_reply())], &[(20, value(9))]];
+    assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![9]));
+    assert!(line.now.since(begun) < Span::from_secs(2), "{}", line.now.since(begun));
+}
+
+#[test]
+fn what_stands_behind_an_answer_that_came_too_soon_may_be_the_true_one() {
+    for (bytes, telegrams) in [(4, 1), (5, 3)] {
+        let mut line = once();
+        taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+        let replies: [&[(u64, Vec<u8>)]; 3] =
+            [&[(6, value(8)), (15, vec![0x12; bytes])], &[(10, fence_reply())], &[(10, value(7))]];
+        let said = if telegrams == 1 { 8 } else { 7 };
+        let asked =
+            sent(&mut line, |line| assert_eq!(taken(line.ask(1, OTHER, &replies)), Reply::Registers(vec![said])));
+        assert_eq!(asked, telegrams, "{bytes}");
+        line.now += Span::from_secs(1);
+        assert!(line.answered(1, READ).is_some());
+        assert!(line.verdicts().contains(&Verdict::Garbage));
+    }
 }
