@@ -52,7 +52,8 @@ fn so_late_as_it_was_believed_once_an_answer_is_the_usual_one() {
 fn two_answers_in_other_words_are_two_drives_and_the_question_is_asked_anew() {
     let one_piece: &[(u64, Vec<u8>)] = &[(10, [value(8), value(9)].concat())];
     let two: &[(u64, Vec<u8>)] = &[(6, value(8)), (20, value(9))];
-    for first in [one_piece, two] {
+    let sooner: &[(u64, Vec<u8>)] = &[(3, value(8)), (9, value(9))];
+    for first in [one_piece, two, sooner] {
         let mut line = once();
         taken(line.ask(1, READ, &[&[(20, value(1390))]]));
         let begun = line.now;
