@@ -3,6 +3,7 @@
 The server is `slave.py`, a process of its own.
 """
 
+import re
 import subprocess
 import sys
 import tempfile
@@ -162,13 +163,57 @@ def _(framing):
         expect("row", (row["raw"], row["result"]), (15, "verified"))
 
 
-@case("{}: a meter known only from an MBMap, its floats read from input registers", each=FRAMINGS)
-def _(framing):
-    given = Path(__file__).resolve().parents[1] / "maps/eastron-sdm630.mbmap.json"
+# What each meter of tests/maps tells; the registers are those of `slave.METER`.
+METERS = {
+    "eastron-sdm630": {"frequency": (50.02, "Hz"), "imported-energy": (12345.678, "kWh")},
+    "carlo-gavazzi-em530": {
+        "voltage-l1-n": (230.4, "V"),
+        "current-l1": (100, "A"),
+        "power-factor": (-0.95, None),
+        "frequency": (50, "Hz"),
+        "energy": (12345.6, "kWh"),
+    },
+    "socomec-diris-a10": {
+        "voltage-l1-l2": (400.12, "V"),
+        "frequency": (50.02, "Hz"),
+        "current-l1": (100, "A"),
+        "active-power": (-1234.56, "W"),
+        "energy": (777, None),
+        "thd-u1": (3.5, "%"),
+    },
+}
+OVER = {f"{title}, {meter}": (framing, meter) for title, (framing,) in FRAMINGS.items() for meter in METERS}
+
+
+def told_by(ask, given, catalogue, options, params):
+    """What a device tells of which nothing but this list is known."""
+    ours = [BINARY, "--no-config", "params", "import", given, *options, "--output", catalogue]
+    subprocess.run(ours, check=True, capture_output=True, timeout=30)
+    drive = re.search('^family = "(.*)"', catalogue.read_text(), re.MULTILINE).group(1)
+    done = ask("-a", slave.STATION, "--catalogue", catalogue, "--drive", drive, "read", *params).exits(0)
+    return [(value["value"], value["unit"]) for value in done.data["values"]]
+
+
+@case("{}: a meter known only from its MBMap", each=OVER)
+def _(framing, meter):
+    given, told = Path(__file__).resolve().parents[1] / f"maps/{meter}.mbmap.json", METERS[meter]
     with tempfile.TemporaryDirectory() as directory, station(framing, "stock") as ask:
-        catalogue = Path(directory) / "map.toml"
-        ours = [BINARY, "--no-config", "params", "import", given, "--output", catalogue]
-        subprocess.run(ours, check=True, capture_output=True, timeout=30)
-        known = ["-a", slave.STATION, "--catalogue", catalogue, "--drive", "eastron-sdm630"]
-        done = ask(*known, "read", "frequency", "imported-energy").exits(0)
-        expect("values", [(value["value"], value["unit"]) for value in done.data["values"]], [(50.02, "Hz"), (12345.678, "kWh")])
+        expect("values", told_by(ask, given, Path(directory) / "map.toml", (), told), list(told.values()))
+
+
+# A list as a spreadsheet in German exports it: a byte order mark, semicolons, decimal commas, CR LF.
+EXCEL = """\ufeffRegister;Bezeichnung;Einheit;Faktor;Typ
+0;"Spannung; L1";V;0,1;int32
+51;Frequenz;Hz;0,1;uint16
+49;cos phi;;0,001;int16
+""".replace("\n", "\r\n")
+
+
+@case("{}: a meter known only from a list out of a spreadsheet", each=FRAMINGS)
+def _(framing):
+    told = {"0": (230.4, "V"), "frequenz": (50, "Hz"), "49": (-0.95, None)}
+    with tempfile.TemporaryDirectory() as directory, station(framing, "stock") as ask:
+        given = Path(directory) / "list.csv"
+        given.write_bytes(EXCEL.encode())
+        options = ("--own", "meter", "--low-half-first")
+        expect("values", told_by(ask, given, Path(directory) / "meter.toml", options, told), list(told.values()))

@@ -34,8 +34,16 @@ WORDS = {
     **{address_word(372, data_set): 1_300 + 10 * data_set for data_set in (1, 2, 3, 4)},
     **{address_word(376, data_set): 8 for data_set in (1, 2, 3, 4)},
 }
-# Floats of a meter, which codes 3 and 4 read alike here: 50.02 Hz, 12345.678 kWh.
-METER = {70: 0x4248, 71: 0x147B, 72: 0x4640, 73: 0xE6B6}
+# What the meters of tests/maps have in their registers; codes 3 and 4 read alike here.
+METER = {
+    # Floats: 50.02 Hz, 12345.678 kWh.
+    **{70: 0x4248, 71: 0x147B, 72: 0x4640, 73: 0xE6B6},
+    # The lower half first: 230.4 V, 100 A, -0.95, 50 Hz, 12345.6 kWh.
+    **{0: 2304, 1: 0, 12: 0x86A0, 13: 1, 49: 0xFC4A, 51: 500, 52: 0xE240, 53: 1},
+    # The upper half first: 400.12 V, 50.02 Hz, 100 A, -1234.56 W, 777, 3.5 %.
+    **{50514: 0, 50515: 40012, 50526: 0, 50527: 5002, 50528: 1, 50529: 0x86A0, 50536: 0xFFFE, 50537: 0x1DC0},
+    **{50780: 0, 50781: 777, 51539: 35},
+}
 LONGS = {address_word(480): 500, address_word(481): 1_000}
 
 

@@ -3,7 +3,7 @@
 use super::page::Page;
 use super::{Finding, Row, list};
 use crate::outcome::{Export, Import};
-use crate::render::clean;
+use crate::text::Text;
 
 impl Finding for Import {
     fn table(&self, page: Page) -> String {
@@ -25,8 +25,9 @@ impl Finding for Import {
 impl Finding for Export {
     fn table(&self, page: Page) -> String {
         let (count, to) = (self.params.len(), self.output.as_deref().unwrap_or_default());
-        let said = page.lang.pick("parameters written to", "Parameter geschrieben nach");
-        self.list.clone().unwrap_or_else(|| format!("{count} {said} {}\n", clean(to)))
+        let count = Text::count(count as u64, ["parameter", "parameters"], ["Parameter", "Parameter"]);
+        let said = page.lang.pick("written to", "geschrieben nach");
+        self.list.clone().unwrap_or_else(|| page.prose(&format!("{} {said} {to}", count.get(page.lang))))
     }
 
     fn rows(&self) -> Vec<Row> {

@@ -31,13 +31,27 @@ const HEARD: &str = "# antrieb trace 1, 19200 8E1, rtu
 60000 < 01 83 02 C0 F1
 ";
 
+/// A list as a spreadsheet in German exports it: a byte order mark, semicolons, decimal commas, CR LF.
+const EXCEL: &str = "\u{feff}Register;Bezeichnung;Einheit;Faktor;Typ\r\n0;\"Spannung; L1\";V;0,1;int32\r\n51;Frequenz;Hz;0,1;uint16\r\n49;cos phi;;0,001;int16\r\n";
+
 /// What is typed, verb by verb; the port is that of the plant.
 const TYPED: &[(&str, &[&str])] = &[
     ("scan", &["scan -a 1-9", "scan -a 1-3 --baud auto"]),
     ("identify", &["identify -a 2", "identify -a 3"]),
     ("read", &["read -a 2 @actual", "read -a 1 372@all 480-482"]),
     ("write", &["write -a 2 480=12,5Hz --yes", "write -a 2 480=12,5Hz --dry-run"]),
-    ("dataset", &["dataset show -a 1 372 480 481", "dataset active -a 1"]),
+    (
+        "dataset",
+        &[
+            "dataset show -a 1 372 480 481",
+            "dataset active -a 1",
+            "dataset save {dir}/saved.toml -a 1",
+            "dataset check {dir}/slow.toml -a 1",
+            "dataset diff -a 1 1 2",
+            "dataset load {dir}/slow.toml -a 1 --dry-run",
+            "dataset load {dir}/slow.toml -a 1 --yes",
+        ],
+    ),
     ("diag", &["diag -a 1-3", "diag -a 1", "diag -a 3", "diag line -a 1-3 --count 20"]),
     ("statemachine", &["statemachine -a 2", "statemachine enable -a 2 --yes", "statemachine disable -a 2"]),
     (
@@ -45,8 +59,23 @@ const TYPED: &[(&str, &[&str])] = &[
         &["sollwert -a 2", "sollwert 25Hz -a 2 --source line --enable --hold --duration 1s --yes", "sollwert 0 -a 2"],
     ),
     ("line", &["line show -a 1"]),
-    ("monitor", &["monitor -a 2 --line --count 3 --interval 200ms"]),
-    ("params", &["params frequency --drive act", "params 412"]),
+    (
+        "monitor",
+        &[
+            "monitor -a 2 --line --count 3 --interval 200ms",
+            "monitor -a 2 --line --count 2 --interval 200ms --record {dir}/kept.csv",
+        ],
+    ),
+    (
+        "params",
+        &[
+            "params frequency --drive act",
+            "params 412",
+            "params nenn --drive act",
+            "params import --own meter {dir}/excel.csv --low-half-first --output {dir}/meter.toml",
+            "params export 375 --drive act --output {dir}/one.csv",
+        ],
+    ),
     (
         "decode",
         &[
@@ -75,6 +104,8 @@ const FILES: &[(&str, &str)] = &[
         "[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n[drives.pump-1]\naddress = 1\nfiles = [\"pump.toml\"]\n",
     ),
     ("fan.toml", "antrieb = 1\ndrive.family = \"acu\"\n[values]\n\"480@1\" = \"20 Hz\"\n\"412\" = 1\n"),
+    ("slow.toml", "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"372@2\" = 1400\n\"480@1\" = \"12.5 Hz\"\n"),
+    ("excel.csv", EXCEL),
     ("pump.toml", "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"372@2\" = 1450\n"),
 ];
 
