@@ -6,7 +6,7 @@ use crate::drive::motion::{
     FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
     watchdog_words,
 };
-use crate::drive::{AccessError, Interrupt, Session, Target, describe};
+use crate::drive::{Interrupt, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
 use crate::outcome::{Decimal, Event, Outcome, RunKeys};
@@ -161,8 +161,10 @@ pub(super) async fn run<'p, C>(
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let first_word = match goes_first {
         Some(act) => {
-            let sent = stop_first(&mut session, (settings, registry), &[address], act, plan.zero).await?;
-            let (said, first_word) = sent.into_iter().next().unwrap_or_else(|| Ok(Default::default()))?;
+            let (mut said, mut first_word) = (false, FirstWord::default());
+            for drive in meant(settings, registry, &[address])? {
+                (said, first_word) = stop_first(&mut session, registry, &drive, act, plan.zero).await?;
+            }
             plan.said = said;
             first_word
         }
@@ -278,31 +280,26 @@ async fn agreed(
     asking::on_line(session, ask, &question(plan, target, node, before)).await
 }
 
-/// Sends what stops these drives, before anything is asked that it does not need; of each whether something went out. A setpoint
-/// of zero is one drive's.
+/// Whom the first words are for.
+fn meant(settings: &Settings, registry: &Registry, addresses: &[u8]) -> Result<Vec<Meant>, Failure> {
+    let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
+    let one = |&address: &u8| Meant { address, family: family.clone(), order: settings.word_order };
+    Ok(addresses.iter().map(one).collect())
+}
+
+/// Sends what stops the drive, before anything is asked that it does not need; whether something went out.
 async fn stop_first(
     session: &mut Session<'_>,
-    (settings, registry): (&Settings, &Registry),
-    addresses: &[u8],
+    registry: &Registry,
+    meant: &Meant,
     act: Relief,
     zero: Option<&Modes<'_>>,
-) -> Result<Vec<Result<(bool, FirstWord), Failure>>, Failure> {
-    let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
-    let meant = |&address: &u8| Meant { address, family: family.clone(), order: settings.word_order };
-    let drives: Vec<Meant> = addresses.iter().map(meant).collect();
-    let sent = match (zero, drives.as_slice()) {
-        (Some(modes), [drive]) => {
-            let sent = shout_zero(session, registry, drive, modes).await;
-            vec![sent.map(|sent| (sent, FirstWord::default()))]
-        }
-        _ => shout(session, registry, &drives, act)
-            .await
-            .into_iter()
-            .map(|said| said.map(|first| (true, first)))
-            .collect(),
+) -> Result<(bool, FirstWord), Failure> {
+    let sent = match zero {
+        Some(modes) => shout_zero(session, registry, meant, modes).await.map(|sent| (sent, FirstWord::default())),
+        None => shout(session, registry, meant, act).await.map(|first| (true, first)),
     };
-    let failed = |address, error: AccessError| unstopped(error.failure(address, None), act, zero.is_none());
-    Ok(addresses.iter().zip(sent).map(|(&address, sent)| sent.map_err(|error| failed(address, error))).collect())
+    sent.map_err(|error| unstopped(error.failure(meant.address, None), act, zero.is_none()))
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.

@@ -10,6 +10,7 @@ mod said;
 
 pub use plot::course;
 
+use super::interrupt::Interrupt;
 use super::route::{Cell, Inquiry};
 use super::session::Session;
 use super::target::Target;
@@ -284,7 +285,7 @@ impl Course {
         permit: &Permit<Line>,
     ) -> (Relocation, Option<Failure>) {
         // Half a move is worse than one that takes some seconds longer.
-        session.ignore_interrupts();
+        session.heed(Interrupt::default());
         let mut told = self.told(target);
         let mut journey = Journey { session, target, permit, here: self.from, undo: Vec::new() };
         for (leg, step) in self.legs.iter().zip(&mut told.steps) {

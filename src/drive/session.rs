@@ -315,9 +315,9 @@ impl<'a> Session<'a> {
         if self.interrupt.is_raised() { Err(AccessError::Interrupted) } else { Ok(waited) }
     }
 
-    /// From now on the line is used whether somebody interrupts or not: for what must not be left half done.
-    pub fn ignore_interrupts(&mut self) {
-        self.interrupt = Interrupt::default();
+    /// From now on only these wishes end a question. Fresh ones are nobody's: for what must not be left half done.
+    pub fn heed(&mut self, interrupt: Interrupt) {
+        self.interrupt = interrupt;
     }
 
     /// Takes note of who interrupted so far: the line is used on, for the stop that must still go out, until somebody

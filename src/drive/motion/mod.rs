@@ -17,6 +17,7 @@ mod shaft;
 mod shout;
 mod still;
 mod stop;
+mod turns;
 mod walk;
 mod watchdog;
 mod watched;
@@ -28,14 +29,16 @@ pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
-pub use shout::{FirstWord, shout, shout_zero};
+pub use shout::{FirstWord, Shouting, shout, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
+pub use turns::{Glimpse, Next};
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
 pub use watched::{Stays, Watched};
 
 use super::access::AccessError;
+use super::interrupt::Interrupt;
 use super::session::Session;
 use super::target::Target;
 use super::write::{Order, WriteFate};
@@ -98,6 +101,8 @@ pub struct Motor<'a, 's> {
     pub instead: Option<Text>,
     /// What looks tell of the shaft of a drive that shows the frequency of its stator.
     sight: Sight,
+    /// What was seen in turns with other drives, before the stop is proven.
+    glimpsed: Option<Sight>,
     /// The encoder that tells without power too, once it was looked for.
     encoder: Option<Option<Param>>,
     /// How the drive is set to end a ramp stop, if its frequency does not show that; once it was asked.
@@ -193,6 +198,7 @@ impl<'a, 's> Motor<'a, 's> {
             first_word: FirstWord::default(),
             instead: None,
             sight: Sight::default(),
+            glimpsed: None,
             encoder: None,
             ending: None,
             stopping: false,
@@ -265,7 +271,7 @@ impl<'a, 's> Motor<'a, 's> {
         let is_done = self.relieving.is_some() && self.is_off();
         let must_stop = has_hand_on && (hold || result.is_err()) && !is_done;
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
-        self.session.ignore_interrupts();
+        self.session.heed(Interrupt::default());
         self.session.insist(false);
         let gives_back = self.relieving.is_none() && self.may_give_back(stop.as_ref());
         self.ends_within(if gives_back { ENDING } else { ENDING_ALONE });

@@ -73,7 +73,10 @@ impl Motor<'_, '_> {
         }
         self.enabled = false;
         (self.shouted, self.stopping, self.shown) = (true, true, None);
-        self.sight.forget();
+        match self.glimpsed.take() {
+            Some(sight) => self.sight = sight,
+            None => self.sight.forget(),
+        }
         self.session.insist(true);
         match self.relieve_by(act).await {
             Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
@@ -87,6 +90,13 @@ impl Motor<'_, '_> {
             }
             done => done,
         }
+    }
+
+    /// Somebody interrupted before this drive had its turn, and its first word went out: a stronger one follows.
+    pub fn breaks_off(&mut self) -> Failure {
+        (self.enabled, self.shouted, self.stopping, self.shown) = (false, true, true, None);
+        (self.touched, self.lever) = (true, Lever::ControlWord);
+        Failure::new(Class::Interrupted, "interrupted", both!("interrupted", "unterbrochen"))
     }
 
     async fn relieve_by(&mut self, act: Relief) -> Result<(), Failure> {

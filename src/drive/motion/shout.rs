@@ -61,46 +61,98 @@ const PAUSE: Span = Span::from_millis(10);
 const TIMES: u8 = 5;
 
 /// What went out first to a drive whose control word has more than one meaning.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub struct FirstWord {
     /// The control word; it can only stop.
     pub(super) word: Option<u16>,
     /// A quick stop in place of the ramp that was asked for.
     pub(super) instead: bool,
+    /// One of the kind that it is, once that is known.
+    pub(super) family: Option<Rc<Family>>,
 }
 
-/// Sends what stops these drives, until each has acknowledged it or was told often enough. An act that is no command sends
-/// nothing.
-///
-/// In rounds: whoever is silent is spoken to again only when everybody else had his turn, which is no longer than one reply may
-/// take. So the drives behind a cabinet that is switched off hear their stop in time.
+/// Sends what stops a drive until it is acknowledged, or has been said often enough. An act that is no command sends nothing.
 pub async fn shout(
     session: &mut Session<'_>,
     registry: &Registry,
-    drives: &[Meant],
+    meant: &Meant,
     act: Relief,
-) -> Vec<Result<FirstWord, AccessError>> {
-    let mut calls: Vec<Call<'_>> = drives.iter().map(Call::new).collect();
-    if command_of(act).is_some() {
-        at_once(session, async |session: &mut Session<'_>| rounds(session, registry, &mut calls, act).await).await;
+) -> Result<FirstWord, AccessError> {
+    let mut shouting = Shouting::new(std::slice::from_ref(meant), act);
+    while shouting.goes_on() {
+        shouting.round(session, registry).await;
     }
-    calls.into_iter().map(Call::end).collect()
+    shouting.end().pop().unwrap_or_else(|| Ok(FirstWord::default()))
 }
 
-async fn rounds(session: &mut Session<'_>, registry: &Registry, calls: &mut [Call<'_>], act: Relief) {
-    let mut tell = if calls.len() == 1 { Tell::Alone } else { Tell::First };
-    let mut interrupted = false;
-    while calls.iter().any(Call::goes_on) {
-        for call in calls.iter_mut().filter(|call| call.goes_on()) {
-            match call.turn(session, registry, act, tell).await {
-                Ok(pressed) => interrupted |= pressed,
-                Err(error) => call.ended = Some(Err(error)),
-            }
+/// Telling drives to stop, in rounds: whoever is silent is spoken to again only when everybody else had his turn, which is no longer
+/// than one reply may take. So the drives behind a cabinet that is switched off hear their stop in time.
+///
+/// [`Shouting::round`] first; then that or [`Shouting::next`] as long as it goes on, and [`Shouting::end`].
+pub struct Shouting<'m> {
+    calls: Vec<Call<'m>>,
+    act: Relief,
+    tell: Tell,
+    interrupted: bool,
+    /// Whose turn is next.
+    at: usize,
+}
+
+impl<'m> Shouting<'m> {
+    /// Nothing is sent yet.
+    pub fn new(drives: &'m [Meant], act: Relief) -> Self {
+        let calls: Vec<Call<'m>> = drives.iter().map(Call::new).collect();
+        let tell = if calls.len() == 1 { Tell::Alone } else { Tell::First };
+        Shouting { calls, act, tell, interrupted: false, at: 0 }
+    }
+
+    /// Whether somebody has not acknowledged it yet, and was not told often enough.
+    pub fn goes_on(&self) -> bool {
+        command_of(self.act).is_some() && self.calls.iter().any(Call::goes_on)
+    }
+
+    /// A turn of everybody who has not acknowledged it.
+    pub async fn round(&mut self, session: &mut Session<'_>, registry: &Registry) {
+        for at in 0..self.calls.len() {
+            self.turn(session, registry, at).await;
         }
-        if interrupted {
-            calls.iter_mut().filter(|call| call.was_told()).for_each(Call::interrupt);
+        if self.tell == Tell::First {
+            self.tell = Tell::Again;
         }
-        tell = if calls.len() == 1 { Tell::Alone } else { Tell::Again };
+    }
+
+    /// A turn of the next one who has not.
+    pub async fn next(&mut self, session: &mut Session<'_>, registry: &Registry) {
+        let count = self.calls.len();
+        let order = (0..count).map(|step| (self.at + step) % count);
+        let Some(at) = order.clone().find(|&at| self.calls.get(at).is_some_and(Call::goes_on)) else { return };
+        self.at = at + 1;
+        self.turn(session, registry, at).await;
+    }
+
+    async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry, at: usize) {
+        let (act, tell) = (self.act, self.tell);
+        let Some(call) = self.calls.get_mut(at).filter(|call| call.goes_on() && command_of(act).is_some()) else {
+            return;
+        };
+        let turn = async |session: &mut Session<'_>| call.turn(session, registry, act, tell).await;
+        match at_once(session, turn).await {
+            Ok(pressed) => self.interrupted |= pressed,
+            Err(error) => call.ended = Some(Err(error)),
+        }
+        if self.interrupted {
+            self.calls.iter_mut().filter(|call| call.was_told()).for_each(Call::interrupt);
+        }
+    }
+
+    /// What went out to the drives so far, in their order.
+    pub fn first(&self) -> Vec<FirstWord> {
+        self.calls.iter().map(Call::first).collect()
+    }
+
+    /// What went out to each, or why that was broken off.
+    pub fn end(self) -> Vec<Result<FirstWord, AccessError>> {
+        self.calls.into_iter().map(Call::end).collect()
     }
 }
 
@@ -131,7 +183,7 @@ struct Call<'m> {
     refused: bool,
     /// It is told those of the others too.
     widened: bool,
-    ended: Option<Result<FirstWord, AccessError>>,
+    ended: Option<Result<(), AccessError>>,
 }
 
 impl<'m> Call<'m> {
@@ -149,8 +201,17 @@ impl<'m> Call<'m> {
         }
     }
 
+    fn first(&self) -> FirstWord {
+        let family = match self.families.as_deref() {
+            Some([family]) if !self.widened => Some(family.clone()),
+            _ => None,
+        };
+        FirstWord { family, ..self.first.clone() }
+    }
+
     fn end(self) -> Result<FirstWord, AccessError> {
-        self.ended.unwrap_or(Ok(self.first))
+        let first = self.first();
+        self.ended.unwrap_or(Ok(())).map(|()| first)
     }
 
     fn goes_on(&self) -> bool {
@@ -190,7 +251,7 @@ impl<'m> Call<'m> {
         let often = self.said >= usize::from(TIMES) * self.words.len() && self.untold.is_empty();
         let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
         if self.goes_on() && often && !widens {
-            self.ended = Some(Ok(self.first));
+            self.ended = Some(Ok(()));
         }
         Ok(pressed)
     }
@@ -225,7 +286,7 @@ impl<'m> Call<'m> {
         self.said += 1;
         match answer {
             Ok(Answer::Reply { said, .. }) => match no(&said) {
-                None => self.ended = Some(Ok(self.first)),
+                None => self.ended = Some(Ok(())),
                 // Who is busy may take it a moment later.
                 Some(no) => self.refused |= !no.passes(),
             },

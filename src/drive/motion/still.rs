@@ -82,7 +82,7 @@ impl Sight {
         self.turns && self.on == Some(true)
     }
 
-    fn standing(&self) -> Option<bool> {
+    pub(super) fn standing(&self) -> Option<bool> {
         if self.turns { Some(false) } else { (self.held || self.rested).then_some(true) }
     }
 }

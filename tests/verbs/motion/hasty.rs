@@ -47,7 +47,7 @@ fn pressed(
     let mut session = runtime.block_on(Session::open(opening, &registry, interrupt, &mut observe)).unwrap();
     let turning = runtime.block_on(async {
         work(&mut session, &registry).await;
-        session.ignore_interrupts();
+        session.heed(Interrupt::default());
         session.rest(Span::from_secs(60)).await.unwrap();
         session.bench().unwrap().totals().turning
     });
@@ -70,7 +70,7 @@ fn an_interrupt_of_the_questions_before_a_stop_does_not_keep_it_back() {
                 |count, _| count == press,
                 async |session, registry| {
                     let meant = Meant { address: 1, family: named.and_then(|name| registry.family(name)), order: None };
-                    let _interrupted_or_not = shout(session, registry, &[meant], act).await;
+                    let _interrupted_or_not = shout(session, registry, &meant, act).await;
                 },
             );
             let told = format!("{named:?} {act:?} {press}: {:?}", came.sent);
@@ -90,7 +90,7 @@ fn an_interrupt_of_a_stop_that_nobody_answers_leaves_no_family_out() {
             |count, _| count == press,
             async |session, registry| {
                 let meant = Meant { address: 1, family: None, order: None };
-                let said = shout(session, registry, &[meant], Relief::QuickStop).await.pop().unwrap();
+                let said = shout(session, registry, &meant, Relief::QuickStop).await;
                 assert!(said.is_err() || press == 0);
             },
         );

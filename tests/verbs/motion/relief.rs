@@ -104,7 +104,7 @@ fn a_servo_that_turns_is_stopped_under_the_name_of_an_inverter() {
                 let meant = Meant { address: 1, family: registry.family("act"), order: None };
                 match act {
                     Relief::Zero => assert!(shout_zero(session, &registry, &meant, &zeros).await.unwrap()),
-                    act => drop(shout(session, &registry, &[meant], act).await.pop().unwrap().unwrap()),
+                    act => drop(shout(session, &registry, &meant, act).await.unwrap()),
                 }
                 session.rest(Span::from_secs(20)).await.unwrap();
             },

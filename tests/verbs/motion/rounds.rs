@@ -1,7 +1,9 @@
 //! Several drives are told to stop in rounds: who is silent keeps it from nobody.
 
 use super::rig::RUNNING;
-use crate::run::antrieb;
+use crate::run::{Run, antrieb};
+use antrieb::tick::Span;
+use antrieb::transport::witness;
 
 /// When the first telegram went out that tells a drive to stop, in ms.
 fn told_at(run: &crate::run::Output, address: u8, word: &str) -> f64 {
@@ -60,6 +62,69 @@ fn whoever_is_silent_keeps_the_stop_from_nobody_behind_him() {
                     at <= may || who.is == DEAD.is,
                     "{options} {verb}: {before} at {at} ms: {}",
                     run.err.lines().take(60).collect::<Vec<_>>().join("\n")
+                );
+            }
+        }
+    }
+}
+
+/// A drive that runs, at an address, with more besides.
+fn running(address: u8, more: &str) -> String {
+    format!("[[drive]]\nmodel = \"acu\"\naddress = {address}\nbaud = 19200\nset = {{ {RUNNING} }}\n{more}\n")
+}
+
+/// A verb on drives that have run up for 10 s.
+fn at_speed(line: &str, bench: &str) -> Run {
+    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
+    let (mut bench_then, at) = witness::left().unwrap();
+    let at = at + Span::from_secs(10);
+    bench_then.advance(at);
+    witness::stands(bench_then, at);
+    antrieb(line).on(bench)
+}
+
+/// One that nobody switched on, one that says no, and good ones: the end is the same in whatever order they are named, and says every
+/// address once.
+#[test]
+fn the_end_of_a_group_stop_goes_by_what_came_and_not_by_the_order() {
+    let refuses = "[[drive.event]]\nat = \"0s\"\nrefuses = 410";
+    let dead = "[[drive.event]]\nat = \"0s\"\nsilent = \"10min\"";
+    let bench = [running(1, ""), running(2, ""), running(7, refuses), running(9, dead)].concat();
+    for (orders, exit) in
+        [(&["9,1,2", "1,9,2", "1,2,9", "2,7,1", "7,1,2", "9,7,1"][..], 9), (&["9,7", "7,9"], 4), (&["1,2", "2,1"], 0)]
+    {
+        for addresses in orders {
+            let run = at_speed(&format!("-a {addresses} statemachine quick-stop"), &bench).exits(exit);
+            for address in addresses.split(',') {
+                let named = format!("address {address}: ");
+                let error = run.err.lines().find(|line| line.starts_with("error: ")).unwrap_or_default();
+                let is_good = ["1", "2"].contains(&address);
+                assert_eq!(error.matches(&named).count(), usize::from(!is_good), "{addresses}: {error}");
+            }
+        }
+    }
+}
+
+/// Ramps of their own, and lines that are slow or full: who is looked at in turns shows his standstill all the same.
+#[test]
+fn a_group_that_ramps_down_is_seen_to_stand() {
+    let ramps =
+        |down: u32| format!("ramps = {{ up_right = 50, down_right = {down}, up_left = 50, down_left = {down} }}");
+    for downs in [[50, 10, 5], [5, 10, 50], [10, 10, 10]] {
+        let quick = |down: u32| format!("\"424\" = {down}, \"425\" = {down}, ");
+        let drive =
+            |(address, down)| running(address, &ramps(down)).replace("\"410\" =", &format!("{}\"410\" =", quick(down)));
+        let bench: String = (1..=3).zip(downs).map(drive).collect();
+        for (verb, named) in
+            [("quick-stop", ""), ("disable", ""), ("quick-stop", "--drive acu "), ("disable", "--drive acu ")]
+        {
+            let run = at_speed(&format!("{named}-a 1-3 statemachine {verb}"), &bench).json().exits(0);
+            for at in 0..3 {
+                assert_eq!(
+                    run.data(&format!("/drives/{at}/motion/standing")),
+                    true,
+                    "{downs:?} {named}{verb} {at}: {}",
+                    run.err
                 );
             }
         }
