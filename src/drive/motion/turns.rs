@@ -12,7 +12,6 @@ use crate::drive::target::Target;
 use crate::exchange::Limits;
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Permit};
-use crate::profile::Param;
 use crate::tick::Span;
 
 /// A shaft that does not become slower for so long gets the word that follows, whoever else is still on the way.
@@ -41,7 +40,6 @@ pub struct Glimpse {
     wait: Wait,
     looks: u8,
     misses: u8,
-    encoder: Option<Option<Param>>,
     sight: Sight,
     powered: bool,
     first: Option<Situation>,
@@ -57,7 +55,6 @@ impl Glimpse {
             wait: Wait::new(session.now(), SLOWS_WITHIN),
             looks: 0,
             misses: 0,
-            encoder: None,
             sight: Sight::default(),
             powered: false,
             first: None,
@@ -86,10 +83,10 @@ impl Glimpse {
     async fn seen(&mut self, session: &mut Session<'_>, permit: &Permit<gate::Motion>) -> Result<Option<i64>, Failure> {
         let mut motor = Motor::new(session, &mut self.target, permit, None);
         (motor.stopping, motor.powered) = (true, self.powered);
-        (motor.sight, motor.encoder) = (std::mem::take(&mut self.sight), self.encoder.take());
+        // An encoder would cost every look twice the time; it tells as well when its drive's stop is proven.
+        (motor.sight, motor.encoder) = (std::mem::take(&mut self.sight), Some(None));
         let seen = motor.glimpse(&mut self.first).await;
-        (self.sight, self.encoder, self.powered) =
-            (std::mem::take(&mut motor.sight), motor.encoder.take(), motor.powered);
+        (self.sight, self.powered) = (std::mem::take(&mut motor.sight), motor.powered);
         seen
     }
 
