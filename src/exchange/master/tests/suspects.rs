@@ -263,3 +263,13 @@ fn answers_that_never_agree_are_waited_out_where_telegrams_are_mixed_up_and_not_
     line.master.set_limits(Limits { retries: 0, insist: Some(INSIST), ..Limits::default() });
     assert_eq!(taken(line.ask(1, OTHER, &answers)), Reply::Registers(vec![3]));
 }
+
+#[test]
+fn noise_before_a_second_answer_is_noted_where_it_is_found() {
+    let mut line = once();
+    line.master.twins.suspects(1);
+    let second = [&[0x55][..], &counted(0x0B, 5)].concat();
+    let replies: [&[(u64, Vec<u8>)]; 2] = [&[(10, counted(0x0B, 5)), (25, second)], &[(10, value(7))]];
+    assert_eq!(taken(line.ask(1, READ, &replies)), Reply::Registers(vec![7]));
+    assert!(line.verdicts().contains(&Verdict::Garbage));
+}

@@ -209,7 +209,8 @@ fn rounds_end_at_a_number_and_garbage_is_the_lines_where_nobody_is_asked_again_a
 fn garbage_that_begins_when_a_station_has_had_its_time_is_not_its_own() {
     for (late, suspected) in [(0, false), (1, true)] {
         let mut survey = survey([1], brief());
-        let end = asks(&mut survey, &mut Tick::ZERO.clone());
+        let mut now = Tick::ZERO;
+        let end = asks(&mut survey, &mut now);
         survey.ear.hears(end + (FULL - Span::from_micros(late)), &[0x55]);
         survey.suspect();
         assert_eq!(survey.suspects.contains_key(&1), suspected);
