@@ -16,13 +16,16 @@ impl Finding for Write {
 
 impl Page {
     pub(super) fn written(self, values: &[Written]) -> String {
+        // On a terminal a telegram has no room beside its value.
+        let is_planned = |row: &Written| row.result == WriteResult::Planned;
+        let apart = self.width.is_some();
         let rows = values.iter().map(|row| {
             let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
             let mut remark = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
             remark = remark.or_else(|| row.text.as_ref().map(|text| self.say(text)));
             let note = row.note.as_ref().map(|note| self.say(note));
             let mut remark = remark.into_iter().chain(note).collect::<Vec<_>>();
-            if row.result == WriteResult::Planned {
+            if is_planned(row) && !apart {
                 remark.extend(row.telegram.clone());
                 remark.extend(row.meaning.as_ref().map(|meaning| self.say(meaning)));
             }
@@ -46,7 +49,13 @@ impl Page {
             true => rows.iter_mut().for_each(|row| drop(row.pop())),
             false => head.push("meaning"),
         }
-        self.table(&head, rows)
+        let told = values.iter().filter(|row| apart && is_planned(row)).filter_map(|row| {
+            let meaning = row.meaning.as_ref().map(|meaning| self.say(meaning)).unwrap_or_default();
+            Some(self.prose(&format!("{}  {meaning}", row.telegram.as_ref()?)))
+        });
+        let told: String = told.collect();
+        let gap = if told.is_empty() { "" } else { "\n" };
+        self.table(&head, rows) + gap + &told
     }
 }
 

@@ -103,6 +103,8 @@ fn eighty_columns_tear_no_number_apart() {
     for word in ["480", "5.00", "6.00", "372", "1390", "1450", "verified"] {
         assert!(run.out.split_whitespace().any(|shown| shown == word), "{word}: {}", run.out);
     }
+    let planned = antrieb("-p sim -a 1 --drive act write 480=6 --dry-run").columns(80).exits(0);
+    assert!(planned.out.lines().any(|line| line.starts_with("01 65 01 E0 00 00 02 58 ")), "{}", planned.out);
     let run = antrieb("-p sim -a 1 dataset show 372 480").columns(80).exits(0);
     assert_eq!(run.out.split_whitespace().filter(|word| *word == "1390").count(), 4, "{}", run.out);
 }
