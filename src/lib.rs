@@ -7,6 +7,7 @@
 //! | [`tick`], [`text`], [`failure`], [`files`], [`outcome`], [`gate`] | values that every room may name |
 //! | [`protocol`] | bytes to telegrams and back |
 //! | [`profile`] | what a drive is: catalogues and pure decoding |
+//! | [`systembus`] | plans of a system bus: relations, checks, load |
 //! | [`exchange`] | conversations without I/O |
 //! | [`simulator`] | drives that answer, on a bus that judges timing |
 //! | [`transport`] | what carries bytes, and the clock |
@@ -64,6 +65,7 @@ pub mod protocol;
 pub mod render;
 pub mod scope;
 pub mod simulator;
+pub mod systembus;
 pub mod text;
 pub mod tick;
 pub mod transport;

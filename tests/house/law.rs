@@ -11,6 +11,7 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
     ("profile", &["text"]),
     ("scope", &["text"]),
     ("protocol", &["text", "tick"]),
+    ("systembus", &["protocol::can", "profile", "text"]),
     ("exchange", &["protocol", "tick"]),
     ("simulator", &["protocol", "profile", "text", "tick"]),
     ("simulator::line", &["simulator::dice", "protocol", "tick"]),
@@ -67,7 +68,10 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
             "protocol::Protocol",
         ],
     ),
-    ("command", &["args", "drive", "profile", "scope", "gate", "outcome", "failure", "files", "text", "tick"]),
+    (
+        "command",
+        &["args", "drive", "profile", "scope", "systembus", "gate", "outcome", "failure", "files", "text", "tick"],
+    ),
     ("cli", &["args", "command", "drive", "profile", "render", "outcome", "failure", "files", "text", "tick"]),
 ];
 
