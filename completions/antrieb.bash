@@ -85,6 +85,9 @@ _antrieb() {
             antrieb,statemachine)
                 cmd="antrieb__subcmd__statemachine"
                 ;;
+            antrieb,systembus)
+                cmd="antrieb__subcmd__systembus"
+                ;;
             antrieb,write)
                 cmd="antrieb__subcmd__write"
                 ;;
@@ -202,6 +205,12 @@ _antrieb() {
             antrieb__subcmd__statemachine,switch-on)
                 cmd="antrieb__subcmd__statemachine__subcmd__switch__subcmd__on"
                 ;;
+            antrieb__subcmd__systembus,load)
+                cmd="antrieb__subcmd__systembus__subcmd__load"
+                ;;
+            antrieb__subcmd__systembus,plan)
+                cmd="antrieb__subcmd__systembus__subcmd__plan"
+                ;;
             *)
                 ;;
         esac
@@ -209,7 +218,7 @@ _antrieb() {
 
     case "${cmd}" in
         antrieb)
-            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot protocol line params decode sniff simulate schema completions"
+            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot protocol line params systembus decode sniff simulate schema completions"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -5698,6 +5707,128 @@ _antrieb() {
                     return 0
                     ;;
                 --trace)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__systembus)
+            opts="-q -v -h --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help plan load"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__systembus__subcmd__load)
+            opts="-q -v -h --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__systembus__subcmd__plan)
+            opts="-q -v -h --settings --dcf --svg --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --dcf)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --svg)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

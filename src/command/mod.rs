@@ -21,6 +21,7 @@ pub mod sniff;
 pub mod sollwert;
 pub mod statemachine;
 mod stopping;
+pub mod systembus;
 mod verb;
 pub mod write;
 
@@ -47,6 +48,7 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<protocol::Args>(),
     verb::entry::<line::Args>(),
     verb::entry::<params::Args>(),
+    verb::entry::<systembus::Args>(),
     verb::entry::<decode::Args>(),
     verb::entry::<sniff::Args>(),
     verb::entry::<simulate::Args>(),

@@ -109,3 +109,13 @@ pub enum OrRead<D> {
     /// What would be sent.
     Plan(Plan),
 }
+
+/// A plan of a system bus, or what PDOs cost it.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrBusLoad<P, L> {
+    /// A plan.
+    Plan(Box<P>),
+    /// The load.
+    Load(L),
+}

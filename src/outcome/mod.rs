@@ -14,10 +14,11 @@ mod plant;
 mod plot;
 mod relocation;
 mod stream;
+mod systembus;
 mod transfer;
 mod value;
 
-pub use document::{Document, Envelope, OrLine, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
+pub use document::{Document, Envelope, OrBusLoad, OrLine, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
     SearchNews,
@@ -35,6 +36,9 @@ pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep,
 pub use stream::{
     Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
     StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits, WatchedDrive,
+};
+pub use systembus::{
+    BusCharge, BusDrive, BusLink, BusLoad, BusPlan, BusRate, BusReceiver, BusRelation, BusRemark, BusSetting, BusTotal,
 };
 pub use transfer::{
     Dataset, DatasetRow, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
@@ -150,6 +154,10 @@ pub enum Data {
     Simulate(Simulate),
     /// `plot`
     Plot(Plot),
+    /// `systembus plan`
+    BusPlan(Box<BusPlan>),
+    /// `systembus load`
+    BusLoad(BusLoad),
     /// `monitor`, behind its stream
     Monitor(Monitor),
     /// `--dry-run` of a verb that reads

@@ -64,7 +64,7 @@ impl Rate {
 }
 
 /// Bits of a PDO at worst, by the manual (5.14.3).
-pub const BITS: u32 = 140;
+const BITS: u32 = 140;
 
 /// A share of the bus in units of 10^-27 percent, cut off below that. Sums of some hundred of them are off by less than
 /// 10^-24, far less than what sums of such fractions can be beside a limit without being equal to it.

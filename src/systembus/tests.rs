@@ -193,17 +193,17 @@ fn every_rule_of_the_manual_is_checked() {
     has(&by_sync.replace("sync-timeout = 0", "sync-timeout = 10"), Error, "timeout_short");
     has(&changed("rate = 500", "rate = 50").replace("every = 8", "every = 2"), Error, "pdo_load");
     has(&changed("rate = 500", "rate = 50").replace("every = 8", "every = 3"), Error, "bus_load");
-    let twice = format!("{SETPOINT}\n[[pdo]]\nfrom = \"second\"\nnumber = 1\nidentifier = 385\nevery = 8\n");
+    let twice = format!("{SETPOINT}\n[[pdo]]\nfrom = \"drive-2\"\nnumber = 1\nidentifier = 385\nevery = 8\n");
     has(&twice, Error, "identifier_twice");
-    has(&twice.replace("from = \"second\"", "from = \"first\""), Error, "pdo_twice");
+    has(&twice.replace("from = \"drive-2\"", "from = \"drive-1\""), Error, "pdo_twice");
     has(&twice.replace("number = 1\nidentifier = 385\nevery = 8\n", "number = 2\nevery = 8\n"), Note, "unheard");
-    has(&changed("drive = \"second\"", "drive = \"first\""), Warning, "own_pdo");
+    has(&changed("drive = \"drive-2\"", "drive = \"drive-1\""), Warning, "own_pdo");
 }
 
 #[test]
 fn a_controller_may_send_and_its_plan_says_so() {
-    let text =
-        changed("from = \"first\"\nnumber = 1\n", "from = \"plc\"\n").replace("put = { word1 = 740, long2 = 62 }", "");
+    let text = changed("from = \"drive-1\"\nnumber = 1\n", "from = \"plc\"\n")
+        .replace("put = { word1 = 740, long2 = 62 }", "");
     let plan = read(&text).unwrap();
     assert_eq!((plan.foreign[0].name.as_str(), plan.foreign[0].identifier), ("plc", 385));
     assert_eq!((value(&plan, 1, 99), value(&plan, 0, 930)), (Some(704), Some(0)));
@@ -217,8 +217,8 @@ fn what_is_no_plan_is_refused_with_its_place() {
         ("rate = 500", "rate = \"x\"", 3),
         ("node = 1", "node = 64", 12),
         ("node = 1", "knoten = 1", 12),
-        ("from = \"first\"", "from = \"frist\"", 16),
-        ("drive = \"second\"", "drive = \"secnod\"", 23),
+        ("from = \"drive-1\"", "from = \"frist\"", 16),
+        ("drive = \"drive-2\"", "drive = \"secnod\"", 23),
         ("identifier = 385", "identifier = 2048", 18),
         ("word1 = 740", "word5 = 740", 20),
         ("every = 8", "", 16),
@@ -257,7 +257,7 @@ fn a_dcf_comes_back_as_the_plan_that_it_was_made_of() {
 fn a_dcf_is_spelt_as_the_standard_has_it_and_read_in_both_ways() {
     let plan = read(SETPOINT).unwrap();
     let (text, open) = dcf(&plan, &plan.drives[1], &family());
-    assert!(text.contains("[DeviceComissioning]\nNodeID=1\nNodeName=second\nBaudrate=500\n") && open.is_empty());
+    assert!(text.contains("[DeviceComissioning]\nNodeID=1\nNodeName=drive-2\nBaudrate=500\n") && open.is_empty());
     assert!(text.contains("\n[0063]\nParameterName=") && text.contains("ParameterValue=704"));
     let read_back = |text: String| from_dcf(&[("x.dcf".to_owned(), text)]);
     assert!(read_back(text.replace("Comissioning", "Commissioning")).is_ok());

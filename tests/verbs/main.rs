@@ -95,6 +95,7 @@ mod offline {
     mod maps;
     mod naming;
     mod settings;
+    mod systembus;
 }
 
 /// What is said, in which form, and with which exit code.

@@ -238,6 +238,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("sniff", &["refused", "partial"], "it asks nobody, and hears what there is"),
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
@@ -356,6 +357,12 @@ cases! {
     params_one: 0, "params 412";
     params_several: 0, "params rated";
     params_none: 1, "params nonsense";
+
+    systembus_fine: 0, "systembus plan {dir}/bus.toml --settings";
+    systembus_relations: 0, "systembus plan {dir}/relations.toml";
+    systembus_broken: 1, "systembus plan {dir}/broken.toml";
+    systembus_load: 0, "systembus load";
+    systembus_sum: 1, "systembus load 50 6 6 6";
 
     decode_fine: 0, "decode fault F0500";
     decode_telegram: 0, "decode telegram 01 65 21 77 00 00 03 E8 46 C5";

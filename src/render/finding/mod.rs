@@ -20,6 +20,7 @@ mod scan;
 mod simulate;
 mod sollwert;
 mod statemachine;
+mod systembus;
 mod telegrams;
 mod write;
 
@@ -72,6 +73,8 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Sniff(found) => found,
         Data::Simulate(found) => found,
         Data::Plot(found) => found,
+        Data::BusPlan(found) => found.as_ref(),
+        Data::BusLoad(found) => found,
         Data::Monitor(found) => found,
         Data::Plan(found) => found,
         Data::Motion(found) => found,

@@ -28,6 +28,13 @@ pub(super) const FILES: &[(&str, &str)] = &[
         "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n30 = 210\n372 = 1440\n\"392@1\" = 2\n10 = 3\n210 = 5\n410 = 7\n",
     ),
     ("record.csv", include_str!("../record.csv")),
+    ("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml")),
+    ("relations.toml", include_str!("../../../docs/examples/system-bus-relations.toml")),
+    (
+        "broken.toml",
+        "[bus]\nrate = 50\n[drives.d1]\nnode = 1\n[[pdo]]\nfrom = \"d1\"\nnumber = 1\nidentifier = 130\nevery = 2\n\
+         put = { word4 = 740, long2 = 62 }\n[[pdo.to]]\ndrive = \"d1\"\nnumber = 1\ntimeout = 1\ntake = { word3 = 99 }\n",
+    ),
     ("pump.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n\"480@1\" = \"20 Hz\"\n"),
     ("same.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@2\" = 1450\n"),
     ("wild.toml", "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n418 = \"1200 Hz\"\n372 = 1440\n"),

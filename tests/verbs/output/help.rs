@@ -138,6 +138,8 @@ fn every_example_works() {
         let line = line.replace("run.csv", "{dir}/run.csv");
         let line = line.replace("record.csv", "{dir}/record.csv").replace("ramp.svg", "{dir}/ramp.svg");
         let line = line.replace("plant.toml", "{dir}/plant.toml");
+        let line = line.replace("bus.toml", "{dir}/bus.toml").replace("bus.svg", "{dir}/bus.svg");
+        let line = line.replace("--dcf .", "--dcf {dir}");
         let line = line.replace("base.", "{dir}/base.").replace("extra.toml", "{dir}/extra.toml");
         let line = line.replace("/dev/ttyUSB0", "tape:{dir}/line.txt").replace("--link drive", "--link {dir}/drive");
         // What is paced by the wall clock need not take its time here.
@@ -149,6 +151,7 @@ fn every_example_works() {
             .file("line.txt", if example.contains("sniff") { &overheard } else { &recorded })
             .file("bench.toml", bench)
             .file("record.csv", include_str!("../record.csv"))
+            .file("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml"))
             .file("list.csv", "Nr.;Name\n1500;Head\n")
             .file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\nvalues.372 = 1390\n")
             .file("base.toml", BASE)

@@ -89,6 +89,7 @@ const TYPED: &[(&str, &[&str])] = &[
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),
     ("plot", &["plot {dir}/record.csv --measure"]),
+    ("systembus", &["systembus plan {dir}/bus.toml", "systembus load", "systembus load 500 1 2 8"]),
     ("init", &["init {dir}/new.toml -a 1-9"]),
     ("plan", &["plan --config {dir}/plant.toml"]),
     ("apply", &["apply --config {dir}/plant.toml --yes"]),
@@ -99,6 +100,7 @@ const TYPED: &[(&str, &[&str])] = &[
 const FILES: &[(&str, &str)] = &[
     ("heard", HEARD),
     ("record.csv", include_str!("../record.csv")),
+    ("bus.toml", include_str!("../../../docs/examples/system-bus-setpoint.toml")),
     (
         "plant.toml",
         "[drives.fan-2]\naddress = 2\nfiles = [\"fan.toml\"]\n[drives.pump-1]\naddress = 1\nfiles = [\"pump.toml\"]\n",
