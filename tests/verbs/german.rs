@@ -30,7 +30,7 @@ const ENGLISH: &str = "
 
 /// Words that both languages have, or that have no language: names, units, standards, words of the catalogue.
 const ALIKE: &str = "
-    index timeout act active acu adapter antrieb ascii auto baud bd bit broadcasts bus bytes disable enable last shutdown sniff clients cm code crc cube dir echo eeprom em
+    identifier index kbd okay plan rate sender sync timeout txpdo µs act active acu adapter antrieb ascii auto baud bd bit broadcasts bus bytes disable enable last shutdown sniff clients cm code crc cube dir echo eeprom em
     exceptions exit fmax format gateway halt hz in ixt kw lexium lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
     nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
     tk type udc uint vabus version war was watchdog

@@ -358,7 +358,7 @@ cases! {
     params_several: 0, "params rated";
     params_none: 1, "params nonsense";
 
-    systembus_fine: 0, "systembus plan {dir}/bus.toml --settings";
+    systembus_fine: 0, "systembus plan {dir}/bus.toml";
     systembus_relations: 0, "systembus plan {dir}/relations.toml";
     systembus_broken: 1, "systembus plan {dir}/broken.toml";
     systembus_load: 0, "systembus load";

@@ -54,7 +54,7 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
     if let Some(path) = svg {
         save(path, &systembus::picture(&plan, &family, settings.lang), settings.force)?;
     }
-    let failure = (errors > 0).then(|| broken(&plan, &remarks, options));
+    let failure = (errors > 0).then(|| broken(&remarks, options));
     let data = BusPlan {
         files: options.files.iter().map(|path| path.display().to_string()).collect(),
         rate_kbd: plan.rate.kbd(),
@@ -116,12 +116,10 @@ fn wrong(why: Text) -> Failure {
     Failure::new(Class::Data, "data.plan", why)
 }
 
-fn broken(plan: &Plan, remarks: &[Remark], options: &Options) -> Failure {
+fn broken(remarks: &[Remark], options: &Options) -> Failure {
     let errors: Vec<&Remark> = remarks.iter().filter(|remark| remark.level == Level::Error).collect();
     let count = Text::count(errors.len() as u64, ["rule", "rules"], ["Regel", "Regeln"]);
-    let drives = plan.drives.len();
-    let message =
-        both!("the plan of {drives} drives breaks {count}", "der Plan mit {drives} Antrieben verletzt {count}", count);
+    let message = both!("the plan breaks {count}", "der Plan verletzt {count}", count);
     let failure = Failure::new(Class::No, "no.plan", message);
     match options.dcf.is_some() || options.svg.is_some() {
         true => failure.hint(both!("nothing was written", "es wurde nichts geschrieben")),

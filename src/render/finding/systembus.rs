@@ -48,7 +48,7 @@ impl Finding for BusPlan {
         let master = match self.master.as_deref() {
             Some("external") => page.word("external").to_owned(),
             Some(name) => clean(name),
-            None => page.word("none").to_owned(),
+            None => page.word("nobody").to_owned(),
         };
         let rate = format!("{} kBd", self.rate_kbd);
         let mut text = page.pairs(vec![("rate", rate), ("SYNC", sync), ("master", master)]);

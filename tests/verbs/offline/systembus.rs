@@ -20,7 +20,7 @@ fn a_plan_goes_into_dcfs_and_comes_back() {
         assert_eq!(back.value["data"][part], plan.value["data"][part], "{part}");
     }
     // What is there already is not replaced unasked.
-    let again = run.then("systembus plan bus.toml --dcf .");
+    let again = run.then("systembus plan {dir}/bus.toml --dcf {dir}");
     let again = again.exits(7);
     assert!(again.err.contains("--force"), "{}", again.err);
 }
@@ -34,6 +34,8 @@ fn a_plan_becomes_settings_links_and_a_load() {
     assert_eq!(json!([link["receiver_param"], link["receiver_source"]]), json!([137, 709]));
     let settings = run.data("/drives/1/settings").as_array().unwrap();
     let of = |param: u32| settings.iter().find(|row| row["param"] == param).map(|row| row["raw"].clone());
+    let page = antrieb("systembus plan {dir}/bus.toml --settings").file("bus.toml", PLAN).exits(0).out;
+    assert!(page.contains("drive-2 (node 1)\n") && page.contains("TxPDO1 function"), "{page}");
     assert_eq!((of(99), of(924), of(936)), (Some(json!(704)), Some(json!(385)), Some(json!(1))));
 }
 
