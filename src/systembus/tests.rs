@@ -95,10 +95,10 @@ fn ends_are_those_of_the_tables() {
 #[test]
 fn the_relations_of_the_manual_are_those_of_its_table() {
     let plan = read(RELATIONS).unwrap();
-    let told: Vec<(u16, Option<&str>, Vec<(&str, u8)>)> = relations(&plan)
+    let told: Vec<_> = relations(&plan)
         .iter()
         .map(|relation| {
-            let receivers = relation.receivers.iter().map(|one| (one.drive, one.rx.number.number())).collect();
+            let receivers: Vec<_> = relation.receivers.iter().map(|one| (one.drive, one.rx.number.number())).collect();
             (relation.identifier, relation.sender, receivers)
         })
         .collect();
