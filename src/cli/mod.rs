@@ -408,11 +408,14 @@ fn work(
         }
         outcome
     });
-    signals::act_as_usual();
     if interrupt.is_raised() {
+        // Another signal, such as Ctrl-C pressed twice, takes nobody the report of what was put back or stopped.
         patience.limit(UNTAKEN_BY_WISH);
-    } else if outcome.as_ref().map_or(entry.turns, Outcome::is_run) {
-        patience.limit(UNTAKEN);
+    } else {
+        signals::act_as_usual();
+        if outcome.as_ref().map_or(entry.turns, Outcome::is_run) {
+            patience.limit(UNTAKEN);
+        }
     }
     if watch.is_some() {
         console.finish();

@@ -176,7 +176,7 @@ impl Signals {
     }
 }
 
-/// Behind a run a signal does again what it does to any program: nothing is left that it could leave turning, and a reader
+/// Behind a run that nobody broke off a signal does again what it does to any program: nothing is left that it could leave turning, and a reader
 /// who takes nothing holds nobody.
 pub(super) fn act_as_usual() {
     #[cfg(unix)]

@@ -33,8 +33,10 @@ pub(super) async fn off_line<K: Kind>(
 }
 
 pub(super) fn interrupted() -> Failure {
-    let text =
-        both!("interrupted at the question, nothing was sent", "bei der Frage abgebrochen, nichts wurde gesendet");
+    let text = both!(
+        "interrupted at the question, nothing was written",
+        "bei der Frage abgebrochen, nichts wurde geschrieben"
+    );
     Failure::new(Class::Interrupted, "interrupted.question", text)
 }
 
@@ -42,13 +44,13 @@ pub(super) fn interrupted() -> Failure {
 pub(super) fn denied(denied: Denied) -> Failure {
     match denied {
         Denied::Refused => {
-            let text = both!("not confirmed, nothing was sent", "nicht bestätigt, nichts wurde gesendet");
+            let text = both!("not confirmed, nothing was written", "nicht bestätigt, nichts wurde geschrieben");
             Failure::new(Class::Forbidden, "forbidden.not_confirmed", text)
         }
         Denied::Nobody => {
             let text = both!(
-                "there is no terminal to ask for confirmation, nothing was sent",
-                "kein Terminal da, um nachzufragen; nichts wurde gesendet"
+                "there is no terminal to ask for confirmation, nothing was written",
+                "kein Terminal da, um nachzufragen; nichts wurde geschrieben"
             );
             Failure::new(Class::Forbidden, "forbidden.no_terminal", text).hint(both!(
                 "--yes answers the question; --dry-run shows what would be sent",

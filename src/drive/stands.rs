@@ -58,10 +58,20 @@ pub(super) async fn in_ram(
     param: &Param,
     sets: &[u8],
 ) -> Result<Vec<(u8, i64)>, Failure> {
+    let shown = ram_stands(session, target, param, sets).await?;
+    Ok(shown.into_iter().filter_map(|(set, raw)| Some((set, raw.ok()?))).collect())
+}
+
+/// The same, with why it is not told where it is not.
+pub(super) async fn ram_stands(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    sets: &[u8],
+) -> Result<Stands, Failure> {
     let stored = sets.iter().filter(|set| has_ram(target, param, **set));
     let sets: Vec<u8> = stored.map(|set| set + DataSets::RAM_OFFSET).collect();
-    let shown = stands(session, target, param, &sets).await?;
-    Ok(shown.into_iter().filter_map(|(set, raw)| Some((set, raw.ok()?))).collect())
+    stands(session, target, param, &sets).await
 }
 
 /// The raw value of one place.

@@ -91,6 +91,11 @@ impl Target {
         let second = if first.bits() == Some(32) { Type::Word } else { Type::Long };
         match self.read_as(session, param, cell, second).await {
             Ok(reading) => Ok(self.found(param, reading)),
+            // It has this width: refused is set 0, because the four behind it differ.
+            Err(differ @ AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. })) => {
+                self.widths.insert(param.id, second);
+                Err(differ)
+            }
             Err(AccessError::Refused(_)) => Err(error),
             Err(other) => Err(other),
         }
@@ -210,7 +215,8 @@ impl Target {
         }
         match self.read_set(session, param, set).await {
             Ok(reading) => Ok(reading.kind),
-            Err(error) => Err(error),
+            // What refuses its value for all data sets may have told its width.
+            Err(error) => self.known_width(param.id).ok_or(error),
         }
     }
 

@@ -27,7 +27,7 @@ fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
         run.signal(signal);
         assert_eq!(run.ends(), Some(130), "{signal}: {}", run.seen);
         run.types("y\n");
-        run.shows("nothing was sent");
+        run.shows("nothing was written");
         assert!(!run.seen.contains("> 01 65"), "{signal}: {}", run.seen);
     }
 }

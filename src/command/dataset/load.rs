@@ -148,7 +148,7 @@ async fn permit(
         }
     };
     let unchanged = plan.job.rows.iter().filter(|row| row.result == WriteResult::Unchanged).count();
-    details.extend(plan.notes.iter().cloned().chain(plan.open_memory()));
+    details.extend(plan.notes.iter().cloned().chain(plan.hidden.clone()).chain(plan.open_memory()));
     if unchanged > 0 {
         details.push(both!(
             "equal already, and not written: {unchanged}",

@@ -184,6 +184,10 @@ pub(in crate::command) fn whole(
     }
     let tells = |row: &Written| matches!(row.result, WriteResult::Restored | WriteResult::Unrestored);
     let is_nothing = plan.job.rows.iter().all(|row| row.result == WriteResult::Unchanged);
+    if load.ended.is_some() {
+        let hidden = plan.hidden.clone();
+        warnings.extend(hidden.map(|message| Warning { code: "load.in_force".to_owned(), message }));
+    }
     if load.ended.is_some() && (is_nothing || plan.job.rows.iter().any(tells)) {
         let open = plan.open_memory();
         warnings.extend(open.map(|message| Warning { code: "load.open_memory".to_owned(), message }));

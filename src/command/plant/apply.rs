@@ -112,7 +112,8 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         let Some(mut asked) = job::question(std::slice::from_ref(&plan.job)) else { continue };
         // Behind the values comes what can happen: told once for all drives.
         let consequences = asked.details.split_off(plan.todo().min(asked.details.len()));
-        last.extend(consequences.into_iter().filter(|text| !last.contains(text)).collect::<Vec<_>>());
+        let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());
+        last.extend(consequences.filter(|text| !last.contains(text)).collect::<Vec<_>>());
         details.push(about(one, member, asked.title));
         details.extend(asked.details.into_iter().chain(plan.notes.iter().cloned()));
         hazards.extend(asked.hazards);

@@ -68,7 +68,8 @@ impl Harvest {
     /// Why it is not all that was wanted.
     pub fn failure(&self) -> Option<Failure> {
         let count = self.open().count();
-        let why = self.end.clone().or_else(|| self.unanswered().next().cloned())?;
+        let not_asked = (count > 0).then(not_asked);
+        let why = self.end.clone().or_else(|| self.unanswered().next().cloned()).or(not_asked)?;
         if self.settings.is_empty() {
             return Some(why);
         }
@@ -83,6 +84,15 @@ impl Harvest {
     pub fn unanswered(&self) -> impl Iterator<Item = &Failure> {
         self.failures.values().filter(|failure| failure.class != Class::Refused)
     }
+}
+
+/// A save that was begun with a longer list leaves open what this one does not know.
+fn not_asked() -> Failure {
+    let message = both!(
+        "the catalogues and options with which the save was begun name them, those of today do not",
+        "die Kataloge und Optionen, mit denen die Sicherung begann, nennen sie, die von heute nicht"
+    );
+    Failure::new(Class::Partial, "partial.not_asked", message)
 }
 
 /// Reads what is asked of a drive and is not in `before` yet. `keep` is handed what is there so far, from time to time.

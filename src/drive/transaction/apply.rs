@@ -1,6 +1,7 @@
 //! Writing a plan: value by value, each proven, all proven once more at the end; and back, if anything goes wrong.
 
 use super::back::put_back;
+use super::choice::in_sets;
 use super::ended::{Applied, untouched};
 use super::meanwhile::{still_stands, still_stands_at};
 use super::plan::{Kept, Plan, is_touched};
@@ -75,7 +76,7 @@ async fn forward(
         let Some(row) = plan.job.rows.get_mut(index) else { break };
         let failure = job::carry_step(session, &mut plan.job.target, &step, row, terms, permit).await;
         let result = row.result;
-        if let Some(failure) = failure.or_else(|| unproven(row)) {
+        if let Some(failure) = failure.or_else(|| unproven(&step, row)) {
             plan.doubt(&step, result, &failure);
             return Err(of(&step, failure));
         }
@@ -111,11 +112,21 @@ fn of(step: &Step, failure: Failure) -> Failure {
 }
 
 /// A transaction believes nothing that could not be read back.
-fn unproven(row: &mut Written) -> Option<Failure> {
+fn unproven(step: &Step, row: &mut Written) -> Option<Failure> {
     if row.result == WriteResult::Verified {
         return None;
     }
-    let message = both!("P.{param} could not be read back", "P.{param} ließ sich nicht zurücklesen", param = row.param);
+    let message = if step.set.is_multiple_of(DataSets::RAM_OFFSET) && in_sets(&step.param) {
+        both!(
+            "the drive took it and refuses to tell it for all data sets at once: they may differ",
+            "der Antrieb hat es angenommen und sagt es nicht für alle Datensätze zugleich: sie können sich unterscheiden"
+        )
+    } else {
+        both!(
+            "the drive took it and refuses to be read back",
+            "der Antrieb hat es angenommen und lässt sich nicht zurücklesen"
+        )
+    };
     let failure = Failure::new(Class::Garbled, "garbled.unproven", message).with("param", row.param);
     row.error = Some(ErrorDoc::from(&failure));
     Some(failure)

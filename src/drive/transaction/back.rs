@@ -118,11 +118,16 @@ async fn restore_all(
     permit: &Permit<Writing>,
     mut way: Way,
 ) -> Way {
-    let mut back = Vec::new();
+    let (mut back, mut torn) = (Vec::new(), Vec::new());
     for (done, kept) in (0..).zip(order) {
         session.tell(restoring(done, order.len() as u64, kept));
+        // A drive that may tell its RAM as stored would hide from an undo what is stored, were the RAM as before.
+        let in_ram = kept.set >= DataSets::RAM_OFFSET;
+        let hides = |stored: &&Kept| in_ram && stored.param.id == kept.param.id && is_behind(kept.set, stored.set);
+        let stays = !plan.tells_apart && torn.iter().any(hides);
         let mut result = match way.is_lost() {
             true => Err(unseen(kept)),
+            false if stays => Err(left(kept)),
             false => restore(session, plan, kept, permit, &mut way.is_begun).await,
         };
         way.note(result.as_ref().err());
@@ -133,7 +138,11 @@ async fn restore_all(
             result = restore(session, plan, kept, permit, &mut way.is_begun).await;
             way.note(result.as_ref().err());
         }
-        back.extend(result.is_ok().then(|| kept.clone()));
+        match &result {
+            Ok(_) => back.push(kept.clone()),
+            Err(failure) if failure.code == THEIRS => {}
+            Err(_) => torn.push(kept),
+        }
         way.failures.extend(told(plan, kept, result));
     }
     let seen = look_back(session, plan, &back, &mut way).await;
@@ -237,7 +246,7 @@ async fn restore(
     let (mut came, mut stays) = (Came::Stood, None);
     for (set, now) in stands(session, &mut plan.job.target, &kept.param, &[kept.set]).await? {
         let (kept, now) = (Kept { set, ..kept.clone() }, now?);
-        if now == kept.raw {
+        if now == kept.raw && !plan.may_hide(&kept) {
             continue;
         }
         // What somebody else has set since is his; the others go back all the same.
@@ -255,6 +264,17 @@ async fn restore(
         Some(failure) => Err(failure),
         None if is_blind && came == Came::Stood => Err(unshown(kept)),
         None => Ok(came),
+    }
+}
+
+impl Plan {
+    /// Whether a drive that may tell its RAM as stored has taken another value than it tells: it acknowledged one.
+    fn may_hide(&self, kept: &Kept) -> bool {
+        let is_its = |(step, row): (&Step, &Written)| {
+            row.result == WriteResult::Differs && (step.param.id, step.set) == (kept.param.id, kept.set)
+        };
+        let is_shown = self.in_force.iter().any(|ram| ram.param.id == kept.param.id);
+        is_shown && !self.tells_apart && self.job.steps.iter().zip(&self.job.rows).any(is_its)
     }
 }
 

@@ -5,7 +5,7 @@ use super::running::standstill;
 use super::weigh::place;
 use crate::drive::Session;
 use crate::drive::job::Step;
-use crate::drive::stands::{in_ram, stands};
+use crate::drive::stands::{in_ram, ram_stands, stands};
 use crate::failure::{Class, Failure};
 use crate::outcome::{ErrorDoc, WriteResult, Written};
 use crate::profile::DataSets;
@@ -49,6 +49,9 @@ pub(super) async fn still_stands_at(session: &mut Session<'_>, plan: &mut Plan, 
     compared(session, plan, vec![index]).await?.into_iter().next().map_or(Ok(()), Err)
 }
 
+/// What stands at the data sets of a parameter, or why it is not told.
+type Now = BTreeMap<u8, Result<i64, Failure>>;
+
 /// What changed at these places of one parameter.
 async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>) -> Result<Vec<Failure>, Failure> {
     let mut failures = Vec::new();
@@ -57,11 +60,8 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
     let Some(param) = steps.first().map(|(_, step)| step.param.clone()) else { return Ok(failures) };
     let sets: Vec<u8> = steps.iter().map(|(_, step)| step.set).collect();
     let target = &mut plan.job.target;
-    let mut now: BTreeMap<u8, i64> = BTreeMap::new();
-    for (set, told) in stands(session, target, &param, &sets).await? {
-        now.extend(told.ok().map(|raw| (set, raw)));
-    }
-    now.extend(in_ram(session, target, &param, &sets).await?);
+    let mut now: Now = stands(session, target, &param, &sets).await?.into_iter().collect();
+    now.extend(ram_stands(session, target, &param, &sets).await?);
     for (index, step) in &steps {
         let behind: Vec<Kept> = plan.behind(step).cloned().collect();
         let Some(row) = plan.job.rows.get_mut(*index) else { continue };
@@ -70,15 +70,24 @@ async fn compared(session: &mut Session<'_>, plan: &mut Plan, group: Vec<usize>)
     Ok(failures)
 }
 
-/// What stands at a place or behind it in the RAM, if that is not what was planned with.
-fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &BTreeMap<u8, i64>) -> Option<Failure> {
+/// What stands at a place or behind it in the RAM, if that is not what was planned with, or why it is not told.
+fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &Now) -> Option<Failure> {
+    let told = |set: u8| now.get(&set).and_then(|told| told.as_ref().ok()).copied();
     let stored = row.old_raw.map(|raw| (step.set, raw));
     let planned = stored.into_iter().chain(behind.iter().map(|kept| (kept.set, kept.raw)));
-    let (set, then) = planned.into_iter().find(|(set, raw)| now.get(set) != Some(raw))?;
+    let (set, then) = planned.into_iter().find(|(set, raw)| told(*set) != Some(*raw))?;
+    let failure = match now.get(&set) {
+        Some(Err(refused)) => refused.clone(),
+        _ => not_as_planned(step, (set, then), told),
+    };
+    (row.result, row.error) = (WriteResult::Skipped, Some(ErrorDoc::from(&failure)));
+    Some(failure)
+}
+
+fn not_as_planned(step: &Step, (set, then): (u8, i64), told: impl Fn(u8) -> Option<i64>) -> Failure {
     // Where all four were told as one, it is one of them now.
-    let single =
-        || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| Some((set, *now.get(&set)?)));
-    let found = now.get(&set).map(|raw| (set, *raw)).or_else(|| single().find(|(_, raw)| *raw != then));
+    let single = || (set + 1..=set + 4).filter(|_| set.is_multiple_of(5)).filter_map(|set| Some((set, told(set)?)));
+    let found = told(set).map(|raw| (set, raw)).or_else(|| single().find(|(_, raw)| *raw != then));
     let at = Step { set: found.map_or(set, |(set, _)| set), ..step.clone() };
     let now = found.map_or_else(|| "?".to_owned(), |(_, raw)| value_text(&step.param, raw));
     let ram = if set >= DataSets::RAM_OFFSET { " (RAM)" } else { "" };
@@ -88,15 +97,11 @@ fn changed(row: &mut Written, step: &Step, behind: &[Kept], now: &BTreeMap<u8, i
         label = place(&at),
         then = value_text(&step.param, then)
     );
-    let failure = Failure::new(Class::Forbidden, "forbidden.changed_meanwhile", message)
-        .with("param", step.param.id)
-        .hint(both!(
+    Failure::new(Class::Forbidden, "forbidden.changed_meanwhile", message).with("param", step.param.id).hint(both!(
             "somebody else writes it too, or the drive lost its power; the same command again shows what stands there now, and asks again",
             "jemand anders schreibt ihn auch, oder der Antrieb war ohne Spannung; derselbe Befehl zeigt, was jetzt dort steht, und fragt noch \
              einmal"
-        ));
-    (row.result, row.error) = (WriteResult::Skipped, Some(ErrorDoc::from(&failure)));
-    Some(failure)
+    ))
 }
 
 impl Plan {

@@ -24,13 +24,15 @@ pub struct Plan {
     /// What is stored beneath places that are written in the RAM alone: a power loss brings it.
     pub(super) beneath: Vec<Kept>,
     /// Somewhere the RAM holds something else than what is told as stored, so this drive tells the two apart.
-    tells_apart: bool,
+    pub(super) tells_apart: bool,
     /// Who started the shaft, if it runs.
     pub(super) shaft: Shaft,
     /// Places whose RAM may have taken what the EEPROM did not, and of which the drive does not show the RAM.
     pub(super) blind: Vec<Kept>,
     /// What whoever is asked must know besides.
     pub notes: Vec<Text>,
+    /// That only what is stored can be proven, because the drive does not show its RAM.
+    pub hidden: Option<Text>,
     /// Why nothing of it may be begun.
     pub failures: Vec<Failure>,
     /// Cells of the EEPROM that are written at most.
@@ -68,11 +70,10 @@ impl Plan {
         let is_open = |step: &Step| has_ram(target, &step.param, step.set);
         (!self.tells_apart && self.job.steps.iter().any(is_open)).then(|| {
             both!(
-                "drive {address} may tell what it works with (RAM) as stored, which its manual leaves open: what was set in RAM only counts \
-                 as stored then; switching it off and on before a load settles that",
-                "Antrieb {address} zeigt vielleicht das, womit er arbeitet (RAM), als gespeichert, was seine Anleitung offen lässt: was \
-                 nur im RAM steht, gilt dann als gespeichert; Aus- und Einschalten vor dem Laden klärt das",
-                address = target.address
+                "a drive of this kind may tell what it works with (RAM) as stored, which its manual leaves open: what was set in RAM \
+                 only counts as stored then; switching it off and on before a load settles that",
+                "ein Antrieb dieser Art zeigt vielleicht das, womit er arbeitet (RAM), als gespeichert, was seine Anleitung offen \
+                 lässt: was nur im RAM steht, gilt dann als gespeichert; Aus- und Einschalten vor dem Laden klärt das"
             )
         })
     }
@@ -170,6 +171,7 @@ pub(super) async fn prepare(
         plan.take(session, terms, purpose, spread(group, &old), &Stand { old, ram });
     }
     plan.watch(session).await?;
+    plan.note_hidden(purpose);
     plan.count();
     Ok(plan)
 }
@@ -186,6 +188,7 @@ impl Plan {
             job: Job { target, steps: Vec::new(), rows: Vec::new() },
             watched: Vec::new(),
             in_force: Vec::new(),
+            hidden: None,
             beneath: Vec::new(),
             tells_apart: false,
             shaft: Shaft::default(),

@@ -117,16 +117,13 @@ pub async fn plan_back(
     steps: Vec<Step>,
     from: Coming,
 ) -> Result<Plan, Failure> {
-    let purpose = Purpose::Back(from);
-    let mut plan = prepare(session, target, terms, steps, &purpose).await?;
-    plan.note_hidden(&purpose);
-    Ok(plan)
+    prepare(session, target, terms, steps, &Purpose::Back(from)).await
 }
 
 impl Plan {
     /// Notes of which values only what is stored can be proven, because the drive does not show its RAM. What is stored as before
     /// may stand there otherwise all the same: a load may have come so far and no further.
-    fn note_hidden(&mut self, purpose: &Purpose) {
+    pub(super) fn note_hidden(&mut self, purpose: &Purpose) {
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let is_due = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
         let is_hidden =
@@ -139,7 +136,7 @@ impl Plan {
         };
         let blind: Vec<Kept> = hidden.iter().filter(is_stored).map(|(step, _)| Kept::wanted(step)).collect();
         self.blind.extend(blind);
-        self.notes.push(both!(
+        self.hidden = Some(both!(
             "drive {address} does not show its RAM: only what is stored is proven; switched off and on it works with that",
             "Antrieb {address} zeigt sein RAM nicht: geprüft wird nur, was gespeichert ist; nach Aus- und Einschalten arbeitet er damit"
         ));

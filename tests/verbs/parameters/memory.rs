@@ -378,3 +378,55 @@ fn an_undo_behind_a_ram_that_is_not_shown_proves_only_what_is_stored() {
     let undone = left().then(ended, "-a 1 --yes dataset undo {dir}/f.undo.toml").json().exits(0);
     assert!(undone.value["warnings"].to_string().contains("does not show its RAM"), "{:#}", undone.value);
 }
+
+/// A drive that tells its RAM as stored (docs/open-points.md, `ram_reads`).
+const TELLS_RAM: &str = "set = { \"480\" = 5 }\nreadings = { ram_reads = \"in-force\" }";
+
+#[test]
+fn a_value_that_the_drive_acknowledged_goes_back_by_a_write_where_its_memories_are_not_told_apart() {
+    let keys = format!("{TELLS_RAM}\neeprom = {{ \"480@2\" = \"not-in-force\" }}");
+    let ended = load(&keys, "\"480@2\" = 7.5").json().exits(9);
+    assert_eq!(ended.data("/ended"), "back", "{:#}", ended.value);
+    let seen = left();
+    assert_eq!((seen.cell(480, 2).0, seen.worn()), (Some(500), 2));
+}
+
+#[test]
+fn what_did_not_go_back_into_the_eeprom_is_not_hidden_behind_the_ram() {
+    let mut torn = 0;
+    for step in 1..60 {
+        let keys = format!(
+            "{TELLS_RAM}\neeprom = {{ \"482@2\" = \"refuses\" }}\n[[drive.event]]\nafter_telegrams = {step}\nrefuses = {}",
+            2 << 12 | 480
+        );
+        let run = load(&keys, "\"480@2\" = -12.5\n\"482@2\" = 7").run();
+        let seen = left();
+        if run.exit != 9 || seen.cell(480, 2).0 != Some(-1250) {
+            continue;
+        }
+        torn += 1;
+        assert_eq!(seen.cell(480, 2).1, Some(-1250), "telegram {step}: {}", run.err);
+        seen.then(run, "-a 1 --yes dataset undo {dir}/f.undo.toml").exits(9);
+        assert_eq!(left().cell(480, 2).0, Some(-1250), "telegram {step}");
+    }
+    assert!(torn > 0);
+}
+
+#[test]
+fn a_place_that_is_refused_behind_the_question_is_not_called_changed() {
+    let mut refused = 0;
+    for step in 1..30 {
+        let keys = format!("set = {{ \"480\" = 5 }}\n[[disturb]]\nonce = {step}\nkind = \"exception\"\nbyte = 6");
+        let document = load(&keys, "\"480@2\" = -12.5").json();
+        assert!(!document.err.contains("and is ? now"), "reply {step}: {}", document.err);
+        refused += usize::from(document.exit == 6);
+    }
+    assert!(refused > 0);
+}
+
+#[test]
+fn a_load_says_that_a_drive_does_not_show_its_ram() {
+    let keys = "set = { \"480\" = 5, \"480@2ram\" = 44.44 }\nreadings = { ram_reads = \"refused\" }";
+    let ended = load(keys, "\"480@2\" = 5").exits(0);
+    assert!(ended.err.contains("does not show its RAM: only what is stored is proven"), "{}", ended.err);
+}

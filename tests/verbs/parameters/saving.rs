@@ -300,3 +300,24 @@ fn where_no_file_can_stand_nothing_is_begun() {
     assert!(ended.err.contains("this is a symbolic link") && ended.sent().is_empty(), "{}", ended.err);
     assert!(!ended.directory().join("link.toml.part").exists());
 }
+
+#[test]
+fn a_long_whose_width_no_source_tells_is_saved_loaded_and_undone_where_its_data_sets_differ() {
+    let bench = "[[drive]]\nmodel = \"act\"\nfour = [518]\nset = { \"518\" = 1, \"518@4\" = 2 }\n";
+    let saved = antrieb("-a 1 --drive act dataset save {dir}/a.toml").on(bench).exits(0).text_of("a.toml");
+    let held: Vec<&str> = values(&saved).into_iter().filter(|line| line.starts_with("\"518")).collect();
+    assert_eq!(held.len(), 4, "{held:?}");
+    let text = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n518 = 3\n";
+    let loaded = antrieb("-a 1 --yes dataset load {dir}/f.toml").on(bench).file("f.toml", text).exits(0);
+    assert!(loaded.err.contains("1.00, 1.00, 1.00, 2.00") || loaded.err.contains("2.00 -> 3.00"), "{}", loaded.err);
+}
+
+#[test]
+fn a_save_that_is_gone_on_with_without_its_catalogue_is_not_complete() {
+    let catalogue = "schema = 1\nfamily = \"active\"\nparams = [{ id = 508, slug = \"spare\", en = \"Spare\", de = \"Reserve\", access = \"rw\", source = \"s\" }]\n";
+    let silent = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"1s\"\nsilent = \"10h\"\n";
+    let begun = antrieb("--catalogue {dir}/own.toml -a 1 dataset save {dir}/a.toml").on(silent);
+    let begun = begun.file("own.toml", catalogue).exits(9);
+    let on = begun.then("-a 1 dataset save {dir}/a.toml --resume").on("[[drive]]\nmodel = \"act\"\n").exits(9);
+    assert!(on.err.contains("the catalogues and options with which the save was begun"), "{}", on.err);
+}

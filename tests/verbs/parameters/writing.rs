@@ -39,7 +39,7 @@ fn a_no_is_a_no() {
         let run = antrieb("-p sim -a 1 -v write 480@1=6").answered(answer).exits(8);
         assert_eq!(writes(&run.sent()), [""; 0], "{answer}");
         assert!(run.err.contains("go on? [y/N]"), "{}", run.err);
-        assert!(run.err.contains("not confirmed, nothing was sent"), "{}", run.err);
+        assert!(run.err.contains("not confirmed, nothing was written"), "{}", run.err);
     }
     let document = antrieb("-p sim -a 1 write 480@1=6").answered("n").json().exits(8);
     assert_eq!(document.error()["code"], "forbidden.not_confirmed");
