@@ -152,6 +152,8 @@ impl Run {
     /// Runs with `--json`; the document must be the only thing on stdout, fit its schema and agree with the exit code.
     #[track_caller]
     pub(crate) fn json(self) -> Document {
+        // They are printed by runs of their own, which would send the witness of this one away.
+        LazyLock::force(&SCHEMAS);
         let output = self.and("--json").run();
         let value: Value =
             serde_json::from_str(&output.out).unwrap_or_else(|error| panic!("{error}\n{}\n{}", output.out, output.err));

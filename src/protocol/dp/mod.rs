@@ -3,7 +3,7 @@
 //!
 //! A telegram is framed ([`frame`]) and says in its control byte ([`control`]) who speaks. Which service it belongs to stands in
 //! its service access points ([`Service`]). What the services carry: [`Diagnosis`], [`Parameters`], the bytes of a configuration
-//! ([`cfg`]), and in Data_Exchange what the configuration says: for an SJ2-PB a PKW block ([`pkw`]) and process data, or the
+//! ([`mod@cfg`]), and in Data_Exchange what the configuration says: for an SJ2-PB a PKW block ([`pkw`]) and process data, or the
 //! words of its Basic block ([`basic`]). Its modules are described by bytes of their own ([`module`]).
 
 pub mod basic;
