@@ -33,7 +33,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -l data-bits -d 'Data bits
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -92,7 +92,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -123,7 +123,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -156,7 +156,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -189,7 +189,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -221,7 +221,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -262,7 +262,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -294,7 +294,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -326,7 +326,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -359,7 +359,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -392,7 +392,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -425,7 +425,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -463,7 +463,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -500,7 +500,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -533,7 +533,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -567,7 +567,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand init" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -602,7 +602,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l data-bits -d 'D
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -637,7 +637,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -674,7 +674,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -706,7 +706,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -742,7 +742,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -774,7 +774,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -816,7 +816,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -855,7 +855,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -898,7 +898,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -941,7 +941,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -984,7 +984,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1027,7 +1027,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1070,7 +1070,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1113,7 +1113,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1156,7 +1156,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1199,7 +1199,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1235,7 +1235,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1277,7 +1277,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1316,7 +1316,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1359,7 +1359,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1402,7 +1402,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1445,7 +1445,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1488,7 +1488,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1531,7 +1531,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1574,7 +1574,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1617,7 +1617,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1660,7 +1660,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1714,7 +1714,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1769,7 +1769,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l data-bits -
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1814,7 +1814,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l data-bits -d
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1869,7 +1869,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1903,7 +1903,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1935,7 +1935,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -1967,7 +1967,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2001,7 +2001,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2033,7 +2033,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2168,7 +2168,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2199,7 +2199,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -f -a "basic-status" -d 'A status word of the SJ2-PB in Basic mode, such as 0x0DD0'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -f -a "basic-control" -d 'A control word of the SJ2-PB in Basic mode, such as 0x0050'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l cfg -d 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2217,7 +2217,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2236,7 +2236,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l candump -d 'Write the CAN frames of it as a log of candump' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2254,7 +2254,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2273,7 +2273,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l mode -d 'Control mode (P.412)' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2291,7 +2291,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2309,7 +2309,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2327,7 +2327,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2345,7 +2345,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2364,7 +2364,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2382,7 +2382,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2400,7 +2400,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
@@ -2429,7 +2429,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l data-bits -d '
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'rtu, ascii, vabus, dp; auto for `scan` [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
