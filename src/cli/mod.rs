@@ -208,10 +208,21 @@ fn unwritten(mut outcome: Outcome, error: &io::Error) -> Outcome {
     outcome
 }
 
-/// The reader took nothing any more, and was waited for long enough: what could not be said is lost, what came of the work is
-/// not.
+/// The reader took nothing any more, and was waited for long enough, or his terminal is gone: what could not be said is lost, what came
+/// of the work is not.
 fn is_untaken(error: &io::Error) -> bool {
-    error.kind() == io::ErrorKind::TimedOut
+    error.kind() == io::ErrorKind::TimedOut || is_hung_up(error)
+}
+
+/// Whoever writes to a terminal that is gone is told EIO, as of a disk that fails.
+#[cfg(unix)]
+fn is_hung_up(error: &io::Error) -> bool {
+    error.raw_os_error() == Some(rustix::io::Errno::IO.raw_os_error()) && render::output_is_closed()
+}
+
+#[cfg(not(unix))]
+fn is_hung_up(_error: &io::Error) -> bool {
+    false
 }
 
 /// In which form, and whether in colour; of settings that cannot be had, what was typed.

@@ -258,3 +258,18 @@ fn a_file_at_its_limit_ends_no_load() {
     assert_eq!(ended.status.code(), Some(0), "{told}");
     assert!(String::from_utf8_lossy(&ended.stdout).contains("done, every value proven"), "{told}");
 }
+
+/// Who closes the terminal while several drives are stopped hears no more of it: the exit code is that of the stop, and nothing is wrong
+/// with the port.
+#[test]
+fn a_terminal_that_goes_away_during_a_stop_is_no_fault_of_the_port() {
+    let _alone = alone();
+    let drive = |address: u8| {
+        format!("[[drive]]\nmodel = \"act\"\naddress = {address}\nset = {{ \"412\" = 1, \"410\" = 15, \"484\" = 10 }}\n")
+    };
+    let (_directory, port) = bench(&format!("{}{}", drive(1), drive(2)));
+    let mut run = AtTerminal::start(&format!("-v -p {port} -a 1-2 statemachine disable-voltage"));
+    run.shows("> 02 06 01 9A 00 00");
+    let exit = run.hangs_up();
+    assert!(matches!(exit, Some(0 | 9 | 130)), "{exit:?}");
+}
