@@ -3,7 +3,7 @@
 mod dp;
 
 use super::verb::{Verb, Working};
-use super::{Context, offline_family, telegram_reader};
+use super::{Context, offline_family, output, telegram_reader};
 use crate::args::Takes;
 use crate::drive::decode::dp::Cyclic;
 use crate::drive::decode::{is_can, log};
@@ -200,14 +200,7 @@ fn write_log(text: &str, path: &Path, force: bool) -> Result<Text, Failure> {
         Failure::new(Class::Data, "data.trace", message)
     };
     let written = log(text).ok_or_else(no_can)?.map_err(|why| Failure::new(Class::Data, "data.trace", why))?;
-    files::write_whole(path, &written.log, force).map_err(|error| {
-        let message = both!("{shown}: {why}", "{shown}: {why}", why = error.text());
-        let failure = Failure::new(Class::Data, "data.output", message);
-        match error {
-            files::FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-            _ => failure,
-        }
-    })?;
+    output::write(path, &written.log, force)?;
     let frames = Text::count(written.frames, ["frame", "frames"], ["Frame", "Frames"]);
     Ok(match written.left_out {
         0 => both!("{frames} written to {shown}", "{frames} nach {shown} geschrieben", frames),

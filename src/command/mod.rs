@@ -8,6 +8,7 @@ pub mod diag_line;
 pub mod identify;
 pub mod line;
 pub mod monitor;
+mod output;
 pub mod params;
 pub mod plant;
 pub mod plot;

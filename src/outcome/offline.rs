@@ -125,6 +125,24 @@ pub struct TelegramDoc {
     pub can: Option<CanDoc>,
 }
 
+impl TelegramDoc {
+    /// One of which nothing is known but its bytes, and whether they are a telegram.
+    pub(crate) fn blank(protocol: &'static str, hex: String, check_ok: bool) -> Self {
+        TelegramDoc {
+            at_us: None,
+            protocol,
+            direction: None,
+            address: None,
+            function: None,
+            check_ok,
+            hex,
+            meaning: Text::default(),
+            fields: Vec::new(),
+            can: None,
+        }
+    }
+}
+
 /// What only a frame of CAN has. Its node stands as `address`: 0 is everybody for NMT, else the master.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct CanDoc {

@@ -265,7 +265,9 @@ fn a_file_at_its_limit_ends_no_load() {
 fn a_terminal_that_goes_away_during_a_stop_is_no_fault_of_the_port() {
     let _alone = alone();
     let drive = |address: u8| {
-        format!("[[drive]]\nmodel = \"act\"\naddress = {address}\nset = {{ \"412\" = 1, \"410\" = 15, \"484\" = 10 }}\n")
+        format!(
+            "[[drive]]\nmodel = \"act\"\naddress = {address}\nset = {{ \"412\" = 1, \"410\" = 15, \"484\" = 10 }}\n"
+        )
     };
     let (_directory, port) = bench(&format!("{}{}", drive(1), drive(2)));
     let mut run = AtTerminal::start(&format!("-v -p {port} -a 1-2 statemachine disable-voltage"));

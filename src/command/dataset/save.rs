@@ -1,6 +1,7 @@
 //! `dataset save`: a drive's settings into a file.
 
 use super::opened::Opened;
+use crate::command::output::{unwritten, write};
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, offline_family, plan, read_question, terms};
 use crate::drive::paramfile::{Draft, Harvest, Wanted, factory, harvest, left_out, rows};
@@ -163,19 +164,6 @@ fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<
     }
     write(&goal.part, text, true)?;
     Ok(Some(&goal.part))
-}
-
-fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    files::write_whole(path, text, force).map_err(|error| unwritten(path, &error))
-}
-
-fn unwritten(path: &Path, error: &FileError) -> Failure {
-    let message = both!("{path}: {why}", "{path}: {why}", path = path.display().to_string(), why = error.text());
-    let failure = Failure::new(Class::Data, "data.output", message);
-    match error {
-        FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-        _ => failure,
-    }
 }
 
 /// What was begun with one drive is not gone on with by another: its values would stand among those of the first.

@@ -1,8 +1,8 @@
 //! The file that `monitor --record` writes: whole lines, and nothing in the place of another file.
 
-use crate::failure::{Class, Failure};
+use crate::command::output::unwritten;
+use crate::failure::Failure;
 use crate::files::{self, FileError};
-use crate::text::both;
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -13,14 +13,7 @@ pub(super) fn check(path: &Path, force: bool) -> Result<(), Failure> {
         Some(_) if !force => Err(FileError::Exists),
         _ => Ok(()),
     });
-    free.map_err(|error| {
-        let message = both!("{path}: {why}", "{path}: {why}", path = path.display(), why = error.text());
-        let failure = Failure::new(Class::Data, "data.output", message);
-        match error {
-            FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-            _ => failure,
-        }
-    })
+    free.map_err(|error| unwritten(path, &error))
 }
 
 /// A new file that takes whole lines only.

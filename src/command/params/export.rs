@@ -1,14 +1,12 @@
 //! `params export`: the rows of a catalogue as a table.
 
 use super::{hits, none};
-use crate::command::{Context, offline_family};
-use crate::failure::{Class, Failure};
-use crate::files;
+use crate::command::{Context, offline_family, output};
+use crate::failure::Failure;
 use crate::outcome::{Data, Export, Outcome};
 use crate::profile::import::{COLUMNS, cells_of};
-use crate::text::both;
 use clap::Args as ClapArgs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Clone, Debug, ClapArgs)]
 pub(super) struct Options {
@@ -36,7 +34,7 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
     if let Some(path) = &options.output {
         // Excel takes a file for UTF-8 that says so.
         let mark = if options.excel { "\u{FEFF}" } else { "" };
-        save(path, &format!("{mark}{list}"), context.settings.force)?;
+        output::write(path, &format!("{mark}{list}"), context.settings.force)?;
     }
     let output = options.output.as_ref().map(|path| path.display().to_string());
     let list = output.is_none().then_some(list);
@@ -48,19 +46,6 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
         output,
         list,
     })))
-}
-
-/// Writes a result to a file that the user named.
-pub(super) fn save(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    files::write_whole(path, text, force).map_err(|error| {
-        let shown = path.display();
-        let message = both!("{shown}: {why}", "{shown}: {why}", shown, why = error.text());
-        let failure = Failure::new(Class::Data, "data.output", message);
-        match error {
-            files::FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-            _ => failure,
-        }
-    })
 }
 
 /// RFC 4180, or what a German Excel opens by a double click.

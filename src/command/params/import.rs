@@ -1,8 +1,7 @@
 //! `params import`: a list of parameters becomes a catalogue, which is loaded before it is reported as good.
 
-use super::export::save;
 use super::told::told;
-use crate::command::{Context, offline_family};
+use crate::command::{Context, offline_family, output};
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Data, Import, ImportColumn, ImportRow, Outcome, RowLeftOut};
@@ -106,7 +105,7 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
     let head: String = report.told.iter().map(|line| format!("# {}\n", line.get(context.settings.lang))).collect();
     check(options, &file, context, &written)?;
     if let Some(path) = &options.output {
-        save(path, &(head + &written.text), context.settings.force)?;
+        output::write(path, &(head + &written.text), context.settings.force)?;
     }
     Ok(Outcome::of(Data::Import(Box::new(report))))
 }

@@ -2,11 +2,10 @@
 
 mod record;
 
-use super::Context;
 use super::verb::{Verb, Working};
+use super::{Context, output};
 use crate::args::{Addresses, Takes, parse_span};
 use crate::failure::{Class, Failure};
-use crate::files::{self, FileError};
 use crate::outcome::{Data, Document, Outcome, Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 use crate::scope::{Curve, MarkKind, Part, Response, Scene, picture, responses, statistics};
 use crate::text::both;
@@ -99,7 +98,7 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let states = track.states().into_iter().filter(|state| state.to >= from && state.from <= to).collect();
     let scene = Scene { title, curves, states, marks, gaps, from, to, lang: settings.lang };
     if let Some(path) = &args.svg {
-        save(path, &picture(&scene), settings.force)?;
+        output::write(path, &picture(&scene), settings.force)?;
     }
     let units = scene.units();
     let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), args.measure);
@@ -231,17 +230,6 @@ fn part(part: Part) -> &'static str {
 fn rounded(number: f64) -> f64 {
     let round = (number * 1e6).round() / 1e6;
     if round == 0.0 { 0.0 } else { round }
-}
-
-fn save(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    files::write_whole(path, text, force).map_err(|error| {
-        let message = both!("{path}: {why}", "{path}: {why}", path = path.display(), why = error.text());
-        let failure = Failure::new(Class::Data, "data.output", message);
-        match error {
-            FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-            _ => failure,
-        }
-    })
 }
 
 fn nobody(file: &Path, address: Option<u8>, known: &[u8]) -> Failure {

@@ -1,9 +1,9 @@
 //! `systembus plan`: a plan, what becomes of it, and whether it is allowed.
 
-use super::super::{Context, named_family};
+use super::super::{Context, named_family, output};
 use super::load::total;
 use crate::failure::{Class, Failure};
-use crate::files::{self, FileError};
+use crate::files;
 use crate::outcome::{
     BusDrive, BusLink, BusPlan, BusReceiver, BusRelation, BusRemark, BusSetting, Data, Outcome, Warning,
 };
@@ -45,14 +45,14 @@ pub(super) fn run(options: &Options, context: &Context<'_>) -> Result<Outcome, F
         for (drive, told) in plan.drives.iter().zip(&mut drives) {
             let (text, open) = systembus::dcf(&plan, drive, &family);
             let path = directory.join(format!("{}.dcf", drive.name.replace(['/', '\\'], "_")));
-            save(&path, &text, settings.force)?;
+            output::write(&path, &text, settings.force)?;
             told.dcf = Some(path.display().to_string());
             warnings.extend(left_out(&drive.name, &open));
         }
     }
     let svg = options.svg.as_ref().filter(|_| errors == 0);
     if let Some(path) = svg {
-        save(path, &systembus::picture(&plan, &family, settings.lang), settings.force)?;
+        output::write(path, &systembus::picture(&plan, &family, settings.lang), settings.force)?;
     }
     let failure = (errors > 0).then(|| broken(&remarks, options));
     let data = BusPlan {
@@ -187,15 +187,4 @@ fn linked(link: &Link<'_>, family: &Family) -> BusLink {
 
 fn remarked(remark: Remark) -> BusRemark {
     BusRemark { level: remark.level.name(), code: remark.code, message: remark.text }
-}
-
-fn save(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    files::write_whole(path, text, force).map_err(|error| {
-        let message = both!("{path}: {why}", "{path}: {why}", path = path.display(), why = error.text());
-        let failure = Failure::new(Class::Data, "data.output", message);
-        match error {
-            FileError::Exists => failure.hint(both!("--force replaces it", "--force ersetzt sie")),
-            _ => failure,
-        }
-    })
 }

@@ -66,18 +66,7 @@ impl Reader<'_> {
     /// Takes one telegram apart.
     pub fn telegram(&self, bytes: &[u8]) -> TelegramDoc {
         let telegram = Telegram::decode(bytes);
-        let mut doc = TelegramDoc {
-            at_us: None,
-            protocol: NAME,
-            direction: None,
-            address: None,
-            function: None,
-            check_ok: telegram.is_ok(),
-            hex: Hex(bytes).to_string(),
-            meaning: Text::default(),
-            fields: Vec::new(),
-            can: None,
-        };
+        let mut doc = TelegramDoc::blank(NAME, Hex(bytes).to_string(), telegram.is_ok());
         match telegram {
             Err(error) => doc.meaning = no_telegram(&wrong::frame(&error)),
             Ok(Telegram::Ack) => {

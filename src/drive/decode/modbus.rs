@@ -12,18 +12,7 @@ use crate::text::{Text, both};
 impl Reader<'_> {
     pub(super) fn modbus(&self, framing: Framing, bytes: &[u8], is_request: Option<bool>) -> TelegramDoc {
         let decoded = framing.decode(bytes);
-        let mut doc = TelegramDoc {
-            at_us: None,
-            protocol: framing.name(),
-            direction: None,
-            address: None,
-            function: None,
-            check_ok: decoded.is_ok(),
-            hex: Hex(bytes).to_string(),
-            meaning: Text::default(),
-            fields: Vec::new(),
-            can: None,
-        };
+        let mut doc = TelegramDoc::blank(framing.name(), Hex(bytes).to_string(), decoded.is_ok());
         let adu = match decoded {
             Ok(adu) => adu,
             Err(error) => {

@@ -32,18 +32,7 @@ impl Reader<'_> {
             [EOT, ..] => Request::decode(bytes).map(Telegram::Request),
             _ => Reply::decode(bytes).map(Telegram::Reply),
         };
-        let mut doc = TelegramDoc {
-            at_us: None,
-            protocol: Protocol::Vabus.name(),
-            direction: None,
-            address: None,
-            function: None,
-            check_ok: telegram.is_ok(),
-            hex: Hex(bytes).to_string(),
-            meaning: Text::default(),
-            fields: Vec::new(),
-            can: None,
-        };
+        let mut doc = TelegramDoc::blank(Protocol::Vabus.name(), Hex(bytes).to_string(), telegram.is_ok());
         match telegram {
             Ok(telegram) => self.describe(&telegram, &mut doc),
             Err(error) => doc.meaning = no_telegram(&wrong::telegram(&error)),
