@@ -42,6 +42,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("simulate", "drives without any"),
         ],
     ),
+    ("CAN", &[("systembus", "plans, what they cost")]),
     ("Scripts", &[("schema", "of the JSON"), ("completions", "for your shell")]),
 ];
 
@@ -55,7 +56,7 @@ pub(super) fn of(root: Command) -> Command {
         arg.help_heading(None::<&str>).hide_short_help(!is_told)
     });
     root.help_template(format!(
-        "{{about}}\n\n{{usage-heading}} {{usage}}\n\n{}\nOptions (more with --help):\n{{options}}\n{SHORT}\n",
+        "{{about}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions (more with --help):\n{{options}}\n{SHORT}\n",
         commands()
     ))
 }

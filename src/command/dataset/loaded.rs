@@ -81,10 +81,15 @@ pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
         report.left_out.iter().filter(|row| row.why == NotLoadedWhy::NotAskedFor).map(number).collect();
     let asked: BTreeSet<String> = asked.into_iter().collect();
     let asked = asked.into_iter().collect::<Vec<_>>().join(",");
+    let is_none_a_setting = asked.is_empty() && !report.left_out.is_empty();
     let message = match held {
         0 => both!(
             "the files hold no values; nothing was written",
             "die Dateien enthalten keine Werte; geschrieben wurde nichts"
+        ),
+        _ if is_none_a_setting => both!(
+            "nothing is left to write: what the files hold are no settings",
+            "es bleibt nichts zu schreiben: was die Dateien enthalten, sind keine Einstellungen"
         ),
         _ => both!(
             "nothing is left to write: of the {held} values of the files none was asked for",
@@ -96,6 +101,10 @@ pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
         (0, _) => both!(
             "`antrieb dataset save` writes files with values",
             "`antrieb dataset save` schreibt Dateien mit Werten"
+        ),
+        _ if is_none_a_setting => both!(
+            "actual values, commands and setpoints are not loaded; `antrieb write` sends them one by one: {numbers}",
+            "Istwerte, Befehle und Sollwerte werden nicht geladen; `antrieb write` sendet sie einzeln: {numbers}"
         ),
         (_, true) => both!(
             "--only, --except and --sets pick what is written; the files hold {numbers}",

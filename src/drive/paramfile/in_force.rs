@@ -10,8 +10,8 @@ use crate::text::{Text, both};
 /// So many parameters in a row without a RAM tell that the drive does not show it.
 const MOST_HIDDEN: usize = 2;
 
-/// The values with which a drive works, of what it has stored, where they are other ones (RAM). Asked is until the drive refuses that
-/// or is gone: it is a note beside a comparison of what is stored.
+/// The values with which a drive works, of what it has stored, where they are other ones (RAM), and that it does not show them. Asked is until
+/// the drive refuses that or is gone: it is a note beside a comparison of what is stored.
 pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &Settings) -> Vec<Text> {
     let (mut notes, mut hidden) = (Vec::new(), 0);
     let params: Vec<Param> = stored.params().cloned().collect();
@@ -40,6 +40,12 @@ pub async fn in_force(session: &mut Session<'_>, target: &mut Target, stored: &S
                 ));
             }
         }
+    }
+    if hidden > 0 {
+        notes.push(both!(
+            "the drive does not show its RAM: what it works with until it is switched off is not compared",
+            "der Antrieb zeigt sein RAM nicht: womit er bis zum Ausschalten arbeitet, ist nicht verglichen"
+        ));
     }
     notes
 }

@@ -429,4 +429,12 @@ fn a_load_says_that_a_drive_does_not_show_its_ram() {
     let keys = "set = { \"480\" = 5, \"480@2ram\" = 44.44 }\nreadings = { ram_reads = \"refused\" }";
     let ended = load(keys, "\"480@2\" = 5").exits(0);
     assert!(ended.err.contains("does not show its RAM: only what is stored is proven"), "{}", ended.err);
+    let checked = left().then(ended, "-a 1 dataset check {dir}/f.toml").exits(0);
+    assert!(checked.err.contains("does not show its RAM: what it works with"), "{}", checked.err);
+}
+
+#[test]
+fn of_what_is_no_setting_nothing_is_loaded_and_no_option_is_blamed() {
+    let ended = load("", "484 = 10").exits(1);
+    assert!(ended.err.contains("are no settings") && !ended.err.contains("--only"), "{}", ended.err);
 }
