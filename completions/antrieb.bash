@@ -55,6 +55,9 @@ _antrieb() {
             antrieb,plot)
                 cmd="antrieb__subcmd__plot"
                 ;;
+            antrieb,profibus)
+                cmd="antrieb__subcmd__profibus"
+                ;;
             antrieb,protocol)
                 cmd="antrieb__subcmd__protocol"
                 ;;
@@ -169,6 +172,9 @@ _antrieb() {
             antrieb__subcmd__params,import)
                 cmd="antrieb__subcmd__params__subcmd__import"
                 ;;
+            antrieb__subcmd__profibus,module)
+                cmd="antrieb__subcmd__profibus__subcmd__module"
+                ;;
             antrieb__subcmd__protocol,set)
                 cmd="antrieb__subcmd__protocol__subcmd__set"
                 ;;
@@ -218,7 +224,7 @@ _antrieb() {
 
     case "${cmd}" in
         antrieb)
-            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot protocol line params systembus decode sniff simulate schema completions"
+            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot protocol line params systembus decode profibus sniff simulate schema completions"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3467,6 +3473,82 @@ _antrieb() {
                     return 0
                     ;;
                 -a)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__profibus)
+            opts="-q -v -h --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help module"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --catalogue)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__profibus__subcmd__module)
+            opts="-q -v -h --drive --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --force --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --drive)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -34,7 +34,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485 -d 'Who switches 
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_needs_command" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_needs_command" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_needs_command" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_needs_command" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -77,6 +77,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes s
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "systembus" -d 'Plans the system bus (CAN) of ACTIVE Cube drives. No drive is needed'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "decode" -d 'Explains telegrams, words and codes. No drive is needed'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "profibus" -d 'Makes and explains the bytes that a PROFIBUS master sends to a Hitachi SJ2-PB'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sniff" -d 'Listens on a line and tells every telegram. Never sends'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "simulate" -d 'Serves simulated drives on a pseudo terminal or a TCP port'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "schema" -d 'Prints the JSON Schema of a verb\'s output, or of every verb\'s'
@@ -124,7 +125,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485 -d 'W
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -157,7 +158,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485 -d 'Who s
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -190,7 +191,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485 -d 'Who 
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -222,7 +223,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and not __fish_seen_subcommand_from show active select copy diff save check load undo" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -263,7 +264,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -295,7 +296,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from active" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -327,7 +328,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from select" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -360,7 +361,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from copy" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -393,7 +394,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from diff" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -426,7 +427,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from save" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -464,7 +465,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -501,7 +502,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from load" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -534,7 +535,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand dataset; and __fish_seen_subcommand_from undo" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -603,7 +604,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485 -d 'Who s
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand plan" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -638,7 +639,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485 -d 'Who 
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand apply" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -675,7 +676,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485 -d 'Who 
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand check" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -707,7 +708,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and not __fish_seen_subcommand_from line" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -743,7 +744,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand diag; and __fish_seen_subcommand_from line" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -775,7 +776,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -817,7 +818,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -856,7 +857,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from shutdown" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -899,7 +900,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from switch-on" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -942,7 +943,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from enable" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -985,7 +986,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1028,7 +1029,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1071,7 +1072,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1114,7 +1115,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from reset" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1157,7 +1158,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from goto" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1200,7 +1201,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand statemachine; and __fish_seen_subcommand_from contacts" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1236,7 +1237,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and not __fish_seen_subcommand_from show shutdown switch-on enable disable disable-voltage quick-stop reset goto contacts" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1278,7 +1279,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1317,7 +1318,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from shutdown" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1360,7 +1361,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from switch-on" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1403,7 +1404,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from enable" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1446,7 +1447,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1489,7 +1490,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from disable-voltage" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1532,7 +1533,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from quick-stop" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1575,7 +1576,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from reset" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1618,7 +1619,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from goto" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1661,7 +1662,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand state; and __fish_seen_subcommand_from contacts" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1715,7 +1716,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485 -d 'W
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sollwert" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1770,7 +1771,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485 -d 'W
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1815,7 +1816,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485 -d 'Wh
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1870,7 +1871,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1904,7 +1905,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1936,7 +1937,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and __fish_seen_subcommand_from set" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -1968,7 +1969,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and not __fish_seen_subcommand_from show set" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -2002,7 +2003,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from show" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -2034,7 +2035,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
@@ -2056,7 +2057,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_su
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand line; and __fish_seen_subcommand_from set" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and not __fish_seen_subcommand_from import export" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2083,7 +2084,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l separator -d 'What parts the cells: `;` `,` tab [default: found out]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l as -d 'What the list is [default: found out]' -r -f -a "table\t'A table: CSV, as spreadsheets write it'
 mbmap\t'A map of registers: MBMap version 2, JSON'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2102,7 +2103,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from import" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l output -d 'Write to this file [default: stdout]' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2118,7 +2119,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand params; and __fish_seen_subcommand_from export" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2137,7 +2138,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fis
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and not __fish_seen_subcommand_from plan load" -f -a "load" -d 'What PDOs cost the bus'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l dcf -d 'Write a DCF for each drive into this directory' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l svg -d 'Write a picture: drives, PDOs, sources' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2153,7 +2154,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from plan" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
@@ -2169,7 +2170,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_se
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand systembus; and __fish_seen_subcommand_from load" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2200,7 +2201,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_s
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and not __fish_seen_subcommand_from telegram can trace status control warnings fault error pkw diagnosis basic-status basic-control" -f -a "basic-control" -d 'A control word of the SJ2-PB in Basic mode, such as 0x0050'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l cfg -d 'What PROFIBUS carries: basic, ppo1 to ppo5, or hex' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2218,7 +2219,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from telegram" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2237,7 +2238,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from can" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l candump -d 'Write the CAN frames of it as a log of candump' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2255,7 +2256,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from trace" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2274,7 +2275,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from status" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l mode -d 'Control mode (P.412)' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2292,7 +2293,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from control" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2310,7 +2311,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from warnings" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2328,7 +2329,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from fault" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2346,7 +2347,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from error" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2365,7 +2366,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from pkw" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2383,7 +2384,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from diagnosis" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2401,7 +2402,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-status" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
@@ -2418,6 +2419,37 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from module" -f -a "module" -d 'A module of the Basic mode: by name, or by its bytes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l duration -l for -d 'End after this time' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l count -d 'End after this many telegrams' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
@@ -2430,7 +2462,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485 -d 'Who 
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'act, acu, lxm05 [default: auto, ask the drive]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
 low\t'The lower 16 bits'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r

@@ -34,7 +34,7 @@ fn man_pages_are_up_to_date() {
 /// Two lines: what the catalogue is about, and the whole of it.
 #[test]
 fn the_json_of_the_catalogues_is_up_to_date() {
-    for family in ["active", "lexium05"] {
+    for family in ["active", "lexium05", "hitachi"] {
         let file = root().join("src/profile/data").join(format!("{family}.toml"));
         let text = std::fs::read_to_string(&file).unwrap();
         let whole: serde_json::Map<String, serde_json::Value> = toml::from_str(&text).unwrap();

@@ -68,7 +68,7 @@ pub struct Globals {
     #[arg(long, global = true, value_name = "NAME", help_heading = "Line")]
     pub protocol: Option<String>,
 
-    /// act, acu, lxm05 [default: auto, ask the drive]
+    /// act, acu, lxm05, l200, sj200, x200 [default: auto]
     #[arg(long, global = true, value_name = "FAMILY", help_heading = "Line")]
     pub drive: Option<String>,
 

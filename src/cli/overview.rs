@@ -42,7 +42,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("simulate", "drives without any"),
         ],
     ),
-    ("CAN", &[("systembus", "plans, what they cost")]),
+    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "SJ2-PB, its modules")]),
     ("Scripts", &[("schema", "of the JSON"), ("completions", "for your shell")]),
 ];
 

@@ -126,20 +126,23 @@ impl Verb for Args {
 /// Explains.
 pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let mut family = offline_family(context.settings, context.registry)?;
-    if let (What::Fault { code }, None) = (&args.what, &context.settings.drive)
-        && let Some(told) = context.registry.families().into_iter().find(|family| displayed(code, family).is_some())
-    {
-        // The letter of a displayed code tells whose it is.
-        family = told;
+    if let (What::Fault { code }, None) = (&args.what, &context.settings.drive) {
+        // The letter of a displayed code tells whose it is, and where two have the letter, who knows the code.
+        let shown = |family: &Rc<Family>| family.fault_codes.code(code);
+        let all = context.registry.families();
+        let knows = |family: &&Rc<Family>| shown(family).is_some_and(|code| family.fault(code).is_some());
+        let told = all.iter().find(knows).or_else(|| all.iter().find(|family| shown(family).is_some()));
+        family = told.cloned().unwrap_or(family);
     }
     let cube = cube(context, &family);
     let reader = telegram_reader(context.settings, &family);
     let on_can = telegram_reader(context.settings, &cube);
+    let inverter = dp::inverter(context, &family);
     let decode = match &args.what {
         What::Telegram { bytes, cfg } => {
             let input = bytes.join(" ");
             let is_profibus = context.settings.profibus || cfg.is_some() || dp::is_spoken(&input);
-            let docs = if is_profibus { dp::reader(&family, *cfg).typed(&input) } else { reader.typed(&input) };
+            let docs = if is_profibus { dp::reader(&inverter, *cfg).typed(&input) } else { reader.typed(&input) };
             return checked(blank("telegram", &input), docs.map_err(|error| error.text()));
         }
         What::Can { frames } => {
@@ -169,7 +172,7 @@ pub fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
             let number = number(code).ok_or_else(|| bad_code(code, &both!("a code such as 11", "ein Code wie 11")))?;
             Decode { register: Some(describe::register(&family, number)), ..blank("error", code) }
         }
-        What::Profibus(what) => dp::explain(what, &family)?,
+        What::Profibus(what) => dp::explain(what, &inverter)?,
     };
     if let Some(note) = base(&args.what, &family) {
         (context.observe)(Event::Note(note));
@@ -219,11 +222,12 @@ fn blank(kind: &'static str, input: &str) -> Decode {
 }
 
 fn fault_number(code: &str, family: &Family) -> Result<u32, Failure> {
-    let letter = &family.fault_codes.letter;
-    let number = displayed(code, family).or_else(|| number(code));
+    let number = family.fault_codes.code(code).or_else(|| number(code));
     number.ok_or_else(|| {
+        let (raw, shown) = if family.fault_codes.decimal { (7, "0x0007") } else { (1280, "0x0500") };
+        let displayed = family.fault_codes.displayed(raw);
         let such =
-            both!("a fault such as {letter}0500, 0x0500 or 1280", "eine Störung wie {letter}0500, 0x0500 oder 1280");
+            both!("a fault such as {displayed}, {shown} or {raw}", "eine Störung wie {displayed}, {shown} oder {raw}");
         bad_code(code, &such)
     })
 }
@@ -234,6 +238,7 @@ fn base(what: &What, family: &Family) -> Option<Text> {
         What::Status { word } => ("status", word, "0x"),
         What::Control { word, .. } => ("control", word, "0x"),
         What::Warnings { word } => ("warnings", word, "0x"),
+        What::Fault { .. } if family.fault_codes.decimal => return None,
         What::Fault { code } => ("fault", code, &*family.fault_codes.letter),
         What::Telegram { .. } | What::Can { .. } | What::Trace { .. } | What::Error { .. } | What::Profibus(_) => {
             return None;
@@ -262,16 +267,6 @@ fn word_of(family: &Family, role: &str, kind: &'static str, text: &str, mode: Op
     })?;
     let word = describe::word(family, param, raw, &|_| mode.map(i64::from));
     Ok(Decode { word: Some(word), ..blank(kind, text) })
-}
-
-/// Reads a fault as the drives of a family display it: `F0500`, `EB303`.
-fn displayed(code: &str, family: &Family) -> Option<u32> {
-    let code = code.trim();
-    let (letter, digits) = (code.get(..1)?, code.get(1..)?);
-    let fits = letter.eq_ignore_ascii_case(&family.fault_codes.letter)
-        && (1..=4).contains(&digits.len())
-        && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    fits.then(|| u32::from_str_radix(digits, 16).ok()).flatten()
 }
 
 /// Reads `0x0237`, `0237h` or `567` as 16 bits.

@@ -12,6 +12,7 @@ mod output;
 pub mod params;
 pub mod plant;
 pub mod plot;
+pub mod profibus;
 pub mod protocol;
 pub mod read;
 mod rehearse;
@@ -51,6 +52,7 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<params::Args>(),
     verb::entry::<systembus::Args>(),
     verb::entry::<decode::Args>(),
+    verb::entry::<profibus::Args>(),
     verb::entry::<sniff::Args>(),
     verb::entry::<simulate::Args>(),
 ];
@@ -108,6 +110,9 @@ async fn open<'a>(
     interrupt: &Interrupt,
     observe: &'a mut dyn FnMut(Event),
 ) -> Result<Session<'a>, Failure> {
+    if let Some(name) = settings.drive.as_deref() {
+        reachable(&*named_family(settings, registry, name)?)?;
+    }
     let opening = Opening {
         port,
         line: settings.line,
@@ -220,6 +225,22 @@ fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<
     })
 }
 
+/// Refuses a family that is reached over PROFIBUS alone, which no verb speaks yet.
+fn reachable(family: &Family) -> Result<(), Failure> {
+    if family.link.is_asked_on_a_line() {
+        return Ok(());
+    }
+    let drive = &family.drive;
+    let message = both!(
+        "{drive} is the inverter behind an SJ2-PB: it is reached over PROFIBUS, which is not spoken yet",
+        "{drive} ist der Umrichter hinter einem SJ2-PB: er ist über PROFIBUS erreichbar, was noch nicht gesprochen wird"
+    );
+    Err(Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
+        "nothing was sent; its parameters: `antrieb --drive {drive} params`; telegrams: `antrieb decode`",
+        "es wurde nichts gesendet; seine Parameter: `antrieb --drive {drive} params`; Telegramme: `antrieb decode`"
+    )))
+}
+
 /// Refuses what moves a shaft where no catalogue tells how.
 fn movable(family: &Family) -> Result<(), Failure> {
     if family.is_movable() {
@@ -307,6 +328,7 @@ fn is_unknown(failure: &Failure) -> bool {
 
 /// What a verb that reads would ask every drive that was named, without opening anything.
 fn plan(context: &mut Context<'_>, family: &Family, questions: &[Inquiry]) -> Result<Outcome, Failure> {
+    reachable(family)?;
     let addresses = addresses_to_read(context.settings, context.observe)?;
     let reader = telegram_reader(context.settings, family);
     let each = |address: u8| questions.iter().filter_map(move |question| reader.question(address, *question));

@@ -88,7 +88,7 @@ fn parse_input(text: &str) -> Result<(Protocol, Vec<u8>), InputError> {
 }
 
 /// Reads hex bytes as people type them: `01 03 21 74`, `01032174`, `0x01,0x03`.
-fn hex_bytes(text: &str) -> Result<Vec<u8>, InputError> {
+pub(super) fn hex_bytes(text: &str) -> Result<Vec<u8>, InputError> {
     let text = text.trim();
     if text.is_empty() {
         return Err(InputError::Empty);
@@ -217,7 +217,7 @@ fn recorded_protocol(text: &str) -> Option<Protocol> {
     text.lines().next()?.strip_prefix('#')?.rsplit(',').next()?.parse().ok()
 }
 
-fn field(bytes: &[u8], name: Text, value: Text) -> Field {
+pub(super) fn field(bytes: &[u8], name: Text, value: Text) -> Field {
     Field { hex: Hex(bytes).to_string(), name, value }
 }
 

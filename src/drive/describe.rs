@@ -171,7 +171,9 @@ pub fn word(family: &Family, param: &Param, raw: u32, lookup: Lookup<'_>) -> Wor
             help: bit.row.and_then(|row| row.help.clone()),
         })
         .collect();
-    let is_status = family.role(Role::StatusWord).is_some_and(|status| status.id == param.id);
+    // Some families name no states.
+    let is_status =
+        family.role(Role::StatusWord).is_some_and(|status| status.id == param.id && !family.states.is_empty());
     Word {
         raw,
         hex: format!("0x{raw:04X}"),
@@ -209,11 +211,11 @@ pub fn fault(family: &Family, code: u32) -> Option<Fault> {
     };
     Some(Fault {
         code,
-        key: format!("{}{code:04X}", family.fault_codes.letter),
+        key: family.fault_codes.displayed(code),
         group,
         name: row.map_or_else(unknown, |row| filled(&row.text())),
-        cause: row.map(|row| filled(&row.cause)),
-        remedy: row.map(|row| filled(&row.remedy)),
+        cause: row.and_then(|row| row.cause.as_ref()).map(filled),
+        remedy: row.and_then(|row| row.remedy.as_ref()).map(filled),
         node,
     })
 }
@@ -274,6 +276,7 @@ pub fn param_doc(family: &Family, param: &Param) -> ParamDoc {
                 })
             })
             .collect(),
+        address: param.address,
         note: param.note.clone(),
         unconfirmed: param.unconfirmed.clone(),
         source: param.source.clone(),

@@ -19,6 +19,7 @@ mod panel;
 pub mod paramfile;
 pub mod plant;
 mod probe;
+pub mod profibus;
 mod pump;
 mod reader;
 mod recognise;

@@ -130,7 +130,7 @@ impl Route {
         match (self.protocol, self.way) {
             (Protocol::Vabus, Way::Active) => self.vabus(inquiry).map(Question::from),
             // Nobody but the ACTIVE drives is known to speak it.
-            (Protocol::Vabus, Way::Registers32 | Way::Registers) => None,
+            (Protocol::Vabus, Way::Registers32 | Way::Registers) | (_, Way::Pkw) => None,
             (Protocol::Modbus(_), Way::Active) => active(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers32) => self.registers32(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers) => self.registers(inquiry).map(Question::from),

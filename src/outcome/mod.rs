@@ -12,6 +12,7 @@ mod offline;
 mod paramfile;
 mod plant;
 mod plot;
+mod profibus;
 mod relocation;
 mod stream;
 mod systembus;
@@ -32,6 +33,7 @@ pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Par
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
+pub use profibus::BasicModule;
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use stream::{
     Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
@@ -146,6 +148,8 @@ pub enum Data {
     Import(Box<Import>),
     /// `params export`
     Export(Export),
+    /// `profibus module`
+    BasicModule(BasicModule),
     /// `decode`
     Decode(Decode),
     /// `sniff`

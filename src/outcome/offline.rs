@@ -52,6 +52,8 @@ pub struct ParamDoc {
     pub values: Vec<ChoiceDoc>,
     /// Bits with a name.
     pub bits: Vec<Bit>,
+    /// Address of the option port, where a module of PROFIBUS reaches it by one as well.
+    pub address: Option<u16>,
     /// A remark.
     pub note: Option<Text>,
     /// Facts that no second source confirms.

@@ -99,6 +99,8 @@ pub enum Route {
     Active,
     /// Codes 3, 16 and 23; every parameter is two registers wide, and neighbours are two apart (LXM05 manual 5.2, 5.3).
     Registers32,
+    /// PKW over PROFIBUS, by index; no telegram of Modbus reaches them (SJ2-PB manual 4.1, 5.5).
+    Pkw,
     /// Codes 3, 4, 6 and 16: 16 bits in one register, 32 in two; the number of a parameter is that of its first register,
     /// from 0, or one of [`INPUTS`] (V1.1b3 4.4, 6.3, 6.4, 6.6, 6.12).
     Registers,
@@ -113,7 +115,7 @@ impl Route {
     /// How many parameters one telegram can read: code 3 returns at most 125 registers.
     pub fn most(self) -> usize {
         match self {
-            Route::Active | Route::Registers => 1,
+            Route::Active | Route::Registers | Route::Pkw => 1,
             Route::Registers32 => 125 / 2,
         }
     }
@@ -121,7 +123,7 @@ impl Route {
     /// The width of a parameter that no catalogue knows, if the route alone decides it.
     pub fn width(self) -> Option<Type> {
         match self {
-            Route::Active => None,
+            Route::Active | Route::Pkw => None,
             Route::Registers32 => Some(Type::Long),
             Route::Registers => Some(Type::Word),
         }
@@ -132,14 +134,14 @@ impl Route {
     pub fn carried(self, kind: Type) -> Type {
         match self {
             Route::Registers32 if kind != Type::Float => Type::Long,
-            Route::Active | Route::Registers | Route::Registers32 => kind,
+            Route::Active | Route::Registers | Route::Registers32 | Route::Pkw => kind,
         }
     }
 
     /// The number behind `id` whose parameter may be read in the same telegram.
     pub fn neighbour(self, id: u32) -> Option<u32> {
         match self {
-            Route::Active | Route::Registers => None,
+            Route::Active | Route::Registers | Route::Pkw => None,
             Route::Registers32 => id.checked_add(2),
         }
     }
@@ -157,6 +159,11 @@ pub enum Cause {
 }
 
 impl Link {
+    /// Whether telegrams of Modbus or VABus reach it.
+    pub fn is_asked_on_a_line(&self) -> bool {
+        self.route != Route::Pkw
+    }
+
     /// Whether a telegram can carry this number.
     pub fn carries(&self, id: u32) -> bool {
         id <= self.last || self.route == Route::Registers && INPUTS.contains(&id)

@@ -19,6 +19,7 @@ mod role;
 mod row;
 mod select;
 pub mod setpoint;
+mod time;
 pub mod value;
 
 pub use crate::text::{Lang, Text};

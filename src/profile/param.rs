@@ -7,6 +7,8 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Type {
+    /// 8 bits, unsigned; they travel in 16.
+    Byte,
     /// 16 bits, unsigned.
     Uint,
     /// 16 bits, two's complement.
@@ -17,6 +19,9 @@ pub enum Type {
     Long,
     /// 32 bits, IEEE 754; its raw integer is their pattern.
     Float,
+    /// 16 bits, the mixed code of the ramps of a Hitachi inverter (`profile::time`).
+    #[serde(rename = "ramp-time")]
+    Time,
     /// Text; not over Modbus.
     String,
 }
@@ -25,7 +30,7 @@ impl Type {
     /// Width on the wire in bits; `None` for texts.
     pub fn bits(self) -> Option<u8> {
         match self {
-            Type::Uint | Type::Int | Type::Word => Some(16),
+            Type::Byte | Type::Uint | Type::Int | Type::Word | Type::Time => Some(16),
             Type::Long | Type::Float => Some(32),
             Type::String => None,
         }
@@ -34,23 +39,37 @@ impl Type {
     /// The word that names the type in catalogues, on the command line and in JSON.
     pub fn name(self) -> &'static str {
         match self {
+            Type::Byte => "byte",
             Type::Uint => "uint",
             Type::Int => "int",
             Type::Word => "word",
             Type::Long => "long",
             Type::Float => "float",
+            Type::Time => "ramp-time",
             Type::String => "string",
         }
+    }
+
+    /// How many bytes the value has.
+    pub fn bytes(self) -> Option<u8> {
+        if self == Type::Byte { Some(1) } else { self.bits().map(|bits| bits / 8) }
+    }
+
+    /// Whether its raw integer is no number with a decimal point: it says itself where the point stands.
+    pub fn is_coded(self) -> bool {
+        matches!(self, Type::Float | Type::Time)
     }
 
     /// Smallest and largest raw value that the width can carry; a word may carry either sign.
     pub fn raw_range(self) -> (i64, i64) {
         match self {
+            Type::Byte => (0, 0xFF),
             Type::Uint => (0, 0xFFFF),
             Type::Int => (-0x8000, 0x7FFF),
             Type::Word => (-0x8000, 0xFFFF),
             Type::Long => (i32::MIN.into(), i32::MAX.into()),
             Type::Float => (0, u32::MAX.into()),
+            Type::Time => super::time::RAW,
             Type::String => (0, 0),
         }
     }
@@ -191,6 +210,8 @@ pub struct Param {
     pub bits_when: Vec<BitsWhen>,
     /// Shown in hexadecimal by habit.
     pub hex: bool,
+    /// Address of the inverter's option port, where a module reaches the parameter by one as well.
+    pub address: Option<u16>,
     /// A remark for the technician.
     pub note: Option<Text>,
     /// Fields whose facts no second source confirms; `row` stands for all.
@@ -226,6 +247,7 @@ impl Param {
             bits: None,
             bits_when: Vec::new(),
             hex: false,
+            address: None,
             note: None,
             unconfirmed: vec!["row".to_owned()],
             module: None,
@@ -265,7 +287,7 @@ impl Param {
 
     /// Whether a raw integer can be turned into the value: decimals are known, or there is no unit to scale to.
     pub fn has_scale(&self) -> bool {
-        self.decimals.is_some() || self.unit.is_none() || self.kind == Some(Type::Float)
+        self.decimals.is_some() || self.unit.is_none() || self.kind.is_some_and(Type::is_coded)
     }
 
     /// Decimals to show; 0 where no source tells them.

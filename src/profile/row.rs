@@ -26,12 +26,34 @@ pub struct DriveState {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FaultCodes {
-    /// Letter before the hexadecimal number, as the drive displays it.
+    /// Letter before the number, as the drive displays it.
     pub letter: String,
+    /// The number has two decimal digits (`E07`), not four hexadecimal ones.
+    #[serde(default)]
+    pub decimal: bool,
     /// The parameter with the role `fault` is an entry of the fault memory: it tells of the present only while the drive
     /// is in a fault state.
     #[serde(default)]
     pub memory: bool,
+}
+
+impl FaultCodes {
+    /// A code as the drive displays it: `F0500`, `E07`.
+    pub fn displayed(&self, code: u32) -> String {
+        let letter = &self.letter;
+        if self.decimal { format!("{letter}{code:02}") } else { format!("{letter}{code:04X}") }
+    }
+
+    /// The code that is displayed so.
+    pub fn code(&self, displayed: &str) -> Option<u32> {
+        let displayed = displayed.trim();
+        let (letter, digits) = (displayed.get(..1)?, displayed.get(1..)?);
+        let (radix, most) = if self.decimal { (10, 2) } else { (16, 4) };
+        let fits = letter.eq_ignore_ascii_case(&self.letter)
+            && (1..=most).contains(&digits.len())
+            && digits.chars().all(|digit| digit.is_digit(radix));
+        fits.then(|| u32::from_str_radix(digits, radix).ok()).flatten()
+    }
 }
 
 /// Faults with the same high byte.
@@ -63,10 +85,10 @@ pub struct FaultRow {
     pub en: String,
     /// German.
     pub de: String,
-    /// What causes it.
-    pub cause: Text,
-    /// What to do.
-    pub remedy: Text,
+    /// What causes it, where a source tells it.
+    pub cause: Option<Text>,
+    /// What to do, where a source tells it.
+    pub remedy: Option<Text>,
     /// Where the facts come from.
     pub source: Option<String>,
     /// Takes the place of the same row of an earlier catalogue.
@@ -173,7 +195,7 @@ catalogue_rows! {
     DriveState, |row| format!("state {}", row.slug), [row.slug.as_str()];
     FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
     FaultRow, |row| format!("fault 0x{:04X}", row.code),
-        row.cause.both().into_iter().chain(row.remedy.both()).chain([row.key.as_str()]);
+        row.cause.iter().chain(&row.remedy).flat_map(|text| text.both()).chain([row.key.as_str()]).collect::<Vec<_>>();
     ErrorRow, |row| format!("error {}", row.code), row.hint.both().into_iter().chain([row.slug.as_str()]);
     CounterRow, |row| format!("counter 0x{:02X}", row.sub), row.help.both().into_iter().chain([row.slug.as_str()]);
     BitRow, |row| { let _ = row; String::new() },

@@ -2,6 +2,7 @@
 
 use super::float;
 use super::param::{Param, Type};
+use super::time;
 use crate::text::{Text, both};
 
 /// Why a text is not a value of a parameter.
@@ -165,6 +166,7 @@ pub fn format_decimal(raw: i64, decimals: u8) -> String {
 pub fn digits(param: &Param, raw: i64) -> Option<(i64, u8)> {
     match param.kind {
         Some(Type::Float) => float::decimal(u32::try_from(raw).ok()?),
+        Some(Type::Time) => time::decimal(raw),
         _ => Some((raw, param.decimals_or_zero())),
     }
 }
@@ -300,6 +302,15 @@ pub fn parse(text: &str, param: &Param, choices: &[(i64, [&str; 2])]) -> Result<
         let no_number = || ValueError::NotANumber { text: text.to_owned(), choices: Vec::new() };
         return float::bits(number, power).map(i64::from).ok_or_else(no_number);
     }
+    if param.kind == Some(Type::Time) {
+        let hundredths = typed(number, 2, power)?;
+        let outside = || ValueError::Range {
+            value: format_decimal(hundredths, 2),
+            min: "0.01 … 99.99, 100.0".to_owned(),
+            max: "3000.0".to_owned(),
+        };
+        return time::raw(hundredths).ok_or_else(outside);
+    }
     if let (false, Some(unit)) = (param.has_scale(), &param.unit) {
         return Err(ValueError::NoScale { unit: unit.clone() });
     }
@@ -386,8 +397,8 @@ pub fn check_type(raw: i64, kind: Type, param: &Param) -> Result<(), ValueError>
 /// The raw integer that bits on the wire stand for.
 pub fn from_wire(bits: u32, kind: Type, min: Option<i64>) -> i64 {
     match kind {
-        Type::Uint | Type::String => i64::from(bits & 0xFFFF),
-        Type::Int => i64::from(bits as u16 as i16),
+        Type::Byte | Type::Uint | Type::String => i64::from(bits & 0xFFFF),
+        Type::Int | Type::Time => i64::from(bits as u16 as i16),
         Type::Word if min.is_some_and(|min| min < 0) => i64::from(bits as u16 as i16),
         Type::Word => i64::from(bits & 0xFFFF),
         // What is never below 0 has no sign.

@@ -34,7 +34,8 @@ const ALIKE: &str = "
     exceptions exit fmax format gateway halt hz in ixt kw lexium lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
     nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
     tk type udc uint vabus version war was watchdog
-    ak basic block dch dl dp dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
+    acceleration generic manual volatile
+    ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
 ";
 
 /// What stands in a German page as it is called everywhere: sources of the catalogue, and names it gives in English.
@@ -208,6 +209,18 @@ const WRONG: &[(u8, &str)] = &[
     (5, "decode telegram ':0103217400016X'"),
     (2, "decode status nonsense"),
     (2, "decode pkw 7393"),
+    (2, "profibus"),
+    (2, "profibus module L200"),
+    (2, "profibus module set deceleration"),
+    (2, "profibus module L200 set nothing-such"),
+    (2, "profibus module L200 set 264"),
+    (2, "profibus module L200 set d001"),
+    (2, "profibus module L200 set F003 generic"),
+    (2, "profibus module L200 get F003 min 1 max 2"),
+    (2, "profibus module L200 get 614 address based"),
+    (2, "profibus module 01"),
+    (2, "--drive l200 -p sim -a 1 read 7"),
+    (2, "--drive l200 -p sim -a 1 read 7 --dry-run"),
     (2, "decode diagnosis 02 05"),
     (2, "decode basic-status nonsense"),
     (2, "decode telegram 10 08 02 49 53 16 --cfg ppo9"),

@@ -91,6 +91,7 @@ mod offline {
     mod decoding_lexium;
     mod decoding_vabus;
     mod files;
+    mod hitachi;
     mod lists;
     mod maps;
     mod naming;

@@ -239,6 +239,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("profibus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
@@ -372,6 +373,9 @@ cases! {
     decode_control: 0, "--drive act decode control 0x000F --mode 1";
     decode_warnings: 0, "decode warnings 0x8083";
     decode_fault: 0, "decode fault F2105";
+    profibus_fine: 0, "profibus module L200 set deceleration min 0x0001 max 0x7530";
+    decode_stw: 0, "decode control 0x047F --drive l200";
+    params_hitachi: 0, "--drive x200 params F002";
     decode_error: 0, "decode error 11";
     decode_dp: 0, "decode telegram 68 05 05 68 88 82 6D 3C 3E F1 16 68 0B 0B 68 82 88 08 3E 3C 02 05 00 FF 0A 35 D1 16";
     decode_dp_garbage: 5, "--protocol dp decode telegram 10 08 02 49 54 16";

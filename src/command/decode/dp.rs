@@ -1,12 +1,13 @@
 //! `decode` for PROFIBUS-DP and the Hitachi SJ2-PB: what stands in telegrams, without the telegram.
 
-use super::{bad_code, blank, number};
+use super::{Context, bad_code, blank, number};
 use crate::drive::decode::dp::{self, Cyclic, Reader};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decode, Parts};
-use crate::profile::Family;
+use crate::profile::{Family, Route};
 use crate::text::{Text, both};
 use clap::Subcommand;
+use std::rc::Rc;
 
 pub(super) use dp::is_spoken;
 
@@ -43,9 +44,15 @@ pub(super) enum What {
     },
 }
 
+/// The inverter whose names are told: the one that was named, else an L200. Their words are the same in all three series.
+pub(super) fn inverter(context: &Context<'_>, family: &Rc<Family>) -> Rc<Family> {
+    let usual = context.registry.family("l200").filter(|_| context.settings.drive.is_none());
+    usual.unwrap_or_else(|| family.clone())
+}
+
 /// Names come from a catalogue only if it is that of an inverter behind an SJ2-PB.
-pub(super) fn reader(_family: &Family, cyclic: Option<Cyclic>) -> Reader<'_> {
-    Reader { family: None, cyclic }
+pub(super) fn reader(family: &Family, cyclic: Option<Cyclic>) -> Reader<'_> {
+    Reader { family: Some(family).filter(|family| family.link.route == Route::Pkw), cyclic }
 }
 
 pub(super) fn explain(what: &What, family: &Family) -> Result<Decode, Failure> {

@@ -378,7 +378,8 @@ impl Watch<'_> {
             // It may turn out to be any drive that we know.
             let mut columns: Vec<Column> = Vec::new();
             for drive in self.terms.registry.drives() {
-                let Some(family) = self.terms.registry.family(&drive.id) else { continue };
+                let family = self.terms.registry.family(&drive.id).filter(|family| family.link.is_asked_on_a_line());
+                let Some(family) = family else { continue };
                 for item in (self.select)(&family).unwrap_or_default().items {
                     let new = item.columns(&family).into_iter();
                     columns.extend(new.filter(|new| !columns.iter().any(|known| known.is_of(new))).collect::<Vec<_>>());

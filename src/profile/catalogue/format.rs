@@ -114,6 +114,7 @@ pub(super) struct ParamRow {
     pub(super) bits_when: Vec<BitsWhen>,
     #[serde(default)]
     pub(super) hex: bool,
+    pub(super) address: Option<u16>,
     pub(super) note: Option<Text>,
     #[serde(default)]
     pub(super) unconfirmed: Vec<String>,

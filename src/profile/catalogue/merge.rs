@@ -7,7 +7,7 @@ use crate::profile::family::Family;
 use crate::profile::machine::Transition;
 use crate::profile::motion::Mode;
 use crate::profile::names::fold;
-use crate::profile::param::{HazardKind, Param, Type};
+use crate::profile::param::{HazardKind, Param};
 use crate::profile::row::{BitRow, CatalogueRow, EnumRow, FaultRow};
 use crate::profile::value::parse_decimal;
 use crate::text::Text;
@@ -188,6 +188,7 @@ impl Origin {
             bits: row.bits,
             bits_when: row.bits_when,
             hex: row.hex,
+            address: row.address,
             note: row.note,
             unconfirmed: row.unconfirmed.into_iter().chain(kept).collect(),
             module: row.module,
@@ -225,8 +226,11 @@ impl Origin {
             return Err(self.error(at, message));
         }
         let numbers = [&row.min, &row.max, &row.default].into_iter().flatten().next();
-        if row.kind == Some(Type::Float) && (row.decimals.is_some() || numbers.is_some()) {
-            let message = format!("parameter {}: a float has no decimals, min, max and default here", row.id);
+        if let Some(kind) = row.kind.filter(|kind| kind.is_coded())
+            && (row.decimals.is_some() || numbers.is_some())
+        {
+            let (id, kind) = (row.id, kind.name());
+            let message = format!("parameter {id}: a {kind} has no decimals, min, max and default here");
             return Err(self.error(at, message));
         }
         let raw = |number: &Option<Number>| {

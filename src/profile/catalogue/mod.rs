@@ -24,8 +24,11 @@ const MAX_FILE: usize = 4 << 20;
 const AUTO: &str = "auto";
 /// The catalogues that we ship: family, and `data/*.toml` as two lines of JSON, which are read in a tenth of the time:
 /// the keys of [`Head`], then everything. `UPDATE=1 cargo test --test generated` writes them.
-const BUILT_IN: &[(&str, &str)] =
-    &[("active", include_str!("../data/active.ndjson")), ("lexium05", include_str!("../data/lexium05.ndjson"))];
+const BUILT_IN: &[(&str, &str)] = &[
+    ("active", include_str!("../data/active.ndjson")),
+    ("lexium05", include_str!("../data/lexium05.ndjson")),
+    ("hitachi", include_str!("../data/hitachi.ndjson")),
+];
 
 /// A catalogue of the user: where it stands and what is in it.
 #[derive(Clone, Debug)]
@@ -223,7 +226,12 @@ mod tests {
     #[test]
     fn shipped_catalogues_are_proved() {
         let shipped = Registry::open(&[]).unwrap();
-        for text in [include_str!("../data/active.toml"), include_str!("../data/lexium05.toml")] {
+        let texts = [
+            include_str!("../data/active.toml"),
+            include_str!("../data/lexium05.toml"),
+            include_str!("../data/hitachi.toml"),
+        ];
+        for text in texts {
             let mut read = Catalogue::read("mine.toml", text).unwrap();
             if let Origin::File { path, .. } = &mut read.origin {
                 *path = format!("built-in {}.toml", read.head.family);

@@ -63,7 +63,7 @@ impl Page {
         text
     }
 
-    fn fields(self, fields: &[Field]) -> String {
+    pub(super) fn fields(self, fields: &[Field]) -> String {
         let rows = fields.iter();
         let rows = rows.map(|field| vec![field.hex.clone(), self.say(&field.name), self.say(&field.value)]);
         let rows: Vec<_> = rows.collect();

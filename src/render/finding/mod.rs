@@ -14,6 +14,7 @@ mod paramfile;
 mod params;
 mod plant;
 mod plot;
+mod profibus;
 mod read;
 mod relocation;
 mod scan;
@@ -69,6 +70,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Params(found) => found,
         Data::Import(found) => found.as_ref(),
         Data::Export(found) => found,
+        Data::BasicModule(found) => found,
         Data::Decode(found) => found,
         Data::Sniff(found) => found,
         Data::Simulate(found) => found,

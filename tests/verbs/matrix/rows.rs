@@ -39,7 +39,7 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "systembus" => list(&data["pdos"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
-        "decode" => vec![data.clone()],
+        "decode" | "profibus" => vec![data.clone()],
         "dataset" if data["saved"].is_array() => {
             let is_empty = |saved: &Value| list(&saved["values"]).is_empty();
             let failed = list(&data["saved"]).into_iter().filter(is_empty).map(|mut saved| {

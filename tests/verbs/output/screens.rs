@@ -86,6 +86,10 @@ const TYPED: &[(&str, &[&str])] = &[
             "decode register 10",
         ],
     ),
+    (
+        "profibus",
+        &["profibus module L200 set deceleration min 0x0001 max 0x7530", "profibus module C7 FF FF --drive l200"],
+    ),
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),
     ("plot", &["plot {dir}/record.csv --measure"]),

@@ -139,8 +139,8 @@ const MISTAKES: &[Mistake] = &[
     mistake(
         "-p sim -a 1 --drive foo read 372",
         [
-            "unknown drive 'foo' (expected: auto, act, acu, lxm05)",
-            "unbekannter Antrieb 'foo' (erwartet: auto, act, acu, lxm05)",
+            "unknown drive 'foo' (expected: auto, act, acu, lxm05, l200, sj200, x200)",
+            "unbekannter Antrieb 'foo' (erwartet: auto, act, acu, lxm05, l200, sj200, x200)",
         ],
         ["act = ACTIVE (ACT), acu = ", "act = ACTIVE (ACT), acu = "],
     ),

@@ -1,0 +1,53 @@
+//! Modules of an SJ2-PB in Basic mode by name: from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
+
+mod phrase;
+mod told;
+
+use super::decode::hex_bytes;
+use crate::failure::{Class, Failure};
+use crate::outcome::BasicModule;
+use crate::profile::{Family, Registry};
+use crate::protocol::dp::module::{Content, Module, Series};
+use crate::text::{Text, both};
+use std::rc::Rc;
+
+/// Reads a module as words, such as `L200 set deceleration`, or as its bytes, and tells both.
+pub fn module(text: &str, named: Option<&Family>, registry: &Registry) -> Result<BasicModule, Failure> {
+    // No word of a phrase is made of pairs of hexadecimal digits alone.
+    let typed = hex_bytes(text).ok();
+    let (module, family) = match typed {
+        Some(bytes) => {
+            let module = Module::decode(&bytes).map_err(|error| usage(told::wrong(&error)))?;
+            let family = inverter(module.series, registry)?;
+            (module, family)
+        }
+        None => phrase::read(text, named, registry)?,
+    };
+    told::told(text, &module, &family)
+}
+
+/// The catalogue of a series.
+fn inverter(series: Series, registry: &Registry) -> Result<Rc<Family>, Failure> {
+    registry.family(word(series)).ok_or_else(|| {
+        let drive = word(series);
+        usage(both!("there is no catalogue of '{drive}'", "es gibt keinen Katalog von '{drive}'"))
+    })
+}
+
+/// The word of a series: that of `--drive`.
+fn word(series: Series) -> &'static str {
+    match series {
+        Series::L200 => "l200",
+        Series::Sj200 => "sj200",
+        Series::X200 => "x200",
+    }
+}
+
+/// Whether a module goes to the inverter.
+fn is_output(module: &Module) -> bool {
+    matches!(module.content, Content::Parameter { is_output: true, .. })
+}
+
+fn usage(why: Text) -> Failure {
+    Failure::new(Class::Usage, "usage.module", why)
+}
