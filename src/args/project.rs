@@ -4,11 +4,10 @@
 use super::globals::AUTO;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::profile::place;
+use crate::profile::{in_both, place, stumbled};
 use crate::protocol::modbus::LAST_STATION;
 use crate::text::{Text, both};
 use crate::transport::Port;
-use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -155,8 +154,8 @@ pub(super) fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure
         }
     };
     let mut file: File = toml::from_str(&text).map_err(|error| {
-        let message = error.message().replace(|c: char| c.is_control(), " ");
-        wrong_at(path, &text, error.span().map_or(0, |span| span.start), Text::quoted(message))
+        let (at, why) = stumbled(&error);
+        wrong_at(path, &text, at, why)
     })?;
     match file.settle() {
         Ok(()) => Ok(file),
@@ -292,7 +291,7 @@ fn no_port<'n>(drive: &str, port: &str, known: impl Iterator<Item = &'n String>)
 fn station<'de, D: Deserializer<'de>>(file: D) -> Result<u8, D::Error> {
     let number = i64::deserialize(file)?;
     let station = u8::try_from(number).ok().filter(|station| (1..=LAST_STATION).contains(station));
-    station.ok_or_else(|| D::Error::custom(no_station(&number)))
+    station.ok_or_else(|| in_both(&no_station(number)))
 }
 
 /// The same for a list of addresses; what is no number is a name, which is looked up later.
@@ -300,7 +299,7 @@ fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Err
     let text = String::deserialize(file)?;
     let numbers = text.split([',', '-', '.']).filter_map(|part| part.trim().parse::<u32>().ok());
     match numbers.into_iter().find(|number| !(1..=LAST_STATION.into()).contains(number)) {
-        Some(number) => Err(D::Error::custom(no_station(&number))),
+        Some(number) => Err(in_both(&no_station(number.into()))),
         None => Ok(Some(text)),
     }
 }
@@ -309,13 +308,17 @@ fn stations<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Err
 fn named<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, NamedDrive>, D::Error> {
     let drives = BTreeMap::<String, NamedDrive>::deserialize(file)?;
     match drives.keys().find(|name| !name.contains(char::is_alphabetic)) {
-        Some(name) => Err(D::Error::custom(format!(
-            "drives.\"{name}\" reads as an address; the name of a drive has a letter in it"
+        Some(name) => Err(in_both(&both!(
+            "`drives.\"{name}\"` reads as an address; the name of a drive has a letter in it",
+            "`drives.\"{name}\"` liest sich als Adresse; der Name eines Antriebs hat einen Buchstaben"
         ))),
         None => Ok(drives),
     }
 }
 
-fn no_station(got: &dyn std::fmt::Display) -> String {
-    format!("address: expected 1 to {LAST_STATION}, got {got}; 0 is everybody and goes on the command line only")
+fn no_station(got: i64) -> Text {
+    both!(
+        "address: expected 1 to {LAST_STATION}, got {got}; 0 is everybody and goes on the command line only",
+        "Adresse: erwartet wird 1 bis {LAST_STATION}, dort steht {got}; 0 sind alle und steht nur auf der Befehlszeile"
+    )
 }

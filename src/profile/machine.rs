@@ -4,7 +4,7 @@
 //! planner finds the commands from the present state to a goal, or says what stands in the way.
 
 use super::row::CatalogueRow;
-use crate::text::Text;
+use crate::text::{Text, both};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -39,8 +39,8 @@ impl Command {
 }
 
 impl CatalogueRow for Command {
-    fn key(&self) -> String {
-        format!("command {}", self.slug)
+    fn key(&self) -> Text {
+        both!("command {slug}", "Befehl {slug}", slug = self.slug)
     }
     fn replaces(&self) -> bool {
         self.replace

@@ -4,6 +4,7 @@
 //! shipped (`data/`) or brought by the user. This room knows no bytes on a line, no clock and no I/O but the texts
 //! that it is handed.
 
+mod broken;
 mod catalogue;
 mod family;
 mod files;
@@ -23,7 +24,8 @@ mod time;
 pub mod value;
 
 pub use crate::text::{Lang, Text};
-pub use catalogue::{CatalogueError, CatalogueFile, DriveTitle, Registry};
+pub use broken::{Broken, in_both, stumbled};
+pub use catalogue::{CatalogueFile, DriveTitle, Registry};
 pub use family::{Family, LookupError, WordBit};
 pub use files::{Alters, FileRules, Goes};
 pub use link::{Cause, Holds, INPUTS, LineTable, Link, Route, input_register};

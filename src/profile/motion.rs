@@ -4,7 +4,7 @@
 use super::machine::{Need, Takes};
 use super::role::Role;
 use super::row::CatalogueRow;
-use crate::text::Text;
+use crate::text::{Text, both};
 use serde::Deserialize;
 
 /// What moving a drive of this family needs besides its state machine.
@@ -396,8 +396,8 @@ impl Mode {
 }
 
 impl CatalogueRow for Mode {
-    fn key(&self) -> String {
-        format!("mode {}", self.slug)
+    fn key(&self) -> Text {
+        both!("mode {slug}", "Betriebsart {slug}", slug = self.slug)
     }
     fn replaces(&self) -> bool {
         self.replace

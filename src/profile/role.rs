@@ -2,7 +2,8 @@
 //!
 //! The set is closed: a catalogue that names another role is refused, with the place.
 
-use serde::de::Error as _;
+use super::broken::in_both;
+use crate::text::both;
 use serde::{Deserialize, Deserializer};
 
 /// Rows: name in Rust, name in a catalogue, what it is.
@@ -103,7 +104,12 @@ impl<'de> Deserialize<'de> for Role {
         let name = String::deserialize(deserializer)?;
         Role::of(&name).ok_or_else(|| {
             let names: Vec<_> = Role::ALL.iter().map(|role| role.name()).collect();
-            D::Error::custom(format!("there is no role `{name}`, expected one of {}", names.join(", ")))
+            let why = both!(
+                "there is no role `{name}`, expected one of `{names}`",
+                "es gibt keine Rolle `{name}`; erwartet wird eine von `{names}`",
+                names = names.join("`, `")
+            );
+            in_both(&why)
         })
     }
 }

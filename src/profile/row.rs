@@ -1,6 +1,6 @@
 //! Rows of a catalogue that carry texts: states, faults, errors, counters, bits; and what makes two rows the same.
 
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, both};
 use serde::Deserialize;
 
 /// A state of the drive's state machine.
@@ -164,7 +164,7 @@ pub(super) struct EnumRow {
 /// A row of a catalogue that another catalogue may only replace openly.
 pub(super) trait CatalogueRow: Clone {
     /// What makes two rows the same, as it is shown in errors; empty if the table's key does.
-    fn key(&self) -> String;
+    fn key(&self) -> Text;
     /// Takes the place of the same row of an earlier catalogue.
     fn replaces(&self) -> bool;
     /// Every text of the row.
@@ -174,7 +174,7 @@ pub(super) trait CatalogueRow: Clone {
 macro_rules! catalogue_rows {
     ($($row:ident, |$this:ident| $key:expr, $texts:expr;)*) => {$(
         impl CatalogueRow for $row {
-            fn key(&self) -> String {
+            fn key(&self) -> Text {
                 let $this = self;
                 $key
             }
@@ -191,14 +191,14 @@ macro_rules! catalogue_rows {
     )*};
 }
 catalogue_rows! {
-    EnumRow, |_row| String::new(), None::<&str>;
-    DriveState, |row| format!("state {}", row.slug), [row.slug.as_str()];
-    FaultGroup, |row| format!("fault group 0x{:02X}", row.high), None::<&str>;
-    FaultRow, |row| format!("fault 0x{:04X}", row.code),
+    EnumRow, |_row| Text::default(), None::<&str>;
+    DriveState, |row| both!("state {slug}", "Zustand {slug}", slug = row.slug), [row.slug.as_str()];
+    FaultGroup, |row| both!("fault group 0x{high:02X}", "Störungsgruppe 0x{high:02X}", high = row.high), None::<&str>;
+    FaultRow, |row| both!("fault 0x{code:04X}", "Störung 0x{code:04X}", code = row.code),
         row.cause.iter().chain(&row.remedy).flat_map(|text| text.both()).chain([row.key.as_str()]).collect::<Vec<_>>();
-    ErrorRow, |row| format!("error {}", row.code), row.hint.both().into_iter().chain([row.slug.as_str()]);
-    CounterRow, |row| format!("counter 0x{:02X}", row.sub), row.help.both().into_iter().chain([row.slug.as_str()]);
-    BitRow, |row| { let _ = row; String::new() },
+    ErrorRow, |row| both!("error {code}", "Fehler {code}", code = row.code), row.hint.both().into_iter().chain([row.slug.as_str()]);
+    CounterRow, |row| both!("counter 0x{sub:02X}", "Zähler 0x{sub:02X}", sub = row.sub), row.help.both().into_iter().chain([row.slug.as_str()]);
+    BitRow, |row| { let _ = row; Text::default() },
         row.help.iter().flat_map(|help| help.both()).chain([row.slug.as_str()]).collect::<Vec<_>>();
 }
 

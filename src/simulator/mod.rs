@@ -23,7 +23,6 @@ mod totals;
 
 pub use bench::Bench;
 pub use device::contract::Servo;
-pub use file::BenchError;
 pub use judge::{Gaps, Remark, Sin};
 pub use station::Drive;
 pub use totals::{Ignored, Totals};

@@ -3,7 +3,7 @@
 use super::load::Rate;
 use super::plan::{Drive, EmergencyReaction, Foreign, Numbering, Plan, Rx, Trigger, Tx};
 use super::settings::SYNC;
-use crate::profile::place;
+use crate::profile::{place, stumbled};
 use crate::protocol::can::pdo::{Kind, Place};
 use crate::protocol::can::{Identifier, LAST_DRIVE, PdoNumber, Service};
 use crate::text::{Text, both};
@@ -132,8 +132,8 @@ enum Params {
 pub fn read(text: &str) -> Result<Plan, PlanError> {
     let source = Source { text };
     let whole: Whole = toml::from_str(text).map_err(|error| {
-        let said: String = error.message().chars().map(|c| if c.is_control() { ' ' } else { c }).take(300).collect();
-        source.wrong(error.span().unwrap_or_default(), Text::quoted(said))
+        let (at, why) = stumbled(&error);
+        source.wrong(at..at, why)
     })?;
     let rate = Rate::of_kbd(*whole.bus.rate.get_ref()).ok_or_else(|| {
         let rate = whole.bus.rate.get_ref();

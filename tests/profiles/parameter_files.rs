@@ -114,7 +114,7 @@ fn what_is_broken_is_refused_with_line_and_column() {
         ("[saved]\nwhen = 1\n", "x.toml:6:1: unknown field `when`"),
         ("[saved]\nsignature = \"12\"\n", "the signature '12' is none: expected 16 hexadecimal digits"),
         ("[not-held]\nrefused = \"all\"\n", "x.toml:6:11: expected numbers of parameters such as"),
-        ("[not-held]\nlazy = \"1\"\n", "unknown variant `lazy`"),
+        ("[not-held]\nlazy = \"1\"\n", "unknown word `lazy`"),
         ("[types]\n417 = \"string\"\n", "x.toml:6:1: expected the number of a parameter and uint, int, word or long"),
     ] {
         let refused = refused(&format!("{head}{lines}"));

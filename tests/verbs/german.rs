@@ -32,7 +32,7 @@ const ENGLISH: &str = "
 const ALIKE: &str = "
     identifier index kbd okay plan rate sender sync timeout txpdo µs act active acu adapter antrieb ascii auto baud bd bit broadcasts bus bytes disable enable last shutdown sniff clients cm code crc cube dir echo eeprom em
     exceptions exit fmax format gateway halt hz in ixt kw lexium lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
-    nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal ti
+    nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal text ti
     tk type udc uint vabus version war was watchdog
     acceleration generic manual volatile
     ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
@@ -112,7 +112,7 @@ fn english(page: &str) -> Vec<String> {
 }
 
 /// English words of a German page, and those that stand alike in the English one and are not of both languages.
-fn alike(english_page: &str, german_page: &str) -> Vec<String> {
+pub(crate) fn alike(english_page: &str, german_page: &str) -> Vec<String> {
     let (alike, there) = (listed(ALIKE), words(english_page));
     let is_odd = |word: &String| there.contains(word) && !alike.contains(&**word);
     words(german_page).into_iter().filter(is_odd).chain(english(german_page)).collect()

@@ -83,6 +83,7 @@ mod motion {
 
 /// What needs no drive: catalogues, files, settings.
 mod offline {
+    mod broken;
     mod catalogues;
     mod completing;
     mod decoding;

@@ -11,7 +11,7 @@ use crate::drive::transaction::{self, Applied, Plan, UndoFile, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
-use crate::outcome::{LoadEnd, Outcome, WriteResult};
+use crate::outcome::{LoadEnd, Outcome, Warning, WriteResult};
 use crate::profile::paramfile::{ParamFile, SavedDrive};
 use crate::profile::{Family, Registry};
 use crate::text::both;
@@ -51,7 +51,21 @@ pub(super) struct UndoArgs {
 /// Loads files.
 pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let address = only_one(&addresses_to_write(context.settings)?)?;
-    let Opened { family, settings: values, .. } = read_all(&args.files, context.settings, context.registry)?;
+    let opened = read_all(&args.files, context.settings, context.registry)?;
+    let warnings = opened.of_others((address, context.settings.node));
+    let mut outcome = load_into(args, context, address, (opened, &warnings)).await?;
+    outcome.warnings.splice(0..0, warnings);
+    Ok(outcome)
+}
+
+/// Loads what the files hold; whoever is asked is warned.
+async fn load_into(
+    args: &LoadArgs,
+    context: &mut Context<'_>,
+    address: u8,
+    (opened, warnings): (Opened, &[Warning]),
+) -> Result<Outcome, Failure> {
+    let Opened { family, settings: values, .. } = opened;
     let (steps, left_out) = args.scope.choice().steps(&values, &family)?;
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
     let mut report = blank(address, &family.drive, files, left_out);
@@ -67,6 +81,7 @@ pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<O
     let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
     let head = head(&session, &drive);
     let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
+    plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
     report.node = session.node();
     if let Some(failure) = forbidden(&mut plan) {

@@ -4,7 +4,8 @@ use crate::drive::paramfile::broken;
 use crate::drive::transaction::Choice;
 use crate::failure::{Class, Failure};
 use crate::files;
-use crate::profile::paramfile::{ParamFile, Settings};
+use crate::outcome::Warning;
+use crate::profile::paramfile::{ParamFile, SavedDrive, Settings};
 use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
 use std::path::Path;
@@ -18,6 +19,8 @@ pub(in crate::command) struct Opened {
     pub(in crate::command) settings: Settings,
     /// Whether it was edited, if only some of it is left.
     edited: Option<bool>,
+    /// The drives that the files say they are of: path, address, node of the system bus.
+    of: Vec<(Rc<str>, u8, u8)>,
 }
 
 impl Opened {
@@ -43,7 +46,9 @@ impl Opened {
             ))
         })?;
         let settings = file.settings(&family).map_err(|fault| broken(&fault))?;
-        let opened = Opened { file, family, settings, edited: None };
+        let SavedDrive { address, node, .. } = file.head.drive;
+        let of = address.map(|address| (file.path.clone(), address, node.unwrap_or(0))).into_iter().collect();
+        let opened = Opened { file, family, settings, edited: None, of };
         named.map_or(Ok(()), |named| opened.fits(named))?;
         Ok(opened)
     }
@@ -85,10 +90,27 @@ impl Opened {
     pub(super) fn lay_over(&mut self, over: Opened) -> Result<(), Failure> {
         over.fits_file(&self.family.drive)?;
         self.settings.lay_over(over.settings);
+        self.of.extend(over.of);
         self.file.path = format!("{}, {}", self.file.path, over.file.path).into();
         // What two files are together nobody has signed.
         self.file.head.saved.signature = None;
         Ok(())
+    }
+
+    /// The files that name another drive than the one at this address and node: the file of the other pump is a common slip.
+    pub(in crate::command) fn of_others(&self, at: (u8, u8)) -> Vec<Warning> {
+        let shown = |address: u8, node: u8| if node == 0 { format!("{address}") } else { format!("{address}.{node}") };
+        let others = self.of.iter().filter(|(_, address, node)| (*address, *node) != at);
+        let told = others.map(|(path, address, node)| Warning {
+            code: "load.other_address".to_owned(),
+            message: both!(
+                "{path} names address {of} in its head, this drive has {at}; a file for several drives names none",
+                "{path} nennt im Kopf die Adresse {of}, dieser Antrieb hat {at}; eine Datei für mehrere Antriebe nennt keine",
+                of = shown(*address, *node),
+                at = shown(at.0, at.1)
+            ),
+        });
+        told.collect()
     }
 
     /// Keeps of it what is meant; whether it was edited is told of the whole.

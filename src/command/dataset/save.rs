@@ -150,10 +150,13 @@ fn row(
 /// Writes the whole file; what is not whole goes beside it.
 fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<Option<&'g Path>, Failure> {
     if done.is_complete() {
-        write(&goal.file, text, force).inspect_err(|_| {
+        if let Err(failure) = write(&goal.file, text, force) {
             // What was read is not lost with the name.
-            let _kept = write(&goal.part, text, true);
-        })?;
+            return Err(match write(&goal.part, text, true) {
+                Ok(()) => unfinished(failure, goal),
+                Err(_) => cut_short(failure, goal),
+            });
+        }
         // It stands in the file now.
         let _gone = files::remove(&goal.part);
         return Ok(Some(&goal.file));
@@ -162,7 +165,7 @@ fn store<'g>(goal: &'g Goal, text: &str, done: &Harvest, force: bool) -> Result<
         let _gone = files::remove(&goal.part);
         return Ok(None);
     }
-    write(&goal.part, text, true)?;
+    write(&goal.part, text, true).map_err(|failure| cut_short(failure, goal))?;
     Ok(Some(&goal.part))
 }
 
@@ -216,6 +219,25 @@ fn unfinished(failure: Failure, goal: &Goal) -> Failure {
     let message =
         both!("{message}; what was read stands in {part}", "{message}; was gelesen wurde, steht in {part}", message);
     let hint = both!("`dataset save {file} --resume` goes on", "`dataset save {file} --resume` setzt fort");
+    Failure { message, ..failure }.hint(hint)
+}
+
+/// Says what stays of what was read where it cannot be written whole: what was kept on the way.
+fn cut_short(failure: Failure, goal: &Goal) -> Failure {
+    if files::found(&goal.part) != Some(false) {
+        return failure;
+    }
+    let (file, part) = (goal.file.display().to_string(), goal.part.display().to_string());
+    let Failure { message, .. } = &failure;
+    let message = both!(
+        "{message}; {part} stays, with what was kept on the way",
+        "{message}; {part} bleibt, mit dem, was unterwegs gesichert wurde",
+        message
+    );
+    let hint = both!(
+        "make room there, then `dataset save {file} --resume` reads the rest anew",
+        "dort Platz schaffen, dann liest `dataset save {file} --resume` das Übrige neu"
+    );
     Failure { message, ..failure }.hint(hint)
 }
 
@@ -355,5 +377,33 @@ impl Options {
         let wanted = Wanted::of(scope, &family)?;
         let questions: Vec<_> = wanted.asked.iter().map(|one| read_question(&one.param, 0)).collect();
         plan(context, &family, &questions)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Lang;
+
+    /// The name cannot be taken: a directory has it.
+    #[test]
+    fn what_was_read_is_not_lost_with_its_name_and_it_is_said_where_it_stands() {
+        let at = tempfile::tempdir().unwrap();
+        let (file, part) = (at.path().join("f.toml"), at.path().join("f.toml.part"));
+        let goal = Goal { address: 1, file: file.clone(), part: part.clone(), before: None, done: None };
+        std::fs::create_dir(&file).unwrap();
+        let failure = store(&goal, "all", &Harvest::default(), false).unwrap_err();
+        assert_eq!(std::fs::read_to_string(&part).unwrap(), "all");
+        assert!(failure.message.en.contains(&format!("what was read stands in {}", part.display())), "{failure:?}");
+        assert!(failure.hint.is_some_and(|hint| hint.en.contains("--resume` goes on")));
+        // Where not even that can be written, what was kept on the way is named; nothing is named that is not there.
+        let failure = || Failure::new(Class::Data, "data.output", both!("no room", "kein Platz"));
+        let told = cut_short(failure(), &goal);
+        for lang in Lang::ALL {
+            assert!(told.message.get(lang).contains(&part.display().to_string()), "{told:?}");
+        }
+        assert!(told.hint.is_some_and(|hint| hint.de.contains("--resume")));
+        std::fs::remove_file(&part).unwrap();
+        assert_eq!(cut_short(failure(), &goal).message, failure().message);
     }
 }

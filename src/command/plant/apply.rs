@@ -1,7 +1,7 @@
 //! `apply`: the parameter files of a plant into its drives.
 
 use super::lines::{Wanted, on_lines, wanted};
-use super::{dry_run, leave_forbidden, must_choose, told};
+use super::{dry_run, look, must_choose, told};
 use crate::args::Takes;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
@@ -59,8 +59,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     let settings = context.settings;
     let together = Together { interrupt: context.interrupt.clone(), atomic: args.atomic, failed: Cell::new(false) };
     on_lines(context, &wanted, async |lines, ask| {
-        join_all(lines.iter_mut().map(|line| line.look(Args::UPPER))).await;
-        leave_forbidden(lines);
+        look(lines, Args::UPPER).await;
         if args.atomic {
             leave_all(lines);
         }
@@ -115,7 +114,8 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());
         last.extend(consequences.filter(|text| !last.contains(text)).collect::<Vec<_>>());
         details.push(about(one, member, asked.title));
-        details.extend(asked.details.into_iter().chain(plan.notes.iter().cloned()));
+        let others = one.of_others().into_iter().map(|warning| warning.message);
+        details.extend(asked.details.into_iter().chain(plan.notes.iter().cloned()).chain(others));
         hazards.extend(asked.hazards);
         (values, drives) = (values + plan.todo(), drives + 1);
         (there, back) = (there + plan.eeprom_writes, back + plan.eeprom_writes_back);

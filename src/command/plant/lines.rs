@@ -11,7 +11,7 @@ use crate::drive::transaction::Choice;
 use crate::drive::{Interrupt, Port, Terms, open_port};
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Event, NotLoaded};
+use crate::outcome::{Event, NotLoaded, Warning};
 use crate::profile::Registry;
 use crate::text::{Text, both};
 use futures_util::future::join_all;
@@ -35,6 +35,11 @@ impl Wanted {
     /// Its port as it is told.
     pub(super) fn port(&self) -> String {
         self.place.settings.port.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string)
+    }
+
+    /// What its files say of other drives than this one.
+    pub(super) fn of_others(&self) -> Vec<Warning> {
+        self.opened.of_others((self.place.address, self.place.settings.node))
     }
 
     fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {

@@ -10,11 +10,13 @@ mod told;
 use super::Context;
 use super::dataset::loaded::{blank, describe_steps, forbidden, would_be_in_the_way};
 use crate::args::{Settings, project_path};
+use crate::drive::Upper;
 use crate::drive::plant::Line;
 use crate::drive::transaction::fits;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Outcome, Plant, PlantDrive, PlantState};
 use crate::text::both;
+use futures_util::future::join_all;
 use lines::Wanted;
 
 /// What would be sent to each drive, without opening anything.
@@ -51,8 +53,9 @@ fn must_choose(wanted: &[Wanted]) -> Result<(), Failure> {
     )))
 }
 
-/// Leaves out the drives that may not be written to now.
-fn leave_forbidden(lines: &mut [Line<'_>]) {
+/// Looks at every drive, the lines side by side, and leaves out those that may not be written to now.
+async fn look(lines: &mut [Line<'_>], upper: Upper) {
+    join_all(lines.iter_mut().map(|line| line.look(upper))).await;
     for member in lines.iter_mut().flat_map(|line| &mut line.members) {
         if let Some(failure) = member.found.as_mut().and_then(|found| forbidden(&mut found.plan)) {
             member.leave(failure);

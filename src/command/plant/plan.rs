@@ -1,7 +1,7 @@
 //! `plan`: what would be written to the drives of a plant.
 
 use super::lines::{on_lines, wanted};
-use super::{dry_run, leave_forbidden, must_choose, told};
+use super::{dry_run, look, must_choose, told};
 use crate::args::Takes;
 use crate::command::Context;
 use crate::command::dataset::scope::Scope;
@@ -10,7 +10,6 @@ use crate::drive::Upper;
 use crate::failure::Failure;
 use crate::outcome::{Document, Outcome, Plant};
 use clap::Args as ClapArgs;
-use futures_util::future::join_all;
 
 /// Shows what `apply` would write; 1 if something would change.
 ///
@@ -47,8 +46,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     }
     let settings = context.settings;
     on_lines(context, &wanted, async |lines, _| {
-        join_all(lines.iter_mut().map(|line| line.look(Args::UPPER))).await;
-        leave_forbidden(lines);
+        look(lines, Args::UPPER).await;
         told::plant(settings, &wanted, lines, false)
     })
     .await

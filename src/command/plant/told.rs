@@ -15,7 +15,8 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for (one, member) in wanted.iter().zip(members) {
         let (state, told) = tell(one, member);
-        warnings.extend(told.warnings.into_iter().map(|warning| of(one, warning)));
+        let told_of = one.of_others().into_iter().chain(told.warnings);
+        warnings.extend(told_of.map(|warning| of(one, warning)));
         let (called, port, error) = (one.place.name.clone(), one.port(), told.failure.as_ref().map(ErrorDoc::from));
         failures.extend(told.failure.map(|failure| (called.clone(), failure)));
         drives.push(PlantDrive { called, port, state, load: told.load, error });
@@ -30,7 +31,13 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
         ..failure
     });
     let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
-    let failure = failure.or_else(|| not_yet(&drives));
+    let failure = match (failure, would_change(&drives)) {
+        (Some(failure), Some(some)) => {
+            Some(Failure { message: both!("{why}; {some}", "{why}; {some}", why = failure.message, some), ..failure })
+        }
+        (None, Some(some)) => Some(not_yet(some)),
+        (failure, None) => failure,
+    };
     Outcome { data: Some(Data::Plant(Plant { project: project(settings), dry_run: false, drives })), warnings, failure }
 }
 
@@ -101,14 +108,25 @@ pub(super) fn summary(failures: Vec<(String, Failure)>, drives: usize, is_torn: 
     let count = failures.len();
     let names: Vec<&str> = failures.iter().map(|(name, _)| name.as_str()).collect();
     let names = names.join(", ");
+    // Of who is silent, or is another one, nobody knows how he is.
+    let all = |holds: &dyn Fn(&Failure) -> bool| failures.iter().all(|(_, failure)| holds(failure));
+    let is_silent = |failure: &Failure| failure.class == Class::Silence;
+    let others = ["data.unknown_drive", "data.other_family", "data.other_drive"];
+    let is_another = |failure: &Failure| is_silent(failure) || others.contains(&failure.code.as_str());
+    let are = match (all(&is_silent), all(&is_another)) {
+        (true, _) => Text::new("did not answer", "antworten nicht"),
+        (_, true) => Text::new("could not be looked at", "ließen sich nicht ansehen"),
+        _ => Text::new("are not as they shall be", "sind nicht, wie sie sein sollen"),
+    };
     let end = failures.iter().position(|(_, failure)| failure.class == Class::Interrupted);
     // What was left out only because of another one is no reason.
     let is_cause = |failure: &Failure| !["forbidden.atomic", "partial.taken_back"].contains(&failure.code.as_str());
     let cause = failures.iter().position(|(_, failure)| is_cause(failure));
     let (name, first) = failures.into_iter().nth(end.or(cause).unwrap_or(0))?;
     let message = both!(
-        "{count} of {drives} drives are not as they shall be ({names}); {first_name}: {why}",
-        "{count} von {drives} Antrieben sind nicht, wie sie sein sollen ({names}); {first_name}: {why}",
+        "{count} of {drives} drives {are} ({names}); {first_name}: {why}",
+        "{count} von {drives} Antrieben {are} ({names}); {first_name}: {why}",
+        are,
         first_name = name,
         why = first.message
     );
@@ -133,8 +151,8 @@ fn interrupted(failure: Failure) -> Failure {
     }
 }
 
-/// Nothing is wrong, but something would be written.
-fn not_yet(drives: &[PlantDrive]) -> Option<Failure> {
+/// The drives to which something would be written.
+fn would_change(drives: &[PlantDrive]) -> Option<Text> {
     let planned: Vec<&str> =
         drives.iter().filter(|row| row.state == PlantState::Planned).map(|row| row.called.as_str()).collect();
     let (count, drives) = (planned.len() as u64, planned.join(", "));
@@ -144,7 +162,12 @@ fn not_yet(drives: &[PlantDrive]) -> Option<Failure> {
             ["drive would change", "drives would change"],
             ["Antrieb würde sich ändern", "Antriebe würden sich ändern"],
         );
-        Failure::new(Class::No, "no.differences", both!("{some}: {drives}", "{some}: {drives}", some))
-            .hint(both!("`antrieb apply` writes it", "`antrieb apply` schreibt es"))
+        both!("{some}: {drives}", "{some}: {drives}", some)
     })
+}
+
+/// Nothing is wrong, but something would be written.
+fn not_yet(some: Text) -> Failure {
+    Failure::new(Class::No, "no.differences", some)
+        .hint(both!("`antrieb apply` writes it", "`antrieb apply` schreibt es"))
 }

@@ -7,12 +7,11 @@ mod format;
 mod merge;
 mod place;
 
-pub use place::CatalogueError;
-
+use super::broken::{Broken, shorten, stumbled};
 use super::family::Family;
-use crate::text::Text;
+use crate::text::{Text, both};
 use format::{Body, Head, SCHEMA};
-use place::{Origin, Position, shorten};
+use place::{Origin, Position};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -58,7 +57,7 @@ pub struct DriveTitle {
 
 impl Registry {
     /// Reads the shipped catalogues and those of the user, in this order; later files may replace rows of earlier ones.
-    pub fn open(user: &[CatalogueFile]) -> Result<Self, CatalogueError> {
+    pub fn open(user: &[CatalogueFile]) -> Result<Self, Broken> {
         let mut files = Vec::new();
         for (family, text) in BUILT_IN {
             files.push(Catalogue::shipped(family, text)?);
@@ -104,7 +103,7 @@ impl Registry {
         Some(family)
     }
 
-    fn load(&self, drive: &str) -> Result<Option<Family>, CatalogueError> {
+    fn load(&self, drive: &str) -> Result<Option<Family>, Broken> {
         let rows = self.files.iter().flat_map(|file| file.head.drives.iter().map(move |row| (file, row)));
         let Some((home, row)) = rows.into_iter().find(|(_, row)| row.id.eq_ignore_ascii_case(drive)) else {
             return Ok(None);
@@ -139,24 +138,33 @@ enum Rows {
 
 impl Catalogue {
     /// A catalogue of ours; its rows are left for later.
-    fn shipped(family: &str, text: &'static str) -> Result<Self, CatalogueError> {
+    fn shipped(family: &str, text: &'static str) -> Result<Self, Broken> {
         let origin = Origin::Shipped { path: format!("built-in {family}.toml") };
         let (head, rows) = text.split_once('\n').unwrap_or((text, ""));
         let head = origin.parse(head)?;
         Ok(Catalogue { origin, head, rows: Rows::Shipped(rows) })
     }
 
-    fn read(path: &str, text: &str) -> Result<Self, CatalogueError> {
+    fn read(path: &str, text: &str) -> Result<Self, Broken> {
         let origin = Origin::File { path: path.to_owned(), text: text.to_owned() };
         if text.len() > MAX_FILE {
-            let message = format!("{} bytes; a catalogue has at most {MAX_FILE}", text.len());
+            let message = both!(
+                "{bytes} bytes; a catalogue has at most {MAX_FILE}",
+                "{bytes} Byte; ein Katalog hat höchstens {MAX_FILE}",
+                bytes = text.len()
+            );
             return Err(origin.error(Position::File, message));
         }
         let body: Body = toml::from_str(text).map_err(|error| {
-            origin.error(Position::Offset(error.span().map_or(0, |span| span.start)), shorten(error.message()))
+            let (at, why) = stumbled(&error);
+            origin.error(Position::Offset(at), why)
         })?;
         if body.schema != SCHEMA {
-            let message = format!("schema {}; this program reads schema {SCHEMA}", body.schema);
+            let message = both!(
+                "schema {schema}; this program reads schema {SCHEMA}",
+                "Schema {schema}; dieses Programm liest Schema {SCHEMA}",
+                schema = body.schema
+            );
             return Err(origin.error(Position::File, message));
         }
         let Body { family, title, presumed, drives, .. } = body.clone();
@@ -166,41 +174,55 @@ impl Catalogue {
 
     /// Whether a user's catalogue may stand behind those that are there: with rows for a family that is known, or with a
     /// family of its own, which can be read and written, but not moved.
-    fn may_join(&self, known: &[Catalogue]) -> Result<(), CatalogueError> {
-        let refuse = |message: String| Err(self.origin.error(Position::File, message));
+    fn may_join(&self, known: &[Catalogue]) -> Result<(), Broken> {
+        let refuse = |message: Text| Err(self.origin.error(Position::File, message));
         let (rows, name) = (self.rows()?, &self.head.family);
         if known.iter().any(|known| known.head.family == *name) {
             return match rows.founding_key() {
-                Some(key) => refuse(format!("{key} stands in the catalogue that brings the family '{name}'")),
+                Some(key) => refuse(both!(
+                    "{key} stands in the catalogue that brings the family '{name}'",
+                    "{key} steht in dem Katalog, der die Familie '{name}' mitbringt"
+                )),
                 None => Ok(()),
             };
         }
         if rows.link.is_none() || self.head.drives.is_empty() {
             let families: BTreeSet<_> = known.iter().map(|known| known.head.family.as_str()).collect();
             let families = families.into_iter().collect::<Vec<_>>().join(", ");
-            return refuse(format!(
-                "unknown family '{name}' (expected: {families}; one that is new says in [link] how it is reached, and in `drives` what belongs to it)"
+            return refuse(both!(
+                "unknown family '{name}' (expected: {families}; one that is new says in `[link]` how it is reached, and in `drives` what belongs to it)",
+                "unbekannte Familie '{name}' (erwartet: {families}; eine neue sagt in `[link]`, wie sie erreicht wird, und in `drives`, was zu ihr gehört)"
             ));
         }
         if let Some(key) = rows.moving_key() {
-            return refuse(format!("{key}: a family from a catalogue of one's own can be read and written, not moved"));
+            return refuse(both!(
+                "{key}: a family from a catalogue of one's own can be read and written, not moved",
+                "{key}: eine Familie aus einem eigenen Katalog lässt sich lesen und schreiben, nicht bewegen"
+            ));
         }
         for row in &self.head.drives {
             [&row.en, &row.de].into_iter().try_for_each(|text| self.origin.check_text(Position::File, text))?;
             if row.id.is_empty() || !row.id.bytes().all(|byte| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_'))
             {
                 let id = shorten(&row.id);
-                return refuse(format!("the id of a drive is made of a-z, 0-9, - and _; got '{id}'"));
+                return refuse(both!(
+                    "the id of a drive is made of a-z, 0-9, - and _; got '{id}'",
+                    "die Kennung eines Antriebs besteht aus a-z, 0-9, - und _; dort steht '{id}'"
+                ));
             }
         }
         let mut ids: BTreeSet<_> = known.iter().flat_map(|known| &known.head.drives).map(|row| &row.id).collect();
         match self.head.drives.iter().find(|row| row.id == AUTO || !ids.insert(&row.id)) {
-            Some(row) => refuse(format!("the id of a drive, '{}', is taken", row.id)),
+            Some(row) => refuse(both!(
+                "the id of a drive, '{id}', is taken",
+                "die Kennung '{id}' eines Antriebs ist vergeben",
+                id = row.id
+            )),
             None => Ok(()),
         }
     }
 
-    fn rows(&self) -> Result<Cow<'_, Body>, CatalogueError> {
+    fn rows(&self) -> Result<Cow<'_, Body>, Broken> {
         match &self.rows {
             Rows::Shipped(json) => self.origin.parse(json).map(Cow::Owned),
             Rows::Read(body) => Ok(Cow::Borrowed(body)),
@@ -212,7 +234,7 @@ impl Catalogue {
 mod tests {
     use super::*;
 
-    fn open(text: &str) -> Result<Registry, CatalogueError> {
+    fn open(text: &str) -> Result<Registry, Broken> {
         Registry::open(&[CatalogueFile { path: "mine.toml".to_owned(), text: text.to_owned() }])
     }
 
@@ -264,8 +286,8 @@ mod tests {
             format!("{HEAD}params = [\n  {{ id = 1500, de = \"x\", en = \"x\", access = \"r\"{rest} }},\n]\n")
         };
         assert!(refused(&row(", colour = 1")).starts_with("mine.toml:4:"), "{}", refused(&row(", colour = 1")));
-        assert!(refused(&row(", min = 2, max = 1")).starts_with("mine.toml:4:3: parameter 1500: min is above max"));
-        assert!(refused(&row(", enum = \"no\"")).contains("there is no table [enums.no]"));
+        assert!(refused(&row(", min = 2, max = 1")).starts_with("mine.toml:4:3: parameter 1500: `min` is above `max`"));
+        assert!(refused(&row(", enum = \"no\"")).contains("there is no table `[enums.no]`"));
         assert!(refused(&row(", decimals = 1, min = 0.25")).contains("more decimals"));
         assert!(refused(&row(", decimals = 40")).contains("at most 9"));
         assert!(refused("schema = 1\nfamily = \"x").starts_with("mine.toml:2:"));
@@ -280,7 +302,7 @@ mod tests {
                 "{HEAD}params = [{{ id = 372, slug = \"rated-speed\", de = \"x\", en = \"x\", access = \"r\"{rest} }}]"
             )
         };
-        assert!(refused(&row("")).contains("already in built-in active.toml; add replace = true"));
+        assert!(refused(&row("")).contains("already in built-in active.toml; add `replace = true`"));
         assert_eq!(open(&row(", replace = true")).unwrap().family("act").unwrap().param(372).unwrap().name.en, "x");
         let twice = format!(
             "{HEAD}params = [\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }},\n{{ id = 1501, de = \"x\", en = \"x\", access = \"r\" }}]"

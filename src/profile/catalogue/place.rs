@@ -1,5 +1,6 @@
 //! Where a catalogue comes from, and where in it something is wrong.
 
+use crate::profile::broken::Broken;
 use crate::profile::row::CatalogueRow;
 use crate::text::{Text, both};
 use serde::de::DeserializeOwned;
@@ -7,28 +8,6 @@ use toml::de::DeTable;
 
 /// Longest name, text or remark.
 pub(super) const MAX_TEXT: usize = 2_000;
-
-/// Why a catalogue is refused, and where.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{path}:{line}:{column}: {message}")]
-pub struct CatalogueError {
-    /// File, or `built-in active.toml`.
-    pub path: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// Column, from 1.
-    pub column: usize,
-    /// What is wrong and what would be right.
-    pub message: String,
-}
-
-impl CatalogueError {
-    /// In words for people; what is wrong with a file of this format is told in English.
-    pub fn text(&self) -> Text {
-        let CatalogueError { path, line, column, message } = self;
-        both!("{path}:{line}:{column}: {message}", "{path}:{line}:{column}: {message}", message = Text::quoted(message))
-    }
-}
 
 /// Where a catalogue comes from.
 #[derive(Debug)]
@@ -59,32 +38,43 @@ impl Origin {
         }
     }
 
-    pub(super) fn parse<T: DeserializeOwned>(&self, json: &str) -> Result<T, CatalogueError> {
-        serde_json::from_str(json).map_err(|error| self.error(Position::File, error.to_string()))
+    pub(super) fn parse<T: DeserializeOwned>(&self, json: &str) -> Result<T, Broken> {
+        serde_json::from_str(json).map_err(|error| self.error(Position::File, Text::quoted(error)))
     }
 
-    pub(super) fn error(&self, place: Position<'_>, message: String) -> CatalogueError {
+    pub(super) fn error(&self, place: Position<'_>, message: Text) -> Broken {
         let text = match self {
             Origin::Shipped { .. } => "",
             Origin::File { text, .. } => text,
         };
-        let (line, column) = crate::profile::names::place(text, place.offset(text).unwrap_or(0));
-        CatalogueError { path: self.path().to_owned(), line, column, message }
+        Broken::at(self.path(), text, place.offset(text).unwrap_or(0), message)
     }
 
-    pub(super) fn check_texts<T: CatalogueRow>(&self, at: Position<'_>, row: &T) -> Result<(), CatalogueError> {
+    pub(super) fn check_texts<T: CatalogueRow>(&self, at: Position<'_>, row: &T) -> Result<(), Broken> {
         row.texts().into_iter().try_for_each(|text| self.check_text(at, text))
     }
 
-    pub(super) fn check_text(&self, at: Position<'_>, text: &str) -> Result<(), CatalogueError> {
+    pub(super) fn check_text(&self, at: Position<'_>, text: &str) -> Result<(), Broken> {
         if matches!(self, Origin::Shipped { .. }) {
             return Ok(());
         }
         if text.len() > MAX_TEXT {
-            return Err(self.error(at, format!("a text of {} bytes; at most {MAX_TEXT} are allowed", text.len())));
+            let why = both!(
+                "a text of {bytes} bytes; at most {MAX_TEXT} are allowed",
+                "ein Text von {bytes} Byte; erlaubt sind höchstens {MAX_TEXT}",
+                bytes = text.len()
+            );
+            return Err(self.error(at, why));
         }
         match text.chars().find(|c| c.is_control()) {
-            Some(bad) => Err(self.error(at, format!("control character U+{:04X} in a text", u32::from(bad)))),
+            Some(bad) => Err(self.error(
+                at,
+                both!(
+                    "control character U+{code:04X} in a text",
+                    "Steuerzeichen U+{code:04X} in einem Text",
+                    code = u32::from(bad)
+                ),
+            )),
             None => Ok(()),
         }
     }
@@ -101,10 +91,4 @@ impl Position<'_> {
             Position::Entry(tables, name, key) => Some(table(tables)?.get(name)?.get_ref().get(key)?.span().start),
         }
     }
-}
-
-/// A message that may quote the file, without its control characters and not longer than a few lines.
-pub(super) fn shorten(message: &str) -> String {
-    let printable = message.chars().map(|c| if c.is_control() { ' ' } else { c });
-    printable.take(300).collect()
 }

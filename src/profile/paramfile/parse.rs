@@ -3,6 +3,7 @@
 use super::file::{At, Head, Line, NotHeld, ParamFile, Provenance, SavedDrive, Undo, VERSION};
 use super::ranges::numbers;
 use super::signature::Signature;
+use crate::profile::broken::stumbled;
 use crate::profile::names::place;
 use crate::profile::param::Type;
 use crate::profile::select::Store;
@@ -191,11 +192,10 @@ impl Source<'_> {
         FileFault::new(self.at(byte), why)
     }
 
-    /// What the reader of TOML says, which speaks English.
+    /// What the reader of TOML says.
     fn toml(&self, error: &toml::de::Error) -> FileFault {
-        let printable = error.message().chars().map(|c| if c.is_control() { ' ' } else { c });
-        let said: String = printable.take(300).collect();
-        self.fault(error.span().map_or(0, |span| span.start), Text::quoted(said))
+        let (at, why) = stumbled(error);
+        self.fault(at, why)
     }
 
     /// The version comes first: a newer file may hold what is unknown here, and that is not its fault.

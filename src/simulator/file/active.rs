@@ -1,9 +1,9 @@
 //! What a bench file says of an ACT or ACU, and of a foreign slave.
 
-use super::reader::{BenchError, BenchFile, Model, PARITIES, decimal};
+use super::reader::{BenchFile, Model, PARITIES, decimal, from_to, one_of, quoted};
 use super::tables::{DriveTable, EventTable, NodeTable, RampTable};
 use crate::profile::value::check_width;
-use crate::profile::{Family, Param, Sets, Type};
+use crate::profile::{Broken, Family, Param, Sets, Type};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::vabus::{Data, SystemNode};
 use crate::simulator::device::active::line::BAUD_RATES;
@@ -14,6 +14,7 @@ use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::shaft::Ramps;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
+use crate::text::{Text, both};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::{Spanned, Value};
@@ -25,7 +26,7 @@ const HEAVIEST: i64 = 1_000;
 
 impl BenchFile<'_> {
     /// An ACT or ACU without its line.
-    pub(crate) fn active(&self, row: &DriveTable, model: Model, family: Option<&Family>) -> Result<Setup, BenchError> {
+    pub(crate) fn active(&self, row: &DriveTable, model: Model, family: Option<&Family>) -> Result<Setup, Broken> {
         let mut setup = Setup::plain(model == Model::Acu);
         setup.readings = self.readings(row, model)?;
         setup.strict_remote = row.strict_remote;
@@ -49,7 +50,9 @@ impl BenchFile<'_> {
         for (key, word) in &row.eeprom {
             let (param, set) = self.cell(key, word.span(), family, &setup)?;
             if set >= RAM_OFFSET {
-                return Err(self.error(word.span(), format!("eeprom \"{key}\": expected no RAM")));
+                let message =
+                    both!("eeprom \"{key}\": expected no RAM", "eeprom \"{key}\": hier wird kein RAM erwartet");
+                return Err(self.error(word.span(), message));
             }
             setup.faulty.push((param.id, set, self.word("eeprom", word, FAULTS)?));
         }
@@ -57,7 +60,7 @@ impl BenchFile<'_> {
     }
 
     /// The drives behind it, on the system bus.
-    pub(crate) fn nodes(&self, row: &DriveTable, master: Model) -> Result<Vec<Node>, BenchError> {
+    pub(crate) fn nodes(&self, row: &DriveTable, master: Model) -> Result<Vec<Node>, Broken> {
         let mut nodes = Vec::new();
         for node in &row.nodes {
             nodes.push(self.node(node, master, &nodes)?);
@@ -72,7 +75,7 @@ impl BenchFile<'_> {
         set: &BTreeMap<String, Spanned<Value>>,
         family: Option<&Family>,
         setup: &mut Setup,
-    ) -> Result<(), BenchError> {
+    ) -> Result<(), Broken> {
         setup.modules = modules.iter().map(|module| module.get_ref().clone()).collect();
         for module in modules {
             self.check_module(module, family)?;
@@ -81,18 +84,22 @@ impl BenchFile<'_> {
     }
 
     /// A drive behind this one, on the system bus.
-    fn node(&self, table: &Spanned<NodeTable>, master: Model, others: &[Node]) -> Result<Node, BenchError> {
+    fn node(&self, table: &Spanned<NodeTable>, master: Model, others: &[Node]) -> Result<Node, Broken> {
         let row = table.get_ref();
-        let refuse = |span, message: &str| Err(self.error(span, message.to_owned()));
+        let refuse = |span, message: Text| Err(self.error(span, message));
         let Some(id) = SystemNode::new(row.id).filter(|id| *id != SystemNode::SELF).map(SystemNode::id) else {
-            return refuse(table.span(), &format!("id = {}; expected a node 1 to {}", row.id, SystemNode::LAST));
+            return Err(self.unfit("id", table.span(), &row.id, &from_to(1, SystemNode::LAST)));
         };
         if others.iter().any(|other| other.id == id) {
-            return refuse(table.span(), &format!("node {id} is there already"));
+            return refuse(table.span(), both!("node {id} is there already", "den Knoten {id} gibt es schon"));
         }
         let drives = [("act", Model::Act), ("acu", Model::Acu)];
         if !drives.iter().any(|row| row.1 == master) {
-            return refuse(table.span(), "only an ACT or ACU is master of a system bus");
+            let message = both!(
+                "only an ACT or ACU is master of a system bus",
+                "nur ein ACT oder ACU ist Master eines Systembus"
+            );
+            return refuse(table.span(), message);
         }
         let model = self.word("model", &row.model, &drives)?;
         let family = self.registry.family(model.name());
@@ -108,13 +115,19 @@ impl BenchFile<'_> {
         set: &BTreeMap<String, Spanned<Value>>,
         family: Option<&Family>,
         setup: &mut Setup,
-    ) -> Result<(), BenchError> {
+    ) -> Result<(), Broken> {
         for (key, value) in set {
             let param = key.parse().ok().and_then(|number| family?.param(number));
             match param.filter(|param| param.kind == Some(Type::String)) {
                 Some(param) => {
                     let text = value.get_ref().as_str().and_then(|text| Data::text(text.as_bytes()).ok());
-                    let message = || format!("set \"{key}\": expected a text of 1 to {} ASCII characters", Data::MOST);
+                    let message = || {
+                        both!(
+                            "set \"{key}\": expected a text of 1 to {most} ASCII characters",
+                            "set \"{key}\": erwartet wird ein Text von 1 bis {most} ASCII-Zeichen",
+                            most = Data::MOST
+                        )
+                    };
                     let text = text.filter(|text| text.characters().is_ascii());
                     let text = text.ok_or_else(|| self.error(value.span(), message()))?;
                     setup.texts.insert(param.id, text.characters().to_vec());
@@ -134,14 +147,14 @@ impl BenchFile<'_> {
         baud: Option<&Spanned<i64>>,
         parity: Option<&Spanned<String>>,
         spoken: Spoken,
-    ) -> Result<LineSetting, BenchError> {
+    ) -> Result<LineSetting, Broken> {
         let baud = match baud {
             None => 19_200,
             Some(got) => {
                 let known = BAUD_RATES.iter().find(|rate| i64::from(rate.1) == *got.get_ref());
                 let rates: Vec<_> = BAUD_RATES.iter().map(|rate| rate.1.to_string()).collect();
-                let message = || format!("baud = {}; expected one of: {}", got.get_ref(), rates.join(", "));
-                known.ok_or_else(|| self.error(got.span(), message()))?.1
+                let expected = one_of(&rates.join(", "));
+                known.ok_or_else(|| self.unfit("baud", got.span(), got.get_ref(), &expected))?.1
             }
         };
         let words = PARITIES.map(|parity| (parity.name(), parity));
@@ -153,20 +166,20 @@ impl BenchFile<'_> {
         })
     }
 
-    pub(crate) fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, BenchError> {
+    pub(crate) fn line(&self, row: &DriveTable, spoken: Spoken) -> Result<LineSetting, Broken> {
         let line = self.setting(row.baud.as_ref(), row.parity.as_ref(), spoken)?;
         match row.data_bits.as_ref().map(|got| (*got.get_ref(), got)) {
             None => Ok(line),
             Some((8, _)) => Ok(LineSetting { data_bits: 8, ..line }),
             Some((7, _)) if line.data_bits == 7 => Ok(line),
             Some((bits, got)) => {
-                let message = format!("data_bits = {bits}; expected 8, or 7 with protocol ascii or vabus");
-                Err(self.error(got.span(), message))
+                let expected = both!("8, or 7 with protocol ascii or vabus", "8, oder 7 mit protocol ascii oder vabus");
+                Err(self.unfit("data_bits", got.span(), &bits, &expected))
             }
         }
     }
 
-    fn check_module(&self, module: &Spanned<String>, family: Option<&Family>) -> Result<(), BenchError> {
+    fn check_module(&self, module: &Spanned<String>, family: Option<&Family>) -> Result<(), Broken> {
         let rows = family.into_iter().flat_map(|family| family.params.values());
         let mut known: Vec<&str> = rows.filter_map(|param| param.module.as_deref()).collect();
         known.sort_unstable();
@@ -174,25 +187,30 @@ impl BenchFile<'_> {
         if known.contains(&module.get_ref().as_str()) {
             return Ok(());
         }
-        let message = format!("module \"{}\"; expected one of: {}", module.get_ref(), known.join(", "));
-        Err(self.error(module.span(), message))
+        Err(self.unfit("module", module.span(), &quoted(module), &one_of(&known.join(", "))))
     }
 
     /// An ACT has one input for the enable (CM-485 manual 9).
-    fn check_sto(&self, got: &Spanned<bool>, model: Model) -> Result<(), BenchError> {
+    fn check_sto(&self, got: &Spanned<bool>, model: Model) -> Result<(), Broken> {
         match model {
             Model::Acu => Ok(()),
-            _ => Err(self.error(got.span(), "only an ACU has STOA and STOB; expected enable".to_owned())),
+            _ => {
+                let message = both!(
+                    "only an ACU has STOA and STOB; expected enable",
+                    "nur ein ACU hat STOA und STOB; erwartet: enable"
+                );
+                Err(self.error(got.span(), message))
+            }
         }
     }
 
-    fn torque(&self, got: &Spanned<i64>) -> Result<i64, BenchError> {
+    fn torque(&self, got: &Spanned<i64>) -> Result<i64, Broken> {
         let torque = Some(*got.get_ref()).filter(|torque| (0..=HEAVIEST).contains(torque));
-        let message = || format!("torque = {}; expected 0 to {HEAVIEST} % of the rated torque", got.get_ref());
-        torque.ok_or_else(|| self.error(got.span(), message()))
+        let expected = both!("0 to {HEAVIEST} % of the rated torque", "0 bis {HEAVIEST} % des Bemessungsdrehmoments");
+        torque.ok_or_else(|| self.unfit("torque", got.span(), got.get_ref(), &expected))
     }
 
-    fn ramps(&self, table: &RampTable, ramps: &mut Ramps) -> Result<(), BenchError> {
+    fn ramps(&self, table: &RampTable, ramps: &mut Ramps) -> Result<(), Broken> {
         for (got, slope) in [
             (&table.up_right, &mut ramps.up_right),
             (&table.down_right, &mut ramps.down_right),
@@ -202,7 +220,13 @@ impl BenchFile<'_> {
             let Some(got) = got else { continue };
             let raw = decimal(got.get_ref(), 2).map_err(|message| self.error(got.span(), message))?;
             let known = Some(raw).filter(|raw| (1..=STEEPEST).contains(raw));
-            let message = || format!("{} Hz/s; expected 0.01 to 9999.99", got.get_ref());
+            let message = || {
+                both!(
+                    "{slope} Hz/s; expected 0.01 to 9999.99",
+                    "{slope} Hz/s; erwartet: 0.01 bis 9999.99",
+                    slope = got.get_ref()
+                )
+            };
             *slope = known.ok_or_else(|| self.error(got.span(), message()))?;
         }
         Ok(())
@@ -215,8 +239,8 @@ impl BenchFile<'_> {
         span: Range<usize>,
         family: Option<&'f Family>,
         setup: &Setup,
-    ) -> Result<(&'f Param, u8), BenchError> {
-        let refuse = |message: &str| self.error(span.clone(), format!("set \"{key}\": {message}"));
+    ) -> Result<(&'f Param, u8), Broken> {
+        let refuse = |why: Text| self.error(span.clone(), both!("set \"{key}\": {why}", "set \"{key}\": {why}", why));
         let (number, set) = match key.split_once('@') {
             None => (key, Some(0)),
             Some((number, text)) => {
@@ -225,12 +249,23 @@ impl BenchFile<'_> {
                 (number, set.map(|set| if ram.is_some() { set + RAM_OFFSET } else { set }))
             }
         };
-        let set = set.ok_or_else(|| refuse("expected data set 1 to 4 after @, or 1ram to 4ram"))?;
+        let set = set.ok_or_else(|| {
+            refuse(both!(
+                "expected data set 1 to 4 after @, or 1ram to 4ram",
+                "erwartet wird hinter @ Datensatz 1 bis 4 oder 1ram bis 4ram"
+            ))
+        })?;
         let param = number.parse().ok().and_then(|number| family?.param(number));
         let param = param.filter(|param| param.module.as_ref().is_none_or(|module| setup.modules.contains(module)));
-        let param = param.ok_or_else(|| refuse("this drive has no such parameter; expected its number"))?;
+        let param = param.ok_or_else(|| {
+            refuse(both!(
+                "this drive has no such parameter; expected its number",
+                "diesen Parameter hat der Antrieb nicht; erwartet wird seine Nummer"
+            ))
+        })?;
         if set != 0 && param.sets != Some(Sets::Four) && !setup.four.contains(&param.id) {
-            return Err(refuse("exists once; expected no data set"));
+            let why = both!("exists once; expected no data set", "gibt es nur einmal; hier steht kein Datensatz");
+            return Err(refuse(why));
         }
         Ok((param, set))
     }
@@ -242,19 +277,20 @@ impl BenchFile<'_> {
         value: &Spanned<Value>,
         family: Option<&Family>,
         setup: &Setup,
-    ) -> Result<(u32, u8, i64), BenchError> {
-        let refuse = |message: String| self.error(value.span(), format!("set \"{key}\": {message}"));
+    ) -> Result<(u32, u8, i64), Broken> {
+        let refuse = |why: Text| self.error(value.span(), both!("set \"{key}\": {why}", "set \"{key}\": {why}", why));
         let (param, set) = self.cell(key, value.span(), family, setup)?;
         let decimals = param.decimals_or_zero();
         let raw = match value.get_ref() {
             Value::String(text) => match text.strip_prefix("0x") {
-                Some(hex) => i64::from_str_radix(hex, 16).map_err(|_| refuse(format!("'{text}' is no number")))?,
+                Some(hex) => i64::from_str_radix(hex, 16)
+                    .map_err(|_| refuse(both!("'{text}' is no number", "'{text}' ist keine Zahl")))?,
                 None => decimal(value.get_ref(), decimals).map_err(refuse)?,
             },
             number => decimal(number, decimals).map_err(refuse)?,
         };
         let kind = param.kind.unwrap_or(Type::Long);
-        check_width(raw, kind, decimals).map_err(|error| refuse(error.to_string()))?;
+        check_width(raw, kind, decimals).map_err(|error| refuse(error.text()))?;
         Ok((param.id, set, raw))
     }
 
@@ -265,11 +301,13 @@ impl BenchFile<'_> {
         model: Model,
         family: Option<&Family>,
         setup: &Setup,
-    ) -> Result<Vec<Event>, BenchError> {
+    ) -> Result<Vec<Event>, Broken> {
         let row = table.get_ref();
         let trigger = self.trigger(table)?;
         if row.class.is_some() || row.qualifier.is_some() {
-            return Err(self.error(table.span(), "class and qualifier are for model lxm05".to_owned()));
+            let message =
+                both!("class and qualifier are for model lxm05", "class und qualifier gehören zu model lxm05");
+            return Err(self.error(table.span(), message));
         }
         let mut actions = Vec::new();
         if let Some(fault) = &row.fault {
@@ -301,23 +339,28 @@ impl BenchFile<'_> {
             actions.push(Action::Torque(self.torque(torque)?));
         }
         if actions.is_empty() {
-            let message = "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, mains, \
-                           enable, stoa, stob, start_right, start_left or torque";
-            return Err(self.error(table.span(), message.to_owned()));
+            let message = both!(
+                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, mains, enable, stoa, stob, start_right, start_left or torque",
+                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, mains, enable, stoa, stob, start_right, start_left oder torque"
+            );
+            return Err(self.error(table.span(), message));
         }
         let lasts = row.lasts.as_ref().map(|got| self.time("for", got)).transpose()?;
         if let Some(got) = row.lasts.as_ref().filter(|_| actions.iter().any(|action| action.opposite().is_none())) {
-            let message = "for goes only with mains, enable, stoa, stob, start_right, start_left";
-            return Err(self.error(got.span(), message.to_owned()));
+            let message = both!(
+                "for goes only with mains, enable, stoa, stob, start_right, start_left",
+                "for gehört nur zu mains, enable, stoa, stob, start_right, start_left"
+            );
+            return Err(self.error(got.span(), message));
         }
         Ok(actions.into_iter().map(|action| Event { trigger, action, lasts }).collect())
     }
 
-    fn fault(&self, got: &Spanned<String>) -> Result<u16, BenchError> {
+    fn fault(&self, got: &Spanned<String>) -> Result<u16, Broken> {
         let digits = got.get_ref().strip_prefix('F').filter(|digits| digits.len() == 4);
         let code = digits.and_then(|digits| u16::from_str_radix(digits, 16).ok()).filter(|&code| code != 0);
-        let message = || format!("fault = \"{}\"; expected F and 4 digits, such as \"F0500\"", got.get_ref());
-        code.ok_or_else(|| self.error(got.span(), message()))
+        let expected = both!("F and 4 digits, such as \"F0500\"", "F und 4 Ziffern wie \"F0500\"");
+        code.ok_or_else(|| self.unfit("fault", got.span(), &quoted(got), &expected))
     }
 }
 

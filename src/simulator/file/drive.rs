@@ -1,8 +1,8 @@
 //! A `[[drive]]` of a bench file: which device stands at which place.
 
-use super::reader::{BenchError, BenchFile, Model, own_seed};
+use super::reader::{BenchFile, Model, own_seed};
 use super::tables::DriveTable;
-use crate::profile::INPUTS;
+use crate::profile::{Broken, INPUTS};
 use crate::protocol::vabus::Address;
 use crate::simulator::device::active;
 use crate::simulator::device::contract::{Device, NodeSetting};
@@ -10,13 +10,14 @@ use crate::simulator::device::foreign::Foreign;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::Drive;
 use crate::simulator::station::setup::Setup;
+use crate::text::both;
 use crate::tick::Span;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
 impl BenchFile<'_> {
     /// What stands there.
-    pub(crate) fn drive(&self, table: &Spanned<DriveTable>, seed: u64) -> Result<Drive, BenchError> {
+    pub(crate) fn drive(&self, table: &Spanned<DriveTable>, seed: u64) -> Result<Drive, Broken> {
         let row = table.get_ref();
         let model = self.word("model", &row.model, &Model::NAMES)?;
         let address = row.address.as_ref().map_or(Ok(1), |got| self.station(got))?;
@@ -28,18 +29,29 @@ impl BenchFile<'_> {
     }
 
     /// An ACT, an ACU, or a foreign slave, for which the keys of those two may stand and mean nothing.
-    fn inverter(&self, table: &Spanned<DriveTable>, model: Model, address: u8, seed: u64) -> Result<Drive, BenchError> {
+    fn inverter(&self, table: &Spanned<DriveTable>, model: Model, address: u8, seed: u64) -> Result<Drive, Broken> {
         let row = table.get_ref();
         if row.servo.is_some() || row.stop_bits.is_some() {
-            return Err(self.error(table.span(), "servo and stop_bits are for model lxm05".to_owned()));
+            let message =
+                both!("servo and stop_bits are for model lxm05", "servo und stop_bits gehören zu model lxm05");
+            return Err(self.error(table.span(), message));
         }
         let spoken = self.spoken(row, address)?;
         let family = self.registry.family(model.name());
         if family.is_none() && model != Model::Foreign {
-            return Err(self.error(row.model.span(), format!("no catalogue describes model '{}'", model.name())));
+            let message = both!(
+                "no catalogue describes model '{model}'",
+                "kein Katalog beschreibt model '{model}'",
+                model = model.name()
+            );
+            return Err(self.error(row.model.span(), message));
         }
         if model != Model::Foreign && (row.busy || !row.registers.is_empty()) {
-            return Err(self.error(table.span(), "registers and busy are for model foreign; expected set".to_owned()));
+            let message = both!(
+                "registers and busy are for model foreign; expected set",
+                "registers und busy gehören zu model foreign; erwartet: set"
+            );
+            return Err(self.error(table.span(), message));
         }
         let place = NodeSetting { address, spoken, line: self.line(row, spoken)? };
         let mut station = Setup::plain(place);
@@ -60,25 +72,29 @@ impl BenchFile<'_> {
         Ok(Drive::new(station, device))
     }
 
-    fn spoken(&self, row: &DriveTable, address: u8) -> Result<Spoken, BenchError> {
+    fn spoken(&self, row: &DriveTable, address: u8) -> Result<Spoken, Broken> {
         let protocols = [Spoken::RTU, Spoken::ASCII, Spoken::Vabus].map(|spoken| (spoken.name(), spoken));
         let spoken = row.protocol.as_ref().map_or(Ok(Spoken::RTU), |got| self.word("protocol", got, &protocols))?;
         let out_of_range = spoken == Spoken::Vabus && Address::drive(address).is_none();
         if let Some(got) = row.address.as_ref().filter(|_| out_of_range) {
-            let message = format!("address = {address}; expected 1 to {} with protocol vabus", Address::LAST);
-            return Err(self.error(got.span(), message));
+            let expected =
+                both!("1 to {last} with protocol vabus", "1 bis {last} mit protocol vabus", last = Address::LAST);
+            return Err(self.unfit("address", got.span(), &address, &expected));
         }
         Ok(spoken)
     }
 
-    fn registers(&self, row: &DriveTable) -> Result<BTreeMap<u32, u16>, BenchError> {
+    fn registers(&self, row: &DriveTable) -> Result<BTreeMap<u32, u16>, Broken> {
         let mut registers = BTreeMap::new();
         for (key, value) in &row.registers {
             let known = |number: &u32| *number <= u16::MAX.into() || INPUTS.contains(number);
             let register = key.parse().ok().filter(known).zip(u16::try_from(*value.get_ref()).ok());
             let message = || {
-                let value = value.get_ref();
-                format!("register \"{key}\" = {value}; both expected 0 to 65535, an input register is 300001 to 365536")
+                both!(
+                    "register \"{key}\" = {value}; both expected 0 to 65535, an input register is 300001 to 365536",
+                    "Register \"{key}\" = {value}; für beides wird 0 bis 65535 erwartet, ein Eingangsregister ist 300001 bis 365536",
+                    value = value.get_ref()
+                )
             };
             let (number, value) = register.ok_or_else(|| self.error(value.span(), message()))?;
             registers.insert(number, value);

@@ -1,29 +1,37 @@
 //! What a bench file says of the line: disturbances, and who speaks unasked.
 
-use super::reader::{BenchError, BenchFile};
+use super::reader::{BenchFile, quoted};
 use super::tables::DisturbTable;
+use crate::profile::Broken;
 use crate::simulator::line::babble::{Babbler, Pattern};
 use crate::simulator::line::disturb::{Kind, Rule, When};
 use crate::simulator::line::speech::Spoken;
+use crate::text::both;
 use crate::tick::{Span, Tick};
 use toml::Spanned;
 
 impl BenchFile<'_> {
     /// Somebody who speaks unasked; `None` if the table is about replies.
-    pub(crate) fn babbler(&self, table: &Spanned<DisturbTable>, spoken: Spoken) -> Result<Option<Babbler>, BenchError> {
+    pub(crate) fn babbler(&self, table: &Spanned<DisturbTable>, spoken: Spoken) -> Result<Option<Babbler>, Broken> {
         let row = table.get_ref();
         if row.kind.get_ref() != "babble" {
             return Ok(None);
         }
         if row.every.is_some() || row.once.is_some() || row.byte.is_some() || row.address.is_some() {
-            let message = "babble goes only with at, by, for, pattern, baud, parity and reply_delay";
-            return Err(self.error(table.span(), message.to_owned()));
+            let message = both!(
+                "babble goes only with at, by, for, pattern, baud, parity and reply_delay",
+                "zu babble gehören nur at, by, for, pattern, baud, parity und reply_delay"
+            );
+            return Err(self.error(table.span(), message));
         }
         let pattern = match row.pattern.as_ref() {
             None => Pattern::Bytes(vec![0x55]),
             Some(got) => pattern(got.get_ref(), spoken).ok_or_else(|| {
-                let message = "expected random, digits, master, or bytes in hex such as \"55 AA\"";
-                self.error(got.span(), format!("pattern = \"{}\"; {message}", got.get_ref()))
+                let expected = both!(
+                    "random, digits, master, or bytes in hex such as \"55 AA\"",
+                    "random, digits, master oder Bytes in Hex wie \"55 AA\""
+                );
+                self.unfit("pattern", got.span(), &quoted(got), &expected)
             })?,
         };
         let from = Tick::ZERO + self.time_or("at", row.at.as_ref(), Span::ZERO)?;
@@ -35,13 +43,17 @@ impl BenchFile<'_> {
         Ok(Some(Babbler::new(pattern, from, pause, lasts).at(line, reply_delay)))
     }
 
-    pub(crate) fn rule(&self, table: &Spanned<DisturbTable>) -> Result<Rule, BenchError> {
+    pub(crate) fn rule(&self, table: &Spanned<DisturbTable>) -> Result<Rule, Broken> {
         let row = table.get_ref();
         let when = match (&row.every, &row.once, &row.at) {
             (Some(every), None, None) => When::Every(self.count(every)?),
             (None, Some(once), None) => When::Once(self.count(once)?),
             (None, None, Some(at)) => When::From(Tick::ZERO + self.time("at", at)?),
-            _ => return Err(self.error(table.span(), "expected exactly one of: every, once, at".to_owned())),
+            _ => {
+                let message =
+                    both!("expected exactly one of: every, once, at", "erwartet wird genau eines von: every, once, at");
+                return Err(self.error(table.span(), message));
+            }
         };
         let by = self.time_or("by", row.by.as_ref(), Span::from_millis(150))?;
         let kinds = [
@@ -62,21 +74,27 @@ impl BenchFile<'_> {
             .as_ref()
             .filter(|_| !matches!(kind, Kind::Late(_) | Kind::Echo(_) | Kind::Doubled(_) | Kind::Twin(_)))
         {
-            return Err(self.error(
-                by.span(),
-                "by goes only with kind = \"late\", \"echo\", \"doubled\", \"twin\" or \"babble\"".to_owned(),
-            ));
+            let message = both!(
+                "by goes only with kind = \"late\", \"echo\", \"doubled\", \"twin\" or \"babble\"",
+                "by gehört nur zu kind = \"late\", \"echo\", \"doubled\", \"twin\" oder \"babble\""
+            );
+            return Err(self.error(by.span(), message));
         }
         if row.byte.is_some() && !matches!(kind, Kind::Noise(_) | Kind::Exception(_)) {
-            let message = "byte goes only with kind = \"noise\" or \"exception\"";
-            return Err(self.error(table.span(), message.to_owned()));
+            let message = both!(
+                "byte goes only with kind = \"noise\" or \"exception\"",
+                "byte gehört nur zu kind = \"noise\" oder \"exception\""
+            );
+            return Err(self.error(table.span(), message));
         }
         let words = [&row.pattern, &row.lasts, &row.parity, &row.reply_delay];
         let spans = words.into_iter().flatten().map(Spanned::span).chain(row.baud.as_ref().map(Spanned::span));
         if let Some(got) = spans.into_iter().next() {
-            return Err(
-                self.error(got, "pattern, for, baud, parity and reply_delay go only with kind = \"babble\"".to_owned())
+            let message = both!(
+                "pattern, for, baud, parity and reply_delay go only with kind = \"babble\"",
+                "pattern, for, baud, parity und reply_delay gehören nur zu kind = \"babble\""
             );
+            return Err(self.error(got, message));
         }
         let station = row.address.as_ref().map(|got| self.station(got)).transpose()?;
         Ok(Rule::new(when, kind, station))

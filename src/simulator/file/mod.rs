@@ -14,9 +14,7 @@ mod servo;
 mod station;
 mod tables;
 
-pub use reader::BenchError;
-
-use crate::profile::Registry;
+use crate::profile::{Broken, Registry, stumbled};
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::bench::Bench;
 use crate::simulator::device;
@@ -25,6 +23,7 @@ use crate::simulator::line::disturb::Disturber;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::Drive;
 use crate::simulator::station::setup::Setup;
+use crate::text::both;
 use reader::{BenchFile, Model};
 use tables::File;
 
@@ -53,20 +52,28 @@ impl Bench {
     }
 
     /// The bench of a file. `path` is only for the messages; see [`mod@crate::simulator::file`] for the format.
-    pub fn from_toml(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
+    pub fn from_toml(path: &str, text: &str, registry: &Registry) -> Result<Bench, Broken> {
         read(path, text, registry)
     }
 }
 
-fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError> {
+fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, Broken> {
     let reader = BenchFile { path, text, registry };
     if text.len() > MAX_FILE {
-        return Err(reader.error(0..0, format!("{} bytes; a bench file has at most {MAX_FILE}", text.len())));
+        let message = both!(
+            "{bytes} bytes; a bench file has at most {MAX_FILE}",
+            "{bytes} Byte; eine Prüfstanddatei hat höchstens {MAX_FILE}",
+            bytes = text.len()
+        );
+        return Err(reader.error(0..0, message));
     }
-    let file: File = toml::from_str(text)
-        .map_err(|error| reader.error(error.span().unwrap_or(0..0), error.message().replace('\n', " ")))?;
+    let file: File = toml::from_str(text).map_err(|error| {
+        let (at, why) = stumbled(&error);
+        reader.error(at..at, why)
+    })?;
     if file.drive.is_empty() {
-        return Err(reader.error(0..0, "no [[drive]]; expected at least one".to_owned()));
+        let message = both!("no [[drive]]; expected at least one", "kein [[drive]]; erwartet wird mindestens eines");
+        return Err(reader.error(0..0, message));
     }
     let drives = file.drive.iter().map(|table| reader.drive(table, file.line.seed));
     let drives: Vec<Drive> = drives.collect::<Result<_, _>>()?;
@@ -87,7 +94,7 @@ fn read(path: &str, text: &str, registry: &Registry) -> Result<Bench, BenchError
 mod tests {
     use super::*;
 
-    fn bench(text: &str) -> Result<Bench, BenchError> {
+    fn bench(text: &str) -> Result<Bench, Broken> {
         read("bench.toml", text, &Registry::open(&[]).unwrap())
     }
 

@@ -1,35 +1,14 @@
 //! Words, times and numbers of a bench file, and how a wrong one is told.
 
-use crate::profile::Registry;
 use crate::profile::value::parse_decimal;
+use crate::profile::{Broken, Registry};
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::LAST_STATION;
 use crate::text::{Text, both};
 use crate::tick::Span;
+use std::fmt;
 use std::ops::Range;
 use toml::{Spanned, Value};
-
-/// Why a bench file is refused, and where.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{path}:{line}:{column}: {message}")]
-pub struct BenchError {
-    /// The file.
-    pub path: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// Column, from 1.
-    pub column: usize,
-    /// What is wrong, and what was expected.
-    pub message: String,
-}
-
-impl BenchError {
-    /// In words for people; what is wrong with a file of this format is told in English.
-    pub fn text(&self) -> Text {
-        let BenchError { path, line, column, message } = self;
-        both!("{path}:{line}:{column}: {message}", "{path}:{line}:{column}: {message}", message = Text::quoted(message))
-    }
-}
 
 /// Parities that a file can name.
 pub(crate) const PARITIES: [Parity; 3] = [Parity::Even, Parity::Odd, Parity::None];
@@ -61,44 +40,65 @@ pub(crate) struct BenchFile<'a> {
 }
 
 impl BenchFile<'_> {
-    pub(crate) fn error(&self, span: Range<usize>, message: String) -> BenchError {
-        let (line, column) = crate::profile::place(self.text, span.start);
-        BenchError { path: self.path.to_owned(), line, column, message }
+    pub(crate) fn error(&self, span: Range<usize>, message: Text) -> Broken {
+        Broken::at(self.path, self.text, span.start, message)
+    }
+
+    /// `key = got` does not do; `expected` would.
+    pub(crate) fn unfit(&self, key: &str, span: Range<usize>, got: &dyn fmt::Display, expected: &Text) -> Broken {
+        self.error(span, both!("{key} = {got}; expected {expected}", "{key} = {got}; erwartet: {expected}", expected))
     }
 
     /// One of the words of a table.
-    pub(crate) fn word<T: Copy>(&self, key: &str, got: &Spanned<String>, words: &[(&str, T)]) -> Result<T, BenchError> {
+    pub(crate) fn word<T: Copy>(&self, key: &str, got: &Spanned<String>, words: &[(&str, T)]) -> Result<T, Broken> {
         let found = words.iter().find(|(word, _)| word == got.get_ref());
         found.map(|(_, value)| *value).ok_or_else(|| {
             let known: Vec<_> = words.iter().map(|row| row.0).collect();
-            let message = format!("{key} = \"{}\"; expected one of: {}", got.get_ref(), known.join(", "));
-            self.error(got.span(), message)
+            self.unfit(key, got.span(), &quoted(got), &one_of(&known.join(", ")))
         })
     }
 
-    pub(crate) fn time(&self, key: &str, got: &Spanned<String>) -> Result<Span, BenchError> {
+    pub(crate) fn time(&self, key: &str, got: &Spanned<String>) -> Result<Span, Broken> {
         got.get_ref().parse().map_err(|_| {
-            let message = format!("{key} = \"{}\"; expected a time with unit, such as \"10ms\", \"2s\"", got.get_ref());
-            self.error(got.span(), message)
+            let expected =
+                both!("a time with unit, such as \"10ms\", \"2s\"", "eine Zeit mit Einheit wie \"10ms\" oder \"2s\"");
+            self.unfit(key, got.span(), &quoted(got), &expected)
         })
     }
 
-    pub(crate) fn time_or(&self, key: &str, got: Option<&Spanned<String>>, default: Span) -> Result<Span, BenchError> {
+    pub(crate) fn time_or(&self, key: &str, got: Option<&Spanned<String>>, default: Span) -> Result<Span, Broken> {
         got.map_or(Ok(default), |got| self.time(key, got))
     }
 
-    pub(crate) fn station(&self, got: &Spanned<i64>) -> Result<u8, BenchError> {
+    pub(crate) fn station(&self, got: &Spanned<i64>) -> Result<u8, Broken> {
         let station = u8::try_from(*got.get_ref()).ok().filter(|station| (1..=LAST_STATION).contains(station));
-        let message = || format!("address = {}; expected 1 to {LAST_STATION}", got.get_ref());
-        station.ok_or_else(|| self.error(got.span(), message()))
+        station.ok_or_else(|| self.unfit("address", got.span(), got.get_ref(), &from_to(1, LAST_STATION)))
     }
 
-    pub(crate) fn count(&self, got: &Spanned<u64>) -> Result<u64, BenchError> {
+    pub(crate) fn count(&self, got: &Spanned<u64>) -> Result<u64, Broken> {
         match *got.get_ref() {
-            0 => Err(self.error(got.span(), "0 hits nothing; expected 1 or more".to_owned())),
+            0 => {
+                let message = both!("0 hits nothing; expected 1 or more", "0 trifft nichts; erwartet: 1 oder mehr");
+                Err(self.error(got.span(), message))
+            }
             count => Ok(count),
         }
     }
+}
+
+/// As it stands in the file.
+pub(crate) fn quoted(got: &Spanned<String>) -> String {
+    format!("\"{}\"", got.get_ref())
+}
+
+/// One of these words.
+pub(crate) fn one_of(known: &str) -> Text {
+    both!("one of: {known}", "{known}")
+}
+
+/// A number between these.
+pub(crate) fn from_to(low: impl fmt::Display, high: impl fmt::Display) -> Text {
+    both!("{low} to {high}", "{low} bis {high}")
 }
 
 /// What a drive throws its dice with.
@@ -107,12 +107,12 @@ pub(crate) fn own_seed(seed: u64, address: u8) -> u64 {
 }
 
 /// Reads a number, written as one or as text.
-pub(crate) fn decimal(value: &Value, decimals: u8) -> Result<i64, String> {
+pub(crate) fn decimal(value: &Value, decimals: u8) -> Result<i64, Text> {
     let text = match value {
         Value::String(text) => text.clone(),
         Value::Integer(number) => number.to_string(),
         Value::Float(number) => number.to_string(),
-        other => return Err(format!("{} given; expected a number", other.type_str())),
+        _ => return Err(both!("expected a number", "erwartet wird eine Zahl")),
     };
-    parse_decimal(&text, decimals).map_err(|error| error.to_string())
+    parse_decimal(&text, decimals).map_err(|error| error.text())
 }

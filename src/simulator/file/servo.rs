@@ -1,7 +1,8 @@
 //! An LXM05 in a bench file.
 
-use super::reader::{BenchError, BenchFile, Model, PARITIES, decimal};
+use super::reader::{BenchFile, Model, PARITIES, decimal, from_to, one_of, quoted};
 use super::tables::{DriveTable, EventTable, ServoTable};
+use crate::profile::Broken;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::simulator::device::contract::{Action, Fault, NodeSetting};
 use crate::simulator::device::lexium::Lexium;
@@ -10,6 +11,7 @@ use crate::simulator::device::lexium::setup::Setup;
 use crate::simulator::line::speech::Spoken;
 use crate::simulator::station::script::Event;
 use crate::simulator::station::{Drive, setup};
+use crate::text::{Text, both};
 use crate::tick::Span;
 use toml::{Spanned, Value};
 
@@ -23,13 +25,15 @@ const MOST_WAVER: i64 = 1_000_000;
 const MOST_TEXT: usize = 60;
 
 impl BenchFile<'_> {
-    pub(crate) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, BenchError> {
+    pub(crate) fn servo(&self, table: &Spanned<DriveTable>, address: u8, seed: u64) -> Result<Drive, Broken> {
         let row = table.get_ref();
         if let Some(key) = foreign_key(row) {
-            return Err(self.error(table.span(), format!("{key} is not for model lxm05")));
+            let message = both!("{key} is not for model lxm05", "{key} gehört nicht zu model lxm05");
+            return Err(self.error(table.span(), message));
         }
         if let Some(protocol) = row.protocol.as_ref().filter(|protocol| protocol.get_ref() != "rtu") {
-            return Err(self.error(protocol.span(), "an LXM05 speaks rtu only".to_owned()));
+            let message = both!("an LXM05 speaks rtu only", "ein LXM05 spricht nur rtu");
+            return Err(self.error(protocol.span(), message));
         }
         let place = NodeSetting { address, spoken: Spoken::RTU, line: self.servo_line(row)? };
         let mut station = setup::Setup::plain(place);
@@ -56,18 +60,13 @@ impl BenchFile<'_> {
     }
 
     /// Baud rate, parity and stop bits as MBbaud and MBformat can have them (LXM05 manual 4.1).
-    fn servo_line(&self, row: &DriveTable) -> Result<LineSetting, BenchError> {
+    fn servo_line(&self, row: &DriveTable) -> Result<LineSetting, Broken> {
         let mut line = LineSetting::rtu(19_200, Parity::Even);
         if let Some(got) = &row.baud {
             let known = BAUD_RATES.iter().find(|&&rate| i64::from(rate) == *got.get_ref());
-            let message = || {
-                format!(
-                    "baud = {}; expected one of: {}",
-                    got.get_ref(),
-                    BAUD_RATES.map(|rate| rate.to_string()).join(", ")
-                )
-            };
-            line.baud = known.ok_or_else(|| self.error(got.span(), message()))?.unsigned_abs();
+            let expected = one_of(&BAUD_RATES.map(|rate| rate.to_string()).join(", "));
+            let known = known.ok_or_else(|| self.unfit("baud", got.span(), got.get_ref(), &expected))?;
+            line.baud = known.unsigned_abs();
         }
         if let Some(got) = &row.parity {
             let parity = self.word("parity", got, &PARITIES.map(|parity| (parity.name(), parity)))?;
@@ -77,7 +76,11 @@ impl BenchFile<'_> {
             Some((1, _)) => line.stop_bits = 1,
             Some((2, _)) if line.parity == Parity::None => {}
             Some((_, got)) => {
-                return Err(self.error(got.span(), "stop_bits: expected 1, or 2 with parity \"none\"".to_owned()));
+                let message = both!(
+                    "stop_bits: expected 1, or 2 with parity \"none\"",
+                    "stop_bits: erwartet wird 1, oder 2 mit parity \"none\""
+                );
+                return Err(self.error(got.span(), message));
             }
             None => {}
         }
@@ -85,7 +88,7 @@ impl BenchFile<'_> {
     }
 
     /// What stands around it, and what it tells of itself.
-    fn surroundings(&self, servo: &ServoTable, setup: &mut Setup) -> Result<(), BenchError> {
+    fn surroundings(&self, servo: &ServoTable, setup: &mut Setup) -> Result<(), Broken> {
         let Setup { world, identity, .. } = setup;
         world.limn = servo.limn.unwrap_or(world.limn);
         world.limp = servo.limp.unwrap_or(world.limp);
@@ -102,13 +105,18 @@ impl BenchFile<'_> {
         ] {
             let Some(got) = got else { continue };
             if got.get_ref().len() > MOST_TEXT {
-                return Err(self.error(got.span(), format!("expected a text of at most {MOST_TEXT} bytes")));
+                let message = both!(
+                    "expected a text of at most {MOST_TEXT} bytes",
+                    "erwartet wird ein Text von höchstens {MOST_TEXT} Byte"
+                );
+                return Err(self.error(got.span(), message));
             }
             text.clone_from(got.get_ref());
         }
         if let Some(object) = &servo.revision_object {
             if !(2..=3).contains(object.get_ref()) {
-                return Err(self.error(object.span(), "revision_object: expected 2 or 3".to_owned()));
+                let message = both!("revision_object: expected 2 or 3", "revision_object: erwartet wird 2 oder 3");
+                return Err(self.error(object.span(), message));
             }
             identity.revision_object = *object.get_ref();
         }
@@ -117,25 +125,34 @@ impl BenchFile<'_> {
     }
 
     /// Address and raw value of a row of `set`.
-    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, i64), BenchError> {
-        let refuse = |message: &str| self.error(value.span(), format!("set \"{key}\": {message}"));
-        let row = named(key)
-            .ok_or_else(|| refuse("an LXM05 of this bench has no such parameter; expected its name or address"))?;
+    fn servo_value(&self, key: &str, value: &Spanned<Value>) -> Result<(u32, i64), Broken> {
+        let refuse = |why: Text| self.error(value.span(), both!("set \"{key}\": {why}", "set \"{key}\": {why}", why));
+        let row = named(key).ok_or_else(|| {
+            refuse(both!(
+                "an LXM05 of this bench has no such parameter; expected its name or address",
+                "diesen Parameter hat ein LXM05 dieses Prüfstands nicht; erwartet wird sein Name oder seine Adresse"
+            ))
+        })?;
         if !row.is_settable() {
-            return Err(refuse("cannot be given; it is what the drive does"));
+            return Err(refuse(both!(
+                "cannot be given; it is what the drive does",
+                "lässt sich nicht vorgeben; es ist, was der Antrieb tut"
+            )));
         }
         let raw = match value.get_ref().as_str().and_then(|text| text.strip_prefix("0x")) {
             Some(hex) => u32::from_str_radix(hex, 16)
                 .map(|bits| i64::from(bits as i32))
-                .map_err(|_| refuse("expected hexadecimal digits"))?,
-            None => decimal(value.get_ref(), row.decimals).map_err(|message| refuse(&message))?,
+                .map_err(|_| refuse(both!("expected hexadecimal digits", "erwartet werden Hexadezimalziffern")))?,
+            None => decimal(value.get_ref(), row.decimals).map_err(refuse)?,
         };
         let fits = i32::try_from(raw).is_ok_and(|raw| row.takes(raw));
-        fits.then_some((row.address.into(), raw)).ok_or_else(|| refuse("out of the range of this parameter"))
+        fits.then_some((row.address.into(), raw)).ok_or_else(|| {
+            refuse(both!("out of the range of this parameter", "außerhalb des Bereichs dieses Parameters"))
+        })
     }
 
     /// What an event does to an LXM05.
-    pub(crate) fn servo_actions(&self, table: &Spanned<EventTable>) -> Result<Vec<Action>, BenchError> {
+    pub(crate) fn servo_actions(&self, table: &Spanned<EventTable>) -> Result<Vec<Action>, Broken> {
         let row = table.get_ref();
         let mut actions = Vec::new();
         if let Some(fault) = &row.fault {
@@ -152,21 +169,23 @@ impl BenchFile<'_> {
         let others = others || row.lasts.is_some() || !row.set.is_empty();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
-            let message =
-                "expected fault (with class and qualifier), power_cycle, silent or refuses, as an LXM05 knows them";
-            return Err(self.error(table.span(), message.to_owned()));
+            let message = both!(
+                "expected fault (with class and qualifier), power_cycle, silent or refuses, as an LXM05 knows them",
+                "erwartet wird fault (mit class und qualifier), power_cycle, silent oder refuses, wie ein LXM05 sie kennt"
+            );
+            return Err(self.error(table.span(), message));
         }
         Ok(actions)
     }
 
-    fn servo_fault(&self, row: &EventTable, got: &Spanned<String>) -> Result<Fault, BenchError> {
+    fn servo_fault(&self, row: &EventTable, got: &Spanned<String>) -> Result<Fault, Broken> {
         let digits = got.get_ref().strip_prefix('E').filter(|digits| digits.len() == 4);
         let number = digits.and_then(|digits| u16::from_str_radix(digits, 16).ok()).filter(|&number| number != 0);
-        let message = || format!("fault = \"{}\"; expected E and 4 digits, such as \"E2300\"", got.get_ref());
-        let number = number.ok_or_else(|| self.error(got.span(), message()))?;
+        let expected = both!("E and 4 digits, such as \"E2300\"", "E und 4 Ziffern wie \"E2300\"");
+        let number = number.ok_or_else(|| self.unfit("fault", got.span(), &quoted(got), &expected))?;
         let class = row.class.unwrap_or(CLASS);
         if class > 4 {
-            return Err(self.error(got.span(), format!("class = {class}; expected 0 to 4")));
+            return Err(self.unfit("class", got.span(), &class, &from_to(0, 4)));
         }
         Ok(Fault { number, class, qualifier: row.qualifier.unwrap_or(0) })
     }
@@ -203,7 +222,7 @@ mod tests {
 
     fn refused(rest: &str) -> String {
         let text = format!("[[drive]]\nmodel = \"lxm05\"\n{rest}\n");
-        read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message
+        read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message.en.into_owned()
     }
 
     #[test]
@@ -229,7 +248,7 @@ mod tests {
         assert!(refused("protocol = \"ascii\"").contains("rtu only"));
         let act = |rest: &str| {
             let text = format!("[[drive]]\nmodel = \"act\"\n{rest}\n");
-            read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message
+            read("bench.toml", &text, &Registry::open(&[]).unwrap()).unwrap_err().message.en.into_owned()
         };
         assert!(act("stop_bits = 1").contains("for model lxm05"));
         assert!(act("servo = { }").contains("for model lxm05"));

@@ -1,18 +1,20 @@
 //! What a bench file says of a station, whatever stands behind it: its times, its script, the readings of its manuals.
 
-use super::reader::{BenchError, BenchFile, Model};
+use super::reader::{BenchFile, Model, quoted};
 use super::tables::{DriveTable, EventTable};
+use crate::profile::Broken;
 use crate::profile::value::parse_decimal;
 use crate::simulator::device::readings::{Reading, Readings};
 use crate::simulator::station::script::Trigger;
 use crate::simulator::station::setup::REPLY_DELAY;
+use crate::text::both;
 use crate::tick::{Span, Tick};
 use toml::Spanned;
 
 /// Reply time under high load: any time above 500 ms (CM-485 manual 6.8).
 const SLOW: Span = Span::from_millis(700);
 impl BenchFile<'_> {
-    pub(crate) fn delay(&self, row: &DriveTable) -> Result<Span, BenchError> {
+    pub(crate) fn delay(&self, row: &DriveTable) -> Result<Span, Broken> {
         if let Some(slow) = &row.slow {
             return self.time("slow", slow);
         }
@@ -24,10 +26,16 @@ impl BenchFile<'_> {
     }
 
     /// What a drive makes of the questions that its manuals leave open.
-    pub(crate) fn readings<R: Reading>(&self, row: &DriveTable, model: Model) -> Result<Readings<R>, BenchError> {
+    pub(crate) fn readings<R: Reading>(&self, row: &DriveTable, model: Model) -> Result<Readings<R>, Broken> {
         let mut readings = Readings::default();
         for (key, word) in &row.readings {
-            let message = || format!("readings: an {} has no question \"{key}\"", model.name());
+            let message = || {
+                both!(
+                    "readings: an {model} has no question \"{key}\"",
+                    "readings: ein {model} hat keine Frage \"{key}\"",
+                    model = model.name()
+                )
+            };
             let question = R::question(key).filter(|_| model != Model::Foreign);
             let question = question.ok_or_else(|| self.error(word.span(), message()))?;
             if let Some(reading) = self.word(key, word, question.words)? {
@@ -37,19 +45,22 @@ impl BenchFile<'_> {
         Ok(readings)
     }
 
-    pub(crate) fn trigger(&self, table: &Spanned<EventTable>) -> Result<Trigger, BenchError> {
+    pub(crate) fn trigger(&self, table: &Spanned<EventTable>) -> Result<Trigger, Broken> {
         let row = table.get_ref();
         match (&row.at, &row.when, &row.after_writes, &row.after_telegrams) {
             (Some(at), None, None, None) => Ok(Trigger::At(Tick::ZERO + self.time("at", at)?)),
             (None, Some(when), None, None) => condition(when.get_ref()).ok_or_else(|| {
-                let message = format!("when = \"{}\"; expected \"running\" or \"above 20Hz\"", when.get_ref());
-                self.error(when.span(), message)
+                let expected = both!("\"running\" or \"above 20Hz\"", "\"running\" oder \"above 20Hz\"");
+                self.unfit("when", when.span(), &quoted(when), &expected)
             }),
             (None, None, Some(writes), None) => Ok(Trigger::Writes(self.count(writes)?)),
             (None, None, None, Some(count)) => Ok(Trigger::Telegrams(self.count(count)?)),
             _ => {
-                let message = "expected exactly one of: at, when, after_writes, after_telegrams";
-                Err(self.error(table.span(), message.to_owned()))
+                let message = both!(
+                    "expected exactly one of: at, when, after_writes, after_telegrams",
+                    "erwartet wird genau eines von: at, when, after_writes, after_telegrams"
+                );
+                Err(self.error(table.span(), message))
             }
         }
     }

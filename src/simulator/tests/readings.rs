@@ -233,7 +233,7 @@ fn an_event_may_count_every_telegram() {
 
 #[test]
 fn a_reading_must_be_one_of_its_model() {
-    let refused = |text: &str| REGISTRY.with(|registry| Bench::from_toml("b", text, registry)).unwrap_err().message;
+    let refused = |text: &str| REGISTRY.with(|registry| Bench::from_toml("b", text, registry)).unwrap_err().message.en;
     let servo = refused("[[drive]]\nmodel = \"lxm05\"\nreadings = { control_7 = \"jumps\" }\n");
     assert!(servo.contains("coasts, brakes, refused"), "{servo}");
     let other = refused("[[drive]]\nmodel = \"act\"\nreadings = { control_7 = \"brakes\" }\n");

@@ -46,7 +46,7 @@ fn a_row_replaces_only_when_it_says_so() {
             "{{ id = 372, slug = \"rated-speed\", de = \"Neu\", en = \"New\", type = \"uint\", access = \"rw\"{rest} }},"
         ))
     };
-    refused(&row(""), "4:1", "add replace = true");
+    refused(&row(""), "4:1", "add `replace = true`");
     let document = antrieb("--catalogue {dir}/mine.toml -p sim -a 1 read 372")
         .file("mine.toml", &row(", replace = true"))
         .json()
@@ -86,7 +86,7 @@ fn bad_toml_and_unknown_keys_are_refused_with_their_place() {
     refused(
         &rows("{ id = 1500, de = \"x\", en = \"x\", access = \"r\", min = 2, max = 1 },"),
         "4:1",
-        "min is above max",
+        "`min` is above `max`",
     );
     refused("schema = 2\nfamily = \"active\"\n", "1:", "schema 2");
     // A role that nobody asks for is a slip of the pen.

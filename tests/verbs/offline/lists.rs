@@ -125,7 +125,7 @@ fn a_list_is_refused_with_its_line() {
     for (list, why) in [
         ("Nr;Name\n1500;a\n1501;b\n1500;c\n", "a.csv:4: parameter 1500 stands twice, first in line 2"),
         ("Nr;Name\n\n372;a\n", "a.csv:3: parameter 372 is already in built-in active.toml"),
-        ("Nr;Name;Min;Max\n1500;a;5;1\n", "a.csv:2: parameter 1500: min is above max"),
+        ("Nr;Name;Min;Max\n1500;a;5;1\n", "a.csv:2: parameter 1500: `min` is above `max`"),
         ("Nr;Name;Nachkommastellen\n1500;a;40\n", "a.csv:2: parameter 1500: 40 decimals; expected at most 9"),
         ("Nr;Name\nx;a\n", "no column has the numbers of parameters"),
         ("Nr;Name\n", "no column has the numbers of parameters"),

@@ -193,7 +193,7 @@ fn what_no_register_of_ours_holds_stays_left_out_with_its_reason() {
     assert!(told.contains("left out, line 3: a float that is scaled"), "{told}");
     let bad = mixer("params").exits(0).text_of("map.toml").replace("type = \"float\"", "type = \"float\", min = 0");
     let refused = antrieb("--catalogue {dir}/bad.toml params").file("bad.toml", &bad).exits(7);
-    assert!(refused.err.contains("a float has no decimals, min, max and default here"), "{}", refused.err);
+    assert!(refused.err.contains("a float has no `decimals`, `min`, `max` and `default` here"), "{}", refused.err);
 }
 
 #[test]

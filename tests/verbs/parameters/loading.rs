@@ -210,3 +210,25 @@ fn a_save_goes_on_with_the_drive_that_it_was_begun_with() {
     let run = antrieb("-a 1 --drive ACT dataset save {dir}/x.toml --resume").on(FRESH).file("x.toml.part", part).json();
     assert_eq!(run.error()["code"], "data.other_drive", "{}", run.error());
 }
+
+/// The file of the other pump is the commonest slip: it is said, and refuses nothing.
+#[test]
+fn a_file_that_names_another_address_is_told_before_and_behind_the_question() {
+    let of_two = file("372 = 1450").replace("family = \"act\"", "family = \"act\"\naddress = 2");
+    let run = |line: &str| antrieb(line).on(FRESH).file("f.toml", &of_two).file("base.toml", &file("480 = 5"));
+    let told = "f.toml names address 2 in its head, this drive has 1";
+    for line in ["-a 1 --yes dataset load {dir}/base.toml {dir}/f.toml", "-a 1 --dry-run dataset load {dir}/f.toml"] {
+        let ended = run(line).exits(0);
+        assert!(ended.page().contains(told), "{}", ended.page());
+        let document = run(line).json().exits(0);
+        assert!(document.warnings().contains(&"load.other_address"), "{:#}", document.value);
+    }
+    let asked = run("-a 1 dataset load {dir}/f.toml").answered("n").run();
+    assert!(asked.err.contains(told), "{}", asked.err);
+    run("-a 1 --lang de --yes dataset load {dir}/f.toml").exits(0);
+    // Of two drives of a plant that share it, the other one is told of.
+    let project = "[drives.a]\naddress = 2\nfiles = [\"f.toml\"]\n[drives.b]\naddress = 1\nfiles = [\"f.toml\"]\n";
+    let two = format!("{FRESH}address = 1\n{FRESH}address = 2\n");
+    let planned = antrieb("plan").on(&two).file("f.toml", &of_two).file("antrieb.toml", project).json().exits(1);
+    assert_eq!(planned.warnings(), ["load.other_address"], "{:#}", planned.value);
+}

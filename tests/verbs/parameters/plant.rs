@@ -137,10 +137,14 @@ fn who_is_silent_or_another_one_is_left_out_and_named() {
         assert_eq!(error(&ended, "a1"), "data.other_family");
         assert_eq!(error(&ended, "b2"), "silence.no_reply");
         let message = ended.error()["message"].as_str().unwrap();
-        assert!(message.contains("2 of 5 drives are not as they shall be (a1, b2)"), "{message}");
+        assert!(message.contains("2 of 5 drives could not be looked at (a1, b2)"), "{message}");
     }
     let checked = plant("check", [family, alone, ONE]).json().exits(9);
     assert_eq!(error(&checked, "a1"), "data.other_family");
+    // Of who is silent nobody says how he is, and what would change is said all the same.
+    let planned = plant("plan", [alone, TWO, ONE]).exits(9).err;
+    assert!(planned.contains("1 of 5 drives did not answer (a2); a2: address 2: no reply"), "{planned}");
+    assert!(planned.contains("; 4 drives would change: a1, b1, b2, c3"), "{planned}");
     // All or none: nothing is begun.
     let none = plant("apply --yes --atomic", [family, alone, ONE]).json().exits(7);
     assert_eq!(states(&none), "a1 skipped, a2 skipped, b1 skipped, b2 skipped, c3 skipped");
