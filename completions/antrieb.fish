@@ -72,6 +72,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sollwert" -d 'Shows
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "setpoint" -d 'Shows setpoint and actual value, or gives one'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "monitor" -d 'Watches drives: state, setpoint, actual value, current, fault'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plot" -d 'Draws a record of `monitor`: setpoint, actual value, current over time'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "report" -d 'Writes down a drive and its line for who takes them over'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "protocol" -d 'Shows or changes what a drive speaks: RTU, ASCII, VABus'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes speed, parity or address of a drive, and follows it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
@@ -1861,6 +1862,40 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l no-progress -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l record -d 'Show a record of `monitor --record`; repeatable' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l count -d 'Questions of the link test to each drive' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l changed -d 'List only what differs from factory settings'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r

@@ -18,7 +18,9 @@ pub use choices::{named_drives, named_groups, ports_there, usb_ports};
 pub use globals::{Auto, ColorChoice, Globals, parse_span};
 pub use low::{Environment, Origin, Typed};
 pub use motion::{KeypadArgs, MotionArgs, StopArg};
-pub use plant::{Place, in_directory, places, project_path, settings_of_plant, templates, typed_ports};
-pub use project::Template;
+pub use plant::{
+    Place, called, in_directory, letterhead, places, project_path, settings_of_plant, templates, typed_ports,
+};
+pub use project::{Letterhead, Template};
 pub use settings::{Settings, Unknown, language, user_config_directory};
 pub use takes::{Takes, Useless};

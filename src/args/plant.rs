@@ -2,7 +2,7 @@
 
 use super::globals::Globals;
 use super::low::{Environment, Low, Typed};
-use super::project::{PROJECT, Template, device, wrong_in};
+use super::project::{Letterhead, PROJECT, Template, device, wrong_in};
 use super::settings::Settings;
 use crate::failure::Failure;
 use crate::files;
@@ -124,6 +124,34 @@ pub fn templates(settings: &Settings) -> Result<BTreeMap<String, Template>, Fail
     let low = Low::read(globals, environment)?;
     let (_, project) = low.project();
     Ok(low.user().triggers.clone().into_iter().chain(project.triggers.clone()).collect())
+}
+
+/// What stands at the head of a report: what the project file says, else the user's.
+///
+/// # Errors
+/// A file does not do.
+pub fn letterhead(settings: &Settings) -> Result<Letterhead, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    let low = Low::read(globals, environment)?;
+    let (path, project) = low.project();
+    let beside = |path: &Path, head: &Letterhead| {
+        let directory = environment.directory.join(path).parent().map(Path::to_owned).unwrap_or_default();
+        Letterhead { logo: head.logo.as_ref().map(|logo| directory.join(logo)), ..head.clone() }
+    };
+    let of_user =
+        || Some(beside(environment.user_config.as_ref()?.join("config.toml").as_ref(), low.user().report.as_ref()?));
+    Ok(project.report.as_ref().map(|head| beside(path, head)).or_else(of_user).unwrap_or_default())
+}
+
+/// The names that the project file has for the drives at the ports of these settings, by their addresses.
+///
+/// # Errors
+/// A file does not do.
+pub fn called(settings: &Settings) -> Result<BTreeMap<u8, String>, Failure> {
+    let Typed { globals, environment } = &settings.typed;
+    let low = Low::read(globals, environment)?;
+    let drives = low.project().1.drives.iter().filter(|(_, drive)| drive.is_at(&settings.ports));
+    Ok(drives.map(|(name, drive)| (drive.address, name.clone())).collect())
 }
 
 /// The ports that were typed, or stand in the environment: only their drives are meant then.

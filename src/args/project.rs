@@ -50,6 +50,19 @@ pub(super) struct File {
     pub(super) groups: BTreeMap<String, Vec<String>>,
     #[serde(default)]
     pub(super) triggers: BTreeMap<String, Template>,
+    pub(super) report: Option<Letterhead>,
+}
+
+/// What stands at the head of a report: `[report]`.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Letterhead {
+    /// For whom it is.
+    pub customer: Option<String>,
+    /// What it is about.
+    pub plant: Option<String>,
+    /// A picture; in the file a path from where the file stands.
+    pub logo: Option<PathBuf>,
 }
 
 /// A trigger with a name, for `monitor`: `[triggers.trip]`.

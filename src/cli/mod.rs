@@ -400,8 +400,8 @@ fn work(
     }
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
     settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
-    let mut context =
-        Context { settings, registry: &registry, ask, observe: &mut observe, interrupt: interrupt.clone() };
+    let (observe, sheet) = (&mut observe, render::sheet);
+    let mut context = Context { settings, registry: &registry, ask, observe, interrupt: interrupt.clone(), sheet };
     // Nobody's reading may hold up a run, or its stop.
     console.waits(!entry.turns);
     let outcome = runtime.block_on(async {

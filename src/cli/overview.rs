@@ -20,7 +20,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("diag", "fault, line"),
             ("monitor", "values, live"),
             ("plot", "a record, drawn"),
-            ("decode", "a telegram, a word"),
+            ("report", "for who takes over"),
         ],
     ),
     ("Motion", &[("statemachine", "state, stop, reset"), ("sollwert", "setpoint, a run")]),
@@ -42,7 +42,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("simulate", "drives without any"),
         ],
     ),
-    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "SJ2-PB, its modules")]),
+    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "SJ2-PB, its modules"), ("decode", "a telegram, a word")]),
     ("Scripts", &[("schema", "of the JSON"), ("completions", "for your shell")]),
 ];
 
@@ -56,7 +56,7 @@ pub(super) fn of(root: Command) -> Command {
         arg.help_heading(None::<&str>).hide_short_help(!is_told)
     });
     root.help_template(format!(
-        "{{about}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions (more with --help):\n{{options}}\n{SHORT}\n",
+        "{{about}}\n{{usage-heading}} {{usage}}\n\n{}Options (more with --help):\n{{options}}\n{SHORT}\n",
         commands()
     ))
 }

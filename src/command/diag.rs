@@ -129,6 +129,13 @@ fn checked(failure: Option<Failure>, faulted: &str, unknown: &str) -> Option<Fai
 
 /// What is asked, in this order; the link test repeats one of them.
 fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
+    let mut questions = looks(family);
+    questions.extend(args.clear.then_some(Inquiry::ClearCounters));
+    questions
+}
+
+/// What is asked of every drive, in this order.
+pub(super) fn looks(family: &Family) -> Vec<Inquiry> {
     let mut questions = role_questions(family, &["error-register"]);
     if let Cause::Diagnostics(sub) = family.link.cause {
         questions.push(Inquiry::Counter(sub));
@@ -137,7 +144,6 @@ fn questions(args: &Args, family: &Family) -> Vec<Inquiry> {
     let memory = family.group("faults").unwrap_or_default();
     questions.extend(memory.iter().filter_map(|&id| family.param(id)).map(|param| super::read_question(param, 0)));
     questions.extend(family.counters.iter().map(|row| Inquiry::Counter(row.sub)));
-    questions.extend(args.clear.then_some(Inquiry::ClearCounters));
     questions
 }
 
@@ -227,11 +233,18 @@ async fn diagnose(
     permit: Option<&Permit<Counters>>,
 ) -> Result<Row<Diagnosis>, Failure> {
     let mut target = target(session, settings, registry, address, true).await?;
-    let family = target.family.clone();
+    let (mut report, mut failures, good) = look(session, &mut target).await?;
+    failures.extend(the_line(session, &mut target, &mut report, args.link_test, permit).await?);
+    Ok((report, failures, good))
+}
+
+/// What the drive itself tells of what ails it.
+pub(super) async fn look(session: &mut Session<'_>, target: &mut Target) -> Result<Row<Diagnosis>, Failure> {
+    let (address, family) = (target.address, target.family.clone());
     let failed = |error: AccessError| error.failure(address, Some(&family));
     // First of all: any refused question would overwrite it.
-    let refusal = kept_refusal(session, &mut target).await.map_err(failed)?;
-    let mut reader = Reader::new(session, &mut target);
+    let refusal = kept_refusal(session, target).await.map_err(failed)?;
+    let mut reader = Reader::new(session, target);
     let register = reader.role("error-register").await?.and_then(|value| value.raw);
     let status = reader.vital_role("status-word").await?.and_then(|value| value.word);
     // Once for both: on some drives reading moves on to the entry before.
@@ -243,11 +256,11 @@ async fn diagnose(
     };
     let warnings = reader.vital_role("warnings").await?.and_then(|value| value.word);
     let watchdog = reader.in_force("watchdog").await?.value;
-    let (mut failures, good) = reader.into_failures();
+    let (failures, good) = reader.into_failures();
     let code = present_fault(&family, status.as_ref(), fault);
     let missing = match status.as_ref().filter(|_| failures.is_empty() && family.is_movable()) {
-        Some(word) => match surroundings(session, &mut target, word.raw).await {
-            Ok(around) => missing(&around, &target),
+        Some(word) => match surroundings(session, target, word.raw).await {
+            Ok(around) => missing(&around, target),
             Err(failure) if is_over(&failure) => return Err(failure),
             // What it does not tell besides spoils no diagnosis.
             Err(_) => Vec::new(),
@@ -255,7 +268,7 @@ async fn diagnose(
         None => Vec::new(),
     };
     let warns = family.role("warnings").is_some() && warnings.as_ref().is_none_or(|word| word.raw != 0);
-    let mut report = Diagnosis {
+    let report = Diagnosis {
         drive: family.drive.clone(),
         healthy: code == Some(0) && !warns,
         status,
@@ -268,7 +281,6 @@ async fn diagnose(
         error_register: register.or(refusal.map(i64::from)).map(|code| describe::register(&family, code as u32)),
         ..blank(address)
     };
-    failures.extend(the_line(session, &mut target, &mut report, args.link_test, permit).await?);
     Ok((report, failures, good))
 }
 

@@ -3,10 +3,10 @@
 use super::verb::{Verb, Working};
 use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
 use crate::args::{Settings, Takes};
-use crate::drive::{AccessError, Session, Target, Upper, introduce, recognise};
+use crate::drive::{AccessError, Inquiry, Recognised, Session, Target, Upper, introduce, recognise};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
-use crate::profile::{DataSets, Registry, Role};
+use crate::profile::{DataSets, Family, Registry, Role};
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
@@ -50,7 +50,7 @@ impl Verb for Args {
 pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     if context.settings.dry_run {
         let family = super::offline_family(context.settings, context.registry)?;
-        return plan(context, &family, &role_questions(&family, &ROLES));
+        return plan(context, &family, &looks(&family));
     }
     let (drives, failures, succeeded) = each_drive(
         context,
@@ -71,6 +71,11 @@ pub async fn run(_args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fai
     )
     .await?;
     Ok(finish(Data::Identify(Identify { drives }), failures, succeeded, Vec::new()))
+}
+
+/// What is asked of every drive, beside what tells its family.
+pub(super) fn looks(family: &Family) -> Vec<Inquiry> {
+    role_questions(family, &ROLES)
 }
 
 async fn identify(
@@ -98,7 +103,7 @@ async fn identify(
             (target.map(|target| target.in_word_order(settings.word_order)), finding.evidence, finding.product)
         }
     };
-    let Some(mut target) = target else {
+    let Some(target) = target else {
         let title = both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
         let identity = Identity {
             address,
@@ -112,9 +117,20 @@ async fn identify(
         };
         return Ok((identity, Vec::new(), 1));
     };
+    told(session, registry, &mut Recognised { target, evidence, product }).await
+}
+
+/// What a drive tells of itself whose family is known.
+pub(super) async fn told(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    known: &mut Recognised,
+) -> Result<Row<Identity>, Failure> {
+    let Recognised { target, evidence, product } = known;
+    let address = target.address;
     let title = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
     let title = title.map_or_else(Text::default, |drive| drive.title.clone());
-    let mut reader = Reader::new(session, &mut target);
+    let mut reader = Reader::new(session, target);
     let mut values = Vec::new();
     for role in ROLES {
         match IN_FORCE.contains(&role) {
@@ -125,6 +141,7 @@ async fn identify(
     let modules = modules(&mut reader).await?;
     let drive = reader.target.family.drive.clone();
     let (failures, good) = reader.into_failures();
+    let (evidence, product) = (evidence.clone(), product.clone());
     Ok((Identity { address, drive, title, product, evidence, modules, values, error: None }, failures, good))
 }
 

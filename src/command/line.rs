@@ -136,7 +136,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
         }
         return Ok(outcome);
     }
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     gate::somebody(*ask).map_err(denied)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut target = target(&mut session, settings, registry, address, false).await?;

@@ -16,6 +16,7 @@ pub mod profibus;
 pub mod protocol;
 pub mod read;
 mod rehearse;
+pub mod report;
 mod running;
 pub mod scan;
 pub mod simulate;
@@ -47,6 +48,7 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<sollwert::Args>(),
     verb::entry::<monitor::Args>(),
     verb::entry::<plot::Args>(),
+    verb::entry::<report::Args>(),
     verb::entry::<protocol::Args>(),
     verb::entry::<line::Args>(),
     verb::entry::<params::Args>(),
@@ -65,9 +67,9 @@ use crate::drive::{
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Data, Event, Outcome, Plan, Warning};
+use crate::outcome::{Data, Event, Form, Outcome, Plan, Report, Warning};
 use crate::profile::{DataSets, Family, Param, Registry, Selector, Type};
-use crate::text::{Text, both};
+use crate::text::{Lang, Text, both};
 use std::rc::Rc;
 
 /// What every verb works with.
@@ -82,7 +84,12 @@ pub struct Context<'a> {
     pub observe: &'a mut dyn FnMut(Event),
     /// Raised by Ctrl-C and other signals.
     pub interrupt: Interrupt,
+    /// Puts a report on paper.
+    pub sheet: Sheet,
 }
+
+/// A report as the text of a file.
+pub type Sheet = fn(&Report, Form, Lang) -> String;
 
 impl std::fmt::Debug for Context<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -10,7 +10,7 @@ mod trigger;
 pub use record::recording;
 
 use super::verb::{Flow, Verb, Working};
-use super::{Context, addresses_to_read, check_number, connect, offline, plan, read_question, terms};
+use super::{Context, addresses_to_read, check_number, connect, offline, output, plan, read_question, terms};
 use crate::args::{Settings, Takes, Template, parse_span, templates};
 use crate::drive::{Chosen, Item, Rounds, Signal, Upper, Window, watch};
 use crate::failure::{Class, Failure};
@@ -161,7 +161,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return plan(context, &family, &questions);
     }
     if let Some(path) = &args.record {
-        record::check(path, settings.force)?;
+        output::check(path, settings.force)?;
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     if !args.unpaced {

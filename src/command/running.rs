@@ -150,7 +150,7 @@ pub(super) async fn run<'p, C>(
     work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let address = single_address(context)?;
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     keypad::is_there(plan.args, interrupt.panel())?;
     // Whatever else somebody must agree to, a command that stops goes out before.
     let goes_first = plan.goes_first();

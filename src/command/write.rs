@@ -74,7 +74,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if context.settings.dry_run {
         return plan_only(&terms, &addresses, &family, &planned);
     }
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut jobs = Vec::new();
     for address in addresses {

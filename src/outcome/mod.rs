@@ -14,6 +14,7 @@ mod plant;
 mod plot;
 mod profibus;
 mod relocation;
+mod report;
 mod stream;
 mod systembus;
 mod transfer;
@@ -35,6 +36,7 @@ pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive,
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
 pub use profibus::BasicModule;
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
+pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{
     Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
     StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits, WatchedDrive,
@@ -158,6 +160,8 @@ pub enum Data {
     Simulate(Simulate),
     /// `plot`
     Plot(Plot),
+    /// `report`
+    Report(Box<Report>),
     /// `systembus plan`
     BusPlan(Box<BusPlan>),
     /// `systembus load`

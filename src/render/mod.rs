@@ -15,6 +15,7 @@ mod wrap;
 pub use ask::Terminal;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
+pub use finding::sheet;
 pub use outlet::{AtOnce, Outlet, Patience, Stdout, write_from_the_background};
 pub use stream::{Keep, Key, Keys, Manner, Place, Stream, View};
 

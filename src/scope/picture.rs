@@ -20,9 +20,9 @@ const LETTER: f64 = 7.3;
 /// Most numbered states that are listed below; what comes behind is in the file.
 const LISTED: usize = 24;
 
-/// The picture, as the text of an SVG file.
-pub fn picture(scene: &Scene) -> String {
-    let sheet = Sheet::new(scene);
+/// The picture, as the text of an SVG file. On a page with several of them it is the `nth`: no name within it is that of another.
+pub fn picture(scene: &Scene, nth: usize) -> String {
+    let sheet = Sheet::new(scene, nth);
     let mut body = String::new();
     sheet.frame(&mut body);
     sheet.gaps(&mut body);
@@ -32,7 +32,7 @@ pub fn picture(scene: &Scene) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"277mm\" lang=\"{lang}\" role=\"img\" \
          font-family=\"sans-serif\" font-size=\"14\" fill=\"#000\" stroke-linejoin=\"round\">\n<title>{title}</title>\n\
-         <defs><pattern id=\"hatch\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\
+         <defs><pattern id=\"hatch-{nth}\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\
          <path d=\"M0 0V6\" stroke=\"#777\" stroke-width=\"1\"/></pattern></defs>\n\
          <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#fff\"/>\n{body}</svg>\n",
         lang = scene.lang.pick("en", "de"),
@@ -43,13 +43,15 @@ pub fn picture(scene: &Scene) -> String {
 /// A scene on its axes.
 struct Sheet<'s> {
     scene: &'s Scene,
+    /// Which picture of its page it is.
+    nth: usize,
     time: Axis,
     /// The left axis and the right one, with their units.
     axes: Vec<(String, Axis)>,
 }
 
 impl<'s> Sheet<'s> {
-    fn new(scene: &'s Scene) -> Self {
+    fn new(scene: &'s Scene, nth: usize) -> Self {
         let axis = |unit: &str| {
             let of_unit = scene.curves.iter().filter(|curve| curve.unit == unit);
             (
@@ -58,7 +60,7 @@ impl<'s> Sheet<'s> {
             )
         };
         let axes = scene.units().into_iter().take(2).map(axis).collect();
-        Sheet { scene, time: Axis::from_to(scene.from, scene.to, 10.0), axes }
+        Sheet { scene, nth, time: Axis::from_to(scene.from, scene.to, 10.0), axes }
     }
 
     fn x(&self, t: f64) -> f64 {
@@ -71,7 +73,7 @@ impl<'s> Sheet<'s> {
         for tick in self.time.ticks() {
             let x = self.x(tick);
             line(out, (x, TOP, x, BOTTOM), GRID);
-            text(out, (x, BOTTOM + 19.0), "middle", "", &self.number(&self.time.label(tick)));
+            text(out, (x, BOTTOM + 19.0), "middle", "", &self.time.label(tick));
         }
         let seconds = both!("time [s]", "Zeit [s]");
         text(out, ((LEFT + RIGHT) / 2.0, BOTTOM + 39.0), "middle", "", seconds.get(self.scene.lang));
@@ -83,7 +85,7 @@ impl<'s> Sheet<'s> {
                 }
                 line(out, (x, y, x + side * 5.0, y), AXIS);
                 let anchor = if side < 0.0 { "end" } else { "start" };
-                text(out, (x + side * 9.0, y + 5.0), anchor, "", &self.number(&axis.label(tick)));
+                text(out, (x + side * 9.0, y + 5.0), anchor, "", &axis.label(tick));
             }
             let label = if unit.is_empty() { String::new() } else { format!("[{unit}]") };
             text(out, (x + side * 9.0, TOP - 12.0), if side < 0.0 { "end" } else { "start" }, "", &label);
@@ -163,13 +165,13 @@ impl<'s> Sheet<'s> {
 
     /// Where nothing was answered.
     fn gaps(&self, out: &mut String) {
-        let gap = both!("gap", "Lücke");
+        let (gap, nth) = (both!("gap", "Lücke"), self.nth);
         for (from, to) in &self.scene.gaps {
             let (left, right) = (self.x(*from), self.x(*to));
             let width = (right - left).max(2.0);
             let _infallible = writeln!(
                 out,
-                "<rect x=\"{left:.2}\" y=\"{TOP}\" width=\"{width:.2}\" height=\"{}\" fill=\"url(#hatch)\" opacity=\"0.6\"/>",
+                "<rect x=\"{left:.2}\" y=\"{TOP}\" width=\"{width:.2}\" height=\"{}\" fill=\"url(#hatch-{nth})\" opacity=\"0.6\"/>",
                 BOTTOM - TOP
             );
             if width > 40.0 {
@@ -237,11 +239,6 @@ impl<'s> Sheet<'s> {
     fn label(&self, out: &mut String, (x, y): (f64, f64), anchor: &str, words: &str) {
         let more = " stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\"";
         text(out, (x, y), anchor, more, words);
-    }
-
-    /// A number as the language writes it.
-    fn number(&self, number: &str) -> String {
-        self.scene.lang.pick(number.to_owned(), number.replace('.', ","))
     }
 }
 

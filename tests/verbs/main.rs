@@ -14,6 +14,7 @@ mod matrix;
 mod monitor;
 mod plotting;
 mod recording;
+mod reporting;
 mod run;
 
 /// What a drive holds: parameters and data sets.

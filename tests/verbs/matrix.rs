@@ -152,9 +152,9 @@ fn interrupted(after: usize, code: u8, line: &str) {
             pressed.raise();
         }
     };
-    let mut ask = Agreeable;
+    let (mut ask, sheet) = (Agreeable, render::sheet);
     let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt, sheet };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
     let class = outcome.failure.as_ref().map(|failure| failure.class);
@@ -384,6 +384,11 @@ cases! {
     decode_basic_status: 0, "decode basic-status 0x0DD0";
     decode_basic_control: 0, "decode basic-control 0x4051";
 
+    report_fine: 0, "-a 1 report --changed --count 20";
+    report_silence: 4, "-a 7 report";
+    report_refused: 6, "-a 9 --drive acu report --count 2";
+    report_partial: 9, "-a 2,7 report --changed --count 20";
+
     diag_line: 0, "-a 2 diag line --count 20";
     diag_line_partial: 9, "-a 2,7 diag line --count 20";
 
@@ -426,6 +431,7 @@ cuts! {
     apply_interrupted: 40, 130, "--config {dir}/plant.toml -a @line --yes apply";
     check_interrupted: 8, 130, "--config {dir}/plant.toml check";
     diag_interrupted: 8, 130, "-a 1,2 diag";
+    report_interrupted: 60, 130, "-a 1,2 report";
     statemachine_interrupted: 8, 130, "-a 1,2 statemachine";
     sollwert_interrupted: 8, 130, "-a 1,2 sollwert";
     protocol_interrupted: 8, 130, "-a 1,2 protocol show";

@@ -75,7 +75,7 @@ async fn load_into(
     if context.settings.dry_run {
         return dry_run(context, report, &family, &steps, fits);
     }
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
     let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
@@ -114,7 +114,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
         return dry_run(context, report, &family, &steps, |_, _| Ok(()));
     }
     let from = if context.settings.force { BTreeMap::new() } else { from };
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
     let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;

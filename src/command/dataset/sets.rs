@@ -60,7 +60,7 @@ const ALL: [(u8, Store); 4] = [(1, Store::Eeprom), (2, Store::Eeprom), (3, Store
 /// Works on the data sets of one drive.
 pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let writes = matches!(action, Action::Select { .. } | Action::Copy { .. });
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
     let address = only_one(&addresses)?;
     different_sets(action)?;

@@ -1,20 +1,9 @@
 //! The file that `monitor --record` writes: whole lines, and nothing in the place of another file.
 
-use crate::command::output::unwritten;
-use crate::failure::Failure;
 use crate::files::{self, FileError};
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
-
-/// Refuses a file that must not be written, before anything is asked.
-pub(super) fn check(path: &Path, force: bool) -> Result<(), Failure> {
-    let free = files::may_be_written(path).and_then(|()| match files::found(path) {
-        Some(_) if !force => Err(FileError::Exists),
-        _ => Ok(()),
-    });
-    free.map_err(|error| unwritten(path, &error))
-}
 
 /// A new file that takes whole lines only.
 ///

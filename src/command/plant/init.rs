@@ -54,9 +54,9 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     if !settings.dry_run && !overwrite && files::found(&path).is_some() {
         return Err(unwritten(&path, &FileError::Exists));
     }
-    let Context { registry, ask, observe, interrupt, .. } = context;
-    let mut inner =
-        Context { settings: &settings, registry, ask: *ask, observe: *observe, interrupt: interrupt.clone() };
+    let Context { registry, ask, observe, interrupt, sheet, .. } = context;
+    let (interrupt, sheet) = (interrupt.clone(), *sheet);
+    let mut inner = Context { settings: &settings, registry, ask: *ask, observe: *observe, interrupt, sheet };
     let outcome = scan::run(&args.scan, &mut inner).await?;
     let Outcome { data: Some(Data::Scan(found)), warnings, failure } = outcome else { return Ok(outcome) };
     let is_whole = failure.as_ref().is_none_or(|failure| failure.class != Class::Interrupted);

@@ -7,8 +7,9 @@ use super::{Context, output};
 use crate::args::{Addresses, Takes, parse_span};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Outcome, Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
+use crate::profile::Registry;
 use crate::scope::{Curve, MarkKind, Part, Response, Scene, picture, responses, statistics};
-use crate::text::both;
+use crate::text::{Lang, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use record::{Column, Track};
@@ -52,7 +53,7 @@ pub struct Args {
     pub measure: bool,
 
     /// How near its end is settled, in percent
-    #[arg(long, value_name = "PERCENT", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=50))]
+    #[arg(long, value_name = "PERCENT", default_value_t = BAND, value_parser = clap::value_parser!(u8).range(1..=50))]
     pub band: u8,
 }
 
@@ -83,39 +84,68 @@ pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
     let (address, track) = address
         .and_then(|address| Some((address, tracks.remove(&address)?)))
         .ok_or_else(|| nobody(&args.file, address, &known))?;
-    let (first, last) = track.ends();
-    let seconds = |span: Span| span.as_micros() as f64 / 1e6;
-    let (from, to) = (args.from.map_or(first, seconds), args.to.map_or(last, seconds));
-    if from >= to || from >= last || to <= first {
-        return Err(outside((from, to), (first, last)));
-    }
-    let columns = chosen(&args.columns, &track)?;
-    let curves: Vec<Curve> = columns.iter().map(|column| column.curve()).collect();
-    let title = format!("{} · {} {address}", args.file.file_name().unwrap_or_default().to_string_lossy(), track.drive);
-    let is_seen = |t: f64| (from..=to).contains(&t);
-    let marks = track.marks.iter().filter(|mark| is_seen(mark.t)).cloned().collect();
-    let gaps = track.gaps().into_iter().filter(|gap| gap.1 > from && gap.0 < to).collect();
-    let states = track.states().into_iter().filter(|state| state.to >= from && state.from <= to).collect();
-    let scene = Scene { title, curves, states, marks, gaps, from, to, lang: settings.lang };
+    let (plot, scene) = args.draw(address, &track, settings.lang)?;
     if let Some(path) = &args.svg {
-        output::write(path, &picture(&scene), settings.force)?;
+        output::write(path, &picture(&scene, 0), settings.force)?;
     }
-    let units = scene.units();
-    let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), args.measure);
-    let responses = args.measure.then(|| followed(&scene, f64::from(args.band) / 100.0));
-    Ok(Outcome::of(Data::Plot(Plot {
-        file: args.file.display().to_string(),
-        svg: args.svg.as_ref().map(|path| path.display().to_string()),
-        address,
-        drive: track.drive.clone(),
-        from: rounded(from),
-        to: rounded(to),
-        curves: columns.iter().zip(&scene.curves).map(row).collect(),
-        responses,
-        marks: scene.marks.iter().map(told).collect(),
-        gaps: scene.gaps.iter().map(|(from, to)| PlotGap { from: *from, to: *to }).collect(),
-    })))
+    Ok(Outcome::of(Data::Plot(plot)))
 }
+
+/// Every drive of a record that has something to draw, with its picture in SVG, the first of them the `nth` on its page.
+pub(super) fn every(args: &Args, registry: &Registry, lang: Lang, nth: usize) -> Result<Vec<(Plot, String)>, Failure> {
+    let tracks = record::read(&args.file, registry)?;
+    let drawn = tracks.iter().enumerate().map(|(index, (address, track))| {
+        let (plot, scene) = args.draw(*address, track, lang)?;
+        Ok((plot, picture(&scene, nth + index)))
+    });
+    drawn.collect()
+}
+
+impl Args {
+    /// All of a record, measured.
+    pub(super) fn whole(file: &Path) -> Self {
+        let file = file.to_owned();
+        Args { file, columns: Vec::new(), svg: None, from: None, to: None, measure: true, band: BAND }
+    }
+
+    /// What is drawn of a drive, and what it comes to.
+    fn draw(&self, address: u8, track: &Track, lang: Lang) -> Result<(Plot, Scene), Failure> {
+        let (first, last) = track.ends();
+        let seconds = |span: Span| span.as_micros() as f64 / 1e6;
+        let (from, to) = (self.from.map_or(first, seconds), self.to.map_or(last, seconds));
+        if from >= to || from >= last || to <= first {
+            return Err(outside((from, to), (first, last)));
+        }
+        let columns = chosen(&self.columns, track)?;
+        let curves: Vec<Curve> = columns.iter().map(|column| column.curve()).collect();
+        let name = self.file.file_name().unwrap_or_default().to_string_lossy();
+        let title = format!("{name} · {} {address}", track.drive);
+        let is_seen = |t: f64| (from..=to).contains(&t);
+        let marks = track.marks.iter().filter(|mark| is_seen(mark.t)).cloned().collect();
+        let gaps = track.gaps().into_iter().filter(|gap| gap.1 > from && gap.0 < to).collect();
+        let states = track.states().into_iter().filter(|state| state.to >= from && state.from <= to).collect();
+        let scene = Scene { title, curves, states, marks, gaps, from, to, lang };
+        let units = scene.units();
+        let row = |(column, curve): (&&Column, &Curve)| row(column, curve, &units, (from, to), self.measure);
+        let responses = self.measure.then(|| followed(&scene, f64::from(self.band) / 100.0));
+        let plot = Plot {
+            file: self.file.display().to_string(),
+            svg: self.svg.as_ref().map(|path| path.display().to_string()),
+            address,
+            drive: track.drive.clone(),
+            from: rounded(from),
+            to: rounded(to),
+            curves: columns.iter().zip(&scene.curves).map(row).collect(),
+            responses,
+            marks: scene.marks.iter().map(told).collect(),
+            gaps: scene.gaps.iter().map(|(from, to)| PlotGap { from: *from, to: *to }).collect(),
+        };
+        Ok((plot, scene))
+    }
+}
+
+/// How near its end is settled, in percent, where nobody says.
+const BAND: u8 = 2;
 
 impl Column {
     fn curve(&self) -> Curve {

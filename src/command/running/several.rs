@@ -37,7 +37,7 @@ pub(in crate::command) async fn stop_each<'p>(
     act: Relief,
     plan: impl Fn() -> Plan<'p>,
 ) -> Result<Outcome, Failure> {
-    let Context { settings, registry, interrupt, observe, ask } = context;
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
     interrupt.hear_only_keys();
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let named = meant(settings, registry, addresses)?;

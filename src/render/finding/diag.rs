@@ -52,7 +52,7 @@ impl Page {
     }
 
     /// The fault that is present, in a few words.
-    fn present(self, report: &Diagnosis) -> String {
+    pub(super) fn present(self, report: &Diagnosis) -> String {
         match (&report.fault, report.fault_code) {
             (Some(fault), _) => self.say(&fault.told()),
             (None, Some(_)) => "-".to_owned(),
@@ -101,7 +101,7 @@ impl Page {
     }
 
     /// The warnings that are set, each with what it means.
-    fn warnings(self, word: &Word) -> Vec<(&'static str, String)> {
+    pub(super) fn warnings(self, word: &Word) -> Vec<(&'static str, String)> {
         let set = word.bits.iter().filter(|bit| bit.set).enumerate();
         let rows: Vec<_> = set
             .map(|(index, bit)| {
@@ -113,7 +113,7 @@ impl Page {
     }
 
     /// The entry of the fault memory; number 0 is none.
-    fn memory(self, memory: &[Value]) -> Vec<(&'static str, String)> {
+    pub(super) fn memory(self, memory: &[Value]) -> Vec<(&'static str, String)> {
         if memory.first().is_some_and(|number| number.raw == Some(0)) {
             return vec![("fault memory", self.word("none").to_owned())];
         }

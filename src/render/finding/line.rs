@@ -18,7 +18,8 @@ impl Finding for LineCheck {
 }
 
 impl Page {
-    fn line_check(self, check: &LineCheck) -> String {
+    /// The adapter and the pauses.
+    pub(super) fn line_facts(self, check: &LineCheck) -> Vec<(&'static str, String)> {
         let Adapter { name, driver, about, latency_timer_ms, low_latency, rs485, errors } = &check.adapter;
         let known = [Some(name), driver.as_ref(), about.as_ref()].into_iter().flatten();
         let unknown = || self.word("unknown").to_owned();
@@ -50,7 +51,12 @@ impl Page {
             };
             rows.push(("adapter errors", told));
         }
-        let mut text = format!("{} {} {}\n", check.port, check.line, check.protocol) + &self.pairs(rows);
+        rows
+    }
+
+    fn line_check(self, check: &LineCheck) -> String {
+        let mut text =
+            format!("{} {} {}\n", check.port, check.line, check.protocol) + &self.pairs(self.line_facts(check));
         for drive in &check.drives {
             text += &format!("\n{} {}\n", self.word("drive"), drive.address);
             if let Some(test) = &drive.test {
@@ -61,11 +67,15 @@ impl Page {
                 text += &self.prose(error.message.get(self.lang));
             }
         }
+        text + "\n" + &self.advice(check)
+    }
+
+    /// What is worth doing about a line.
+    pub(super) fn advice(self, check: &LineCheck) -> String {
         let advice = check.advice.iter().map(|advice| self.prose(&format!("- {}", advice.text.get(self.lang))));
         let nothing = format!("{}\n", self.word("nothing to complain of"));
         let fine = check.drives.iter().all(|drive| drive.error.is_none());
-        let advice = if check.advice.is_empty() && fine { nothing } else { advice.collect() };
-        text + "\n" + &advice
+        if check.advice.is_empty() && fine { nothing } else { advice.collect() }
     }
 
     /// A bar of up to 40 marks for each bucket.

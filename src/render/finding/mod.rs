@@ -17,6 +17,7 @@ mod plot;
 mod profibus;
 mod read;
 mod relocation;
+mod report;
 mod scan;
 mod simulate;
 mod sollwert;
@@ -26,6 +27,7 @@ mod telegrams;
 mod write;
 
 pub(super) use page::Page;
+pub use report::sheet;
 pub(super) use telegrams::direction;
 
 use crate::outcome::Data;
@@ -75,6 +77,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Sniff(found) => found,
         Data::Simulate(found) => found,
         Data::Plot(found) => found,
+        Data::Report(found) => found.as_ref(),
         Data::BusPlan(found) => found.as_ref(),
         Data::BusLoad(found) => found,
         Data::Monitor(found) => found,

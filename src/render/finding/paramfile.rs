@@ -92,7 +92,7 @@ impl Page {
         text
     }
 
-    fn unit_or_why(self, row: &Difference) -> String {
+    pub(super) fn unit_or_why(self, row: &Difference) -> String {
         match &row.error {
             Some(error) => self.say(&error.message),
             None if row.a_value.is_none() && row.b_value.is_none() => self.word("raw").to_owned(),
@@ -109,7 +109,7 @@ impl Page {
         format!("{} ({})", self.say(&side.name), parts.join(", "))
     }
 
-    fn held(self, raw: Option<i64>, value: Option<Decimal>, text: Option<&Text>) -> String {
+    pub(super) fn held(self, raw: Option<i64>, value: Option<Decimal>, text: Option<&Text>) -> String {
         let number = match (value, raw) {
             (Some(value), _) => shown(value, false),
             (None, Some(raw)) => raw.to_string(),

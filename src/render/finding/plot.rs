@@ -140,7 +140,7 @@ fn folded(words: &[String], width: usize) -> String {
 }
 
 /// A number with three decimals, or as many of them as it needs.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.3}");
     let short = text.trim_end_matches('0').trim_end_matches('.');
     if short == "-0" { "0".to_owned() } else { short.to_owned() }

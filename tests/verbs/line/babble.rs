@@ -27,7 +27,7 @@ const BAD: [(&str, &str); 13] = [
 ];
 
 /// Verbs, of how many things in all they ask beside what they ask every drive, and an earlier end where one is promised.
-const TYPED: [(&str, u64, Option<u64>); 20] = [
+const TYPED: [(&str, u64, Option<u64>); 21] = [
     ("-a 1 read 372", 1, None),
     ("-a 1 read 372@all 480-483", 5, None),
     ("-a 1 write 372@1=1400 --yes", 1, None),
@@ -35,6 +35,8 @@ const TYPED: [(&str, u64, Option<u64>); 20] = [
     ("-a 1 identify", 0, None),
     ("-a 1 diag", 0, None),
     ("-a 1 diag line --count 9", 9, None),
+    // As many settings as the catalogue has of an ACT.
+    ("-a 1 report --changed --count 9", 125, None),
     ("-a 1 monitor 372 411 --count 2 --unpaced", 4, None),
     ("-a 1 line set --baud 9600 --yes", 0, None),
     ("-a 1 protocol show", 0, None),

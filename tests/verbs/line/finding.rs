@@ -126,8 +126,14 @@ fn an_interrupted_scan_leaves_an_honest_part() {
             pressed.raise();
         }
     };
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut NobodyAsked, observe: &mut observe, interrupt };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut NobodyAsked,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();
     let failure = outcome.failure.unwrap();

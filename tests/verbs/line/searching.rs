@@ -165,8 +165,14 @@ fn interrupted(after: Span) -> (Outcome, Value) {
         }
     };
     let mut ask = Agreeable;
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();
     let (mut out, console) = (Vec::new(), Console::new(Box::new(std::io::sink()), Lang::En, true, false));

@@ -34,6 +34,18 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "check" => of_plant(&list(&data["drives"]), "differences"),
         "sniff" => list(&data["telegrams"]),
         "plot" => list(&data["curves"]),
+        "report" => {
+            let values = list(&data["drives"]).into_iter().flat_map(|drive| list(&drive["values"]));
+            let failed = list(&data["drives"]).into_iter().filter(|drive| list(&drive["values"]).is_empty());
+            let failed = failed.map(|mut drive| {
+                drive
+                    .as_object_mut()
+                    .unwrap()
+                    .retain(|name, value| !value.is_array() && !["identity", "diagnosis"].contains(&name.as_str()));
+                drive
+            });
+            values.chain(failed).collect()
+        }
         "systembus" if data["links"].is_array() => list(&data["links"]),
         "systembus" if list(&data["pdos"]).is_empty() => list(&data["rates"]),
         "systembus" => list(&data["pdos"]),

@@ -97,8 +97,14 @@ pub(super) fn run(
     };
     witness::call(true);
     let mut ask = Agreeable;
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let Verb::Sollwert(args) = &cli.verb;
     let result = runtime.block_on(sollwert::run(args, &mut context));

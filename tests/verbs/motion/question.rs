@@ -53,8 +53,14 @@ fn interrupted(
             sent.push(hex);
         }
     };
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let failure = runtime.block_on(verb(&mut context)).unwrap_err();
     assert!(ask.asked, "{failure:?}");

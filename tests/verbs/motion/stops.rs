@@ -220,7 +220,14 @@ impl Case {
         witness::call(true);
         witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
         let mut ask = Agreeable;
-        let mut context = Context { settings: &settings, registry, ask: &mut ask, observe: &mut observe, interrupt };
+        let mut context = Context {
+            settings: &settings,
+            registry,
+            ask: &mut ask,
+            observe: &mut observe,
+            interrupt,
+            sheet: antrieb::render::sheet,
+        };
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
         let result = runtime.block_on(async {
             match &cli.verb {

@@ -93,6 +93,7 @@ const TYPED: &[(&str, &[&str])] = &[
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),
     ("plot", &["plot {dir}/record.csv --measure"]),
+    ("report", &["report {dir}/plant.html {dir}/plant.md -a 1-4 --record {dir}/record.csv"]),
     ("systembus", &["systembus plan {dir}/bus.toml", "systembus load", "systembus load 500 1 2 8"]),
     ("init", &["init {dir}/new.toml -a 1-9"]),
     ("plan", &["plan --config {dir}/plant.toml"]),

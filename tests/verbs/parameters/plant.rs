@@ -208,8 +208,14 @@ fn wished(directory: &Path, words: &str, after: usize) -> (usize, Outcome) {
         }
     };
     let mut ask = Agreeable;
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     witness::call(true);
     let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
