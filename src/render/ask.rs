@@ -1,7 +1,7 @@
 //! Puts the safety question on the terminal.
 
 use super::Console;
-use super::console::Input;
+use super::console::{Input, forget_what_was_typed};
 use crate::gate::{Answer, Ask, Question, Reply};
 use crate::profile::Lang;
 use std::thread;
@@ -57,6 +57,8 @@ impl Terminal {
             Lang::En => ("go on? [y/N] ", ["y", "yes"]),
             Lang::De => ("fortfahren? [j/N] ", ["j", "ja"]),
         };
+        // Nobody has answered what was not shown yet.
+        forget_what_was_typed();
         self.console.prompt(prompt);
         let mut open = OpenPrompt { console: &self.console, is_open: true };
         let (typed, input) = read_line(input).await;

@@ -21,6 +21,15 @@ const HINT: &Text = &Text::new("hint", "Hinweis");
 /// Where answers are typed.
 pub type Input = Box<dyn BufRead + Send>;
 
+/// What was typed at the terminal and nobody has read yet is gone; where stdin is none, nothing is.
+pub(super) fn forget_what_was_typed() {
+    #[cfg(unix)]
+    {
+        use rustix::termios::{QueueSelector, tcflush};
+        let _gone = tcflush(rustix::stdio::stdin(), QueueSelector::IFlush);
+    }
+}
+
 /// Where a run reads and writes; real for the program, made up for tests.
 pub struct Streams {
     /// Data.
@@ -261,7 +270,7 @@ impl Inner {
         if !self.progress {
             return;
         }
-        self.bar(name, (done, total), what, "{bar:30} {pos}/{len} {prefix}{msg} {eta}");
+        self.bar(name, (done, total), what, "{bar:16} {pos}/{len} {prefix}{wide_msg} {eta}");
     }
 
     /// How far a search for settings is: by its own estimate, because its steps do not take the same time.
@@ -274,7 +283,7 @@ impl Inner {
             }
             _ if self.progress && news.setting > 0 => {
                 let (gone, left) = (news.t.raw.unsigned_abs(), news.left_s.raw.unsigned_abs());
-                self.bar(name, (gone, gone + left), &search::short(news), "{bar:8} {prefix}{msg}");
+                self.bar(name, (gone, gone + left), &search::short(news), "{bar:8} {prefix}{wide_msg}");
             }
             _ if self.lines && news.is_over => {
                 let told = search::told(news).get(self.lang).to_owned();
@@ -293,12 +302,21 @@ impl Inner {
                 bar.set_style(style);
             }
             if !name.is_empty() {
-                bar.set_prefix(format!("{}: ", clean(name)));
+                bar.set_prefix(format!("{}: ", its_end(&clean(name))));
             }
             bar
         });
         bar.set_length(total);
         bar.set_position(done);
         bar.set_message(clean(what.get(self.lang)));
+    }
+}
+
+/// Of a long name the end, by which ports differ that have a bar each.
+fn its_end(name: &str) -> String {
+    const MOST: usize = 24;
+    match name.chars().count().checked_sub(MOST) {
+        None | Some(0) => name.to_owned(),
+        Some(more) => format!("…{}", name.chars().skip(more + 1).collect::<String>()),
     }
 }

@@ -33,6 +33,19 @@ fn a_signal_at_the_question_ends_it_at_once_and_a_later_yes_writes_nothing() {
 }
 
 #[test]
+fn what_was_typed_before_the_question_stood_there_is_no_answer_to_it() {
+    let _alone = alone();
+    let mut run = AtTerminal::start("-v -p sim -a 1 write 480@1=7Hz");
+    run.types("y\n");
+    run.shows("go on? [y/N]");
+    thread::sleep(Duration::from_millis(500));
+    run.types("\n");
+    assert_eq!(run.ends(), Some(8), "{}", run.seen);
+    run.shows("nothing was written");
+    assert!(!run.seen.contains("> 01 65"), "{}", run.seen);
+}
+
+#[test]
 fn every_further_signal_shortens_the_stop() {
     let _alone = alone();
     let (_directory, port) = bench(

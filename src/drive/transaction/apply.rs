@@ -5,6 +5,7 @@ use super::choice::in_sets;
 use super::ended::{Applied, untouched};
 use super::meanwhile::{still_stands, still_stands_at};
 use super::plan::{Kept, Plan, is_touched};
+use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
 use super::running::standstill;
 use super::undo_file::UndoFile;
@@ -14,7 +15,7 @@ use crate::drive::stands::{has_ram, in_ram, stands_at};
 use crate::drive::{Session, Terms};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
-use crate::outcome::{ErrorDoc, Event, LoadEnd, WriteResult, Written};
+use crate::outcome::{ErrorDoc, LoadEnd, WriteResult, Written};
 use crate::profile::DataSets;
 use crate::profile::value;
 use crate::text::{Text, both};
@@ -59,7 +60,7 @@ async fn forward(
     terms: &Terms<'_>,
     permit: &Permit<Writing>,
 ) -> Result<Applied, Failure> {
-    let total = plan.todo() as u64;
+    let total = plan.todo();
     let mut done = 0;
     for index in 0..plan.job.steps.len() {
         let Some(step) = plan.job.steps.get(index).cloned() else { break };
@@ -67,7 +68,7 @@ async fn forward(
         if !plan.job.rows.get(index).is_some_and(is_planned) {
             continue;
         }
-        session.tell(writing(done, total, &step));
+        session.tell(progress(Doing::Writes, done, total, &step.param));
         done += 1;
         // Somebody may change it, or start the shaft, at any moment.
         still_stands_at(session, plan, index).await?;
@@ -228,12 +229,4 @@ async fn altered(session: &mut Session<'_>, plan: &mut Plan) -> Vec<Text> {
         }
     }
     notes
-}
-
-fn writing(done: u64, total: u64, step: &Step) -> Event {
-    Event::Progress {
-        done,
-        total,
-        what: both!("writing {label}", "{label} wird geschrieben", label = step.param.label()),
-    }
 }

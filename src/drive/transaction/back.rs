@@ -5,6 +5,7 @@
 use super::ended::{Applied, untouched};
 use super::meanwhile::{THEIRS, is_ours, still_may};
 use super::plan::{Kept, Plan, is_behind, is_touched};
+use super::progress::{Doing, progress};
 use super::proof::{in_force, look};
 use super::running::RUNNING;
 use crate::drive::job::{self, Job, Step};
@@ -120,7 +121,7 @@ async fn restore_all(
 ) -> Way {
     let (mut back, mut torn) = (Vec::new(), Vec::new());
     for (done, kept) in (0..).zip(order) {
-        session.tell(restoring(done, order.len() as u64, kept));
+        session.tell(progress(Doing::PutsBack, done, order.len(), &kept.param));
         // A drive that may tell its RAM as stored would hide from an undo what is stored, were the RAM as before.
         let in_ram = kept.set >= DataSets::RAM_OFFSET;
         let hides = |stored: &&Kept| in_ram && stored.param.id == kept.param.id && is_behind(kept.set, stored.set);
@@ -425,9 +426,4 @@ pub async fn undo(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Wr
 pub async fn take_back(session: &mut Session<'_>, plan: &mut Plan, permit: &Permit<Writing>) -> Vec<Failure> {
     let order = back_order(plan);
     restore_all(session, plan, &order, permit, Way::default()).await.failures
-}
-
-fn restoring(done: u64, total: u64, kept: &Kept) -> Event {
-    let what = both!("putting back {label}", "{label} wird zurückgenommen", label = kept.param.label());
-    Event::Progress { done, total, what }
 }

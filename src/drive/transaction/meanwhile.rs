@@ -1,6 +1,7 @@
 //! What somebody else changed between the plan and a write, such as while a question stood: that is his, there and back.
 
 use super::plan::{Kept, Plan, is_behind, is_touched};
+use super::progress::{Doing, progress};
 use super::running::standstill;
 use super::weigh::place;
 use crate::drive::Session;
@@ -20,7 +21,11 @@ use std::collections::BTreeMap;
 /// Something stands there that was not asked about; its rows say what. Or the drive does not answer.
 pub(super) async fn still_stands(session: &mut Session<'_>, plan: &mut Plan) -> Result<(), Failure> {
     let mut failures = Vec::new();
+    let total = plan.job.steps.len();
     for group in plan.groups(|row| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged)) {
+        if let Some((first, step)) = group.first().and_then(|index| Some((*index, plan.job.steps.get(*index)?))) {
+            session.tell(progress(Doing::Reads, first, total, &step.param));
+        }
         failures.extend(compared(session, plan, group).await?);
     }
     let count = failures.len();

@@ -13,6 +13,7 @@ mod choice;
 mod ended;
 mod meanwhile;
 mod plan;
+mod progress;
 mod proof;
 mod running;
 mod undo_file;

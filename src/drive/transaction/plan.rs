@@ -1,13 +1,14 @@
 //! What a transaction is going to do: every old value read, every new one checked, nothing sent.
 
 use super::choice::in_sets;
+use super::progress::{Doing, progress};
 use super::running::{Shaft, standstill};
 use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, weigh};
 use crate::drive::job::{Job, Step};
 use crate::drive::stands::{has_ram, in_ram, stands};
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, WriteResult, Written};
+use crate::outcome::{WriteResult, Written};
 use crate::profile::{DataSets, Family, Param, Sets, Store};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
@@ -145,10 +146,10 @@ pub(super) async fn prepare(
         Err(failure) => return Err(failure),
     };
     let mut plan = Plan::empty(target, failures);
-    let (mut silences, total) = (0, steps.len() as u64);
+    let (mut silences, total) = (0, steps.len());
     for group in grouped(steps) {
         let Some(param) = group.first().map(|step| step.param.clone()) else { continue };
-        session.tell(reading_of(plan.job.steps.len() as u64, total, &param));
+        session.tell(progress(Doing::Reads, plan.job.steps.len(), total, &param));
         let target = &mut plan.job.target;
         if let Some(kind) = group.first().and_then(|step| step.kind) {
             target.set_width(param.id, kind);
@@ -259,10 +260,6 @@ fn grouped(steps: Vec<Step>) -> Vec<Vec<Step>> {
         }
     }
     groups
-}
-
-fn reading_of(done: u64, total: u64, param: &Param) -> Event {
-    Event::Progress { done, total, what: both!("reading {label}", "{label} wird gelesen", label = param.label()) }
 }
 
 impl Plan {

@@ -1,6 +1,7 @@
 //! Looking once more at what was promised: what a drive forgot or changed meanwhile is never called proven.
 
 use super::plan::{Kept, Plan, is_behind};
+use super::progress::{Doing, progress};
 use super::weigh::place;
 use crate::drive::job::Step;
 use crate::drive::stands::{in_ram, stands_at};
@@ -29,6 +30,7 @@ pub(super) async fn look(
     let (mut told, most) = (0, places.len() * ROUNDS);
     for (index, kept) in places.iter().enumerate().cycle().take(most) {
         let repeats = session.tally().repeats;
+        session.tell(progress(Doing::Proves, told, places.len(), &kept.param));
         let now = stands_at(session, target, &kept.param, kept.set).await;
         told = match (&now, in_ram && session.tally().repeats > repeats) {
             (Err(_), _) if in_ram => 0,

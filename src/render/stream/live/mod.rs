@@ -18,6 +18,7 @@ pub use keys::{Key, Keys};
 use super::{Form, Manner};
 use crate::outcome::Record;
 use crate::render::Outlet;
+use crate::render::console::forget_what_was_typed;
 use keys::Ear;
 use ratatui::crossterm::terminal::{self, EnterAlternateScreen, LeaveAlternateScreen};
 use ratatui::crossterm::{cursor, execute};
@@ -163,13 +164,5 @@ impl Drop for Terminal<'_> {
         // Who still leans on a key does not type it into the shell.
         forget_what_was_typed();
         let _closed = terminal::disable_raw_mode();
-    }
-}
-
-fn forget_what_was_typed() {
-    #[cfg(unix)]
-    {
-        use rustix::termios::{QueueSelector, tcflush};
-        let _gone = tcflush(rustix::stdio::stdin(), QueueSelector::IFlush);
     }
 }
