@@ -9,13 +9,17 @@
 //! Files in, benches out: [`mod@file`] reads one and builds a [`Bench`] of it. On the bench stand stations (`station`:
 //! ears and voice, a room for each protocol) with a device behind each (`device`: a folder for each maker behind one
 //! trait), on a line that can be disturbed (`line`), in front of the judge (`judge`: the rules of each protocol).
+//! A [`Profibus`] line is a room of its own (`dp`), with slaves that must be kept alive; whoever carries bytes knows both only
+//! as [`Served`].
 
 mod bench;
 mod device;
 mod dice;
+mod dp;
 pub mod file;
 mod judge;
 mod line;
+mod served;
 mod station;
 #[cfg(test)]
 mod tests;
@@ -23,6 +27,8 @@ mod totals;
 
 pub use bench::Bench;
 pub use device::contract::Servo;
+pub use dp::bench::Profibus;
 pub use judge::{Gaps, Remark, Sin};
+pub use served::Served;
 pub use station::Drive;
 pub use totals::{Ignored, Totals};

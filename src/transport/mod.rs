@@ -29,7 +29,7 @@ pub use trace::{Trace, TraceLine, read_trace};
 
 use crate::protocol::Hex;
 use crate::protocol::line::LineSetting;
-use crate::simulator::Bench;
+use crate::simulator::{Bench, Profibus};
 use crate::text::Text;
 use crate::tick::{Span, Tick};
 use net::Far;
@@ -204,6 +204,11 @@ impl Link {
         Link { carrier: Carrier::Sim(Box::new(sim::SimLink::new(bench, line))), trace: None }
     }
 
+    /// A PROFIBUS line in virtual time.
+    pub fn open_profibus(bus: Profibus, line: LineSetting) -> Self {
+        Link { carrier: Carrier::Sim(Box::new(sim::SimLink::profibus(bus, line))), trace: None }
+    }
+
     /// Why the trace ended early, if it did; once.
     pub fn take_trace_error(&mut self) -> Option<std::io::Error> {
         self.trace.as_mut()?.take_error()
@@ -363,7 +368,7 @@ impl Link {
     pub fn bench(&mut self) -> Option<&mut Bench> {
         match &mut self.carrier {
             Carrier::Serial(_) | Carrier::Net(_) | Carrier::Tape(_) => None,
-            Carrier::Sim(link) => Some(link.bench()),
+            Carrier::Sim(link) => link.bench(),
         }
     }
 }

@@ -5,18 +5,34 @@
 
 use super::{LinkError, Wake};
 use crate::protocol::line::LineSetting;
-use crate::simulator::Bench;
+use crate::simulator::{Bench, Profibus, Served};
 use crate::tick::Tick;
 use std::time::{Duration, Instant};
 
 #[derive(Debug)]
 pub(super) struct SimLink {
-    bench: Bench,
+    bus: Bus,
     line: LineSetting,
     now: Tick,
     pace: Option<Pace>,
     /// Its adapter is out, for a test.
     is_pulled: bool,
+}
+
+/// What stands behind it.
+#[derive(Debug)]
+enum Bus {
+    Bench(Box<Bench>),
+    Profibus(Box<Profibus>),
+}
+
+impl Bus {
+    fn served(&mut self) -> &mut dyn Served {
+        match self {
+            Bus::Bench(bench) => &mut **bench,
+            Bus::Profibus(line) => &mut **line,
+        }
+    }
 }
 
 /// A moment of the bench, and the same one by the wall clock.
@@ -32,15 +48,22 @@ const AHEAD: Duration = Duration::from_millis(2);
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
         let (bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
-        SimLink { bench, line, now, pace: None, is_pulled: false }
+        SimLink { bus: Bus::Bench(Box::new(bench)), line, now, pace: None, is_pulled: false }
+    }
+
+    pub(super) fn profibus(bus: Profibus, line: LineSetting) -> Self {
+        SimLink { bus: Bus::Profibus(Box::new(bus)), line, now: Tick::ZERO, pace: None, is_pulled: false }
     }
 
     pub(super) fn now(&self) -> Tick {
         self.now
     }
 
-    pub(super) fn bench(&mut self) -> &mut Bench {
-        &mut self.bench
+    pub(super) fn bench(&mut self) -> Option<&mut Bench> {
+        match &mut self.bus {
+            Bus::Bench(bench) => Some(&mut **bench),
+            Bus::Profibus(_) => None,
+        }
     }
 
     #[expect(clippy::disallowed_methods, reason = "a paced bench follows the real clock")]
@@ -58,7 +81,7 @@ impl SimLink {
 
     pub(super) fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
         witness::holds_adapter(true, &mut self.is_pulled)?;
-        self.bench.master_sends(self.now, self.line, bytes);
+        self.bus.served().master_sends(self.now, self.line, bytes);
         Ok(())
     }
 
@@ -67,11 +90,11 @@ impl SimLink {
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         witness::holds_adapter(false, &mut self.is_pulled)?;
         loop {
-            let next = self.bench.next_event().map_or(until, |event| event.min(until)).max(self.now);
+            let next = self.bus.served().next_event().map_or(until, |event| event.min(until)).max(self.now);
             if let Some(pace) = self.pace {
                 pace.reach(next).await;
             }
-            let bytes: Vec<u8> = self.bench.advance(next).into_iter().map(|(_, byte)| byte).collect();
+            let bytes: Vec<u8> = self.bus.served().advance(next).into_iter().map(|(_, byte)| byte).collect();
             let stuck = next == self.now && next < until && bytes.is_empty();
             self.now = next;
             if !bytes.is_empty() {
@@ -80,7 +103,7 @@ impl SimLink {
             if stuck {
                 // An event that does not go away by advancing must not hang the program.
                 self.now = until;
-                self.bench.advance(until);
+                self.bus.served().advance(until);
             }
             if self.now >= until {
                 return Ok(Wake::Silence);
@@ -91,7 +114,10 @@ impl SimLink {
 
 impl Drop for SimLink {
     fn drop(&mut self) {
-        witness::take(&self.bench, self.now);
+        match &self.bus {
+            Bus::Bench(bench) => witness::take(bench, self.now),
+            Bus::Profibus(line) => witness::take_profibus(line),
+        }
     }
 }
 
@@ -99,7 +125,7 @@ impl Drop for SimLink {
 /// last line that was closed there, and no bench is paced.
 pub mod witness {
     use super::LinkError;
-    use crate::simulator::Bench;
+    use crate::simulator::{Bench, Profibus};
     use crate::tick::Tick;
     use std::cell::{Cell, RefCell};
 
@@ -108,6 +134,7 @@ pub mod witness {
         static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
         static ALONE: Cell<bool> = const { Cell::new(false) };
         static LEFT: RefCell<Vec<(Bench, Tick)>> = const { RefCell::new(Vec::new()) };
+        static PROFIBUS: RefCell<Option<Profibus>> = const { RefCell::new(None) };
         static STANDS: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
     }
 
@@ -172,6 +199,17 @@ pub mod witness {
 
     pub(super) fn is_called() -> bool {
         CALLED.get()
+    }
+
+    /// The PROFIBUS line that was left behind last.
+    pub fn left_profibus() -> Option<Profibus> {
+        PROFIBUS.take()
+    }
+
+    pub(super) fn take_profibus(line: &Profibus) {
+        if is_called() {
+            PROFIBUS.set(Some(line.clone()));
+        }
     }
 
     pub(super) fn take(bench: &Bench, now: Tick) {

@@ -29,6 +29,10 @@ pub(crate) const LAW: &[(&str, &[&str])] = &[
     ),
     ("simulator::station::modbus", &["simulator::line", "protocol", "tick"]),
     ("simulator::station::vabus", &["simulator::line", "protocol", "tick"]),
+    (
+        "simulator::dp",
+        &["simulator::device::readings", "simulator::dice", "simulator::line::wire", "protocol", "profile", "tick"],
+    ),
     ("simulator::judge", &["simulator::line::speech", "protocol", "tick"]),
     (
         "simulator::bench",

@@ -9,6 +9,7 @@
 mod active;
 mod drive;
 mod line;
+mod profibus;
 mod reader;
 mod servo;
 mod station;

@@ -19,7 +19,7 @@ mod tcp;
 mod tests;
 
 use crate::protocol::line::{LineSetting, Parity};
-use crate::simulator::Bench;
+use crate::simulator::Served;
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use backlog::Backlog;
@@ -156,7 +156,7 @@ impl Server {
     /// The time of the bench is the time since [`Server::open`].
     pub async fn run(
         &mut self,
-        bench: &mut Bench,
+        bench: &mut impl Served,
         stop: impl Future<Output = ()>,
         mut note: impl FnMut(Note),
     ) -> Result<(), ServeError> {
@@ -184,7 +184,8 @@ impl Server {
                         note(Note::Left);
                     }
                     Change::Bytes(bytes) => {
-                        let line = self.port.line().or(bench.line_of(&bytes)).unwrap_or(FACTORY);
+                        let line = self.port.line().map(|set| bench.meant(set));
+                        let line = line.or(bench.line_of(&bytes)).unwrap_or(FACTORY);
                         backlog.take(line, &bytes);
                     }
                 },

@@ -1,4 +1,5 @@
 use super::*;
+use crate::simulator::Bench;
 use serialport::SerialPort;
 use std::io::{Read, Write};
 use std::sync::mpsc;
