@@ -60,6 +60,12 @@ impl Takes {
         silent: &["dry_run", "yes"],
         refused: &[OF_A_LINE, &["address", "protocol", "word_order"]],
     };
+    /// Looks at a PROFIBUS line, which has one format and times of its own, or knows of it without one.
+    pub const PROFIBUS: Takes = Takes {
+        first: &["port", "address", "baud", "drive", "format", "lang", "verbose", "dry_run"],
+        silent: &["protocol", "yes", "catalogue"],
+        refused: &[&["parity", "stop_bits", "data_bits", "timeout", "word_order"]],
+    };
     /// Draws what was recorded, without a line.
     pub const DRAWS: Takes = Takes {
         first: &["address", "format", "lang"],

@@ -42,7 +42,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("simulate", "drives without any"),
         ],
     ),
-    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "SJ2-PB, its modules"), ("decode", "a telegram, a word")]),
+    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "who is on it, SJ2-PB"), ("decode", "a telegram, a word")]),
     ("Scripts", &[("schema", "of the JSON"), ("completions", "for your shell")]),
 ];
 

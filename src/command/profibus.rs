@@ -1,16 +1,18 @@
-//! `profibus`: what a PROFIBUS master has to be told of a Hitachi SJ2-PB.
+//! `profibus`: a line of it without a controller, and what a master has to be told of a Hitachi SJ2-PB.
 
 use super::verb::{Verb, Working};
 use super::{Context, named_family};
-use crate::args::Takes;
-use crate::drive::profibus;
-use crate::failure::Failure;
-use crate::outcome::{BasicModule, Data, Document, Outcome};
+use crate::args::{Addresses, Settings, Takes, parse_span};
+use crate::drive::{Opening, Recording, open_port, profibus};
+use crate::failure::{Class, Failure};
+use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrPlan, Outcome, Plan};
+use crate::text::both;
+use crate::tick::Span;
 use clap::{Args as ClapArgs, Subcommand};
 
-/// Makes and explains the bytes that a PROFIBUS master sends to a Hitachi SJ2-PB.
+/// Looks at a PROFIBUS line without a controller; bytes for a Hitachi SJ2-PB.
 ///
-/// No line is opened. What a telegram says is told by `decode`.
+/// What a telegram says is told by `decode`.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
@@ -19,6 +21,20 @@ pub struct Args {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
+    /// Who is on the line: stations, idents, states, configurations
+    ///
+    /// Asks every address from 0 to 125, or those given with -a, for its FDL status, and the slaves for Slave_Diag and Get_Cfg.
+    /// That changes nothing in a slave. We are master 0 on the line and pass no token. The line is listened to for 1.25 s first: if
+    /// another master asks on it, nothing is sent, and the exit code is 8.
+    ///
+    /// The ident number of an SJ2-PB is in no source: it is read here. One station alone is told in full.
+    Live {
+        /// How soon an answer begins [default: 30ms or 8ms]
+        ///
+        /// 8 ms hold from 93750 Bd on. An adapter that holds bytes back needs more.
+        #[arg(long, value_name = "TIME", value_parser = parse_span)]
+        slot_time: Option<Span>,
+    },
     /// A module of the Basic mode: by name, or by its bytes
     ///
     /// By name: the series (or --drive), get or set, and a parameter: its index, the maker's short name, its name, or an
@@ -34,25 +50,109 @@ enum What {
 
 impl Verb for Args {
     const NAME: &'static str = "profibus";
-    const TAKES: Takes = Takes::BROWSES;
+    const TAKES: Takes = Takes::PROFIBUS;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
+        "antrieb --port sim profibus live",
+        "antrieb --port sim -a 3 profibus live",
         "antrieb profibus module L200 get acceleration",
         "antrieb profibus module L200 set deceleration min 0x0001 max 0x7530",
         "antrieb profibus module X200 get F002 swapped address based",
         "antrieb profibus module C7 FF FF",
     ];
-    type Prints = Document<BasicModule>;
+    type Prints = Document<OrPlan<OrLive<BasicModule>>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
-        Box::pin(std::future::ready(run(self, context)))
+        match &self.what {
+            What::Live { slot_time } => Box::pin(live(*slot_time, context)),
+            What::Module { module } => Box::pin(std::future::ready(self::module(module, context))),
+        }
     }
 }
 
 /// Makes or explains a module.
-pub fn run(args: &Args, context: &Context<'_>) -> Result<Outcome, Failure> {
-    let What::Module { module } = &args.what;
+fn module(module: &[String], context: &Context<'_>) -> Result<Outcome, Failure> {
     let (settings, registry) = (context.settings, context.registry);
     let named = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let found = profibus::module(&module.join(" "), named.as_deref(), registry)?;
     Ok(Outcome::of(Data::BasicModule(found)))
+}
+
+/// Tells who is on the line.
+async fn live(slot_time: Option<Span>, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    let addresses = addresses(context.settings)?;
+    if context.settings.dry_run {
+        let telegrams = profibus::questions(addresses.first().copied());
+        let count = addresses.len();
+        let notes = vec![both!(
+            "{count} address(es) are asked so; slaves for Slave_Diag and Get_Cfg as well",
+            "{count} Adresse(n) werden auf diese Weise gefragt, Slaves dazu nach Slave_Diag und Get_Cfg"
+        )];
+        return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })));
+    }
+    let mut line = open(slot_time, context).await?;
+    let (found, ended) = profibus::live(&mut line, &addresses).await;
+    let failure = ended.or_else(|| nobody(&found)).or_else(|| incomplete(&found));
+    Ok(Outcome { data: Some(Data::LiveList(found)), warnings: Vec::new(), failure })
+}
+
+/// Opens the line that the settings name.
+async fn open<'a>(slot_time: Option<Span>, context: &'a mut Context<'_>) -> Result<profibus::Line<'a>, Failure> {
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    settings.check_one_line()?;
+    let port = open_port(settings.port.as_ref(), *observe)?;
+    let opening = Opening {
+        port: &port,
+        line: settings.line,
+        rs485: settings.rs485,
+        retries: settings.retries,
+        trace: settings.trace.as_deref().map(|path| Recording { path, overwrite: settings.force }),
+        verbose: settings.verbose,
+        ..Opening::at(&port)
+    };
+    if settings.verbose {
+        observe(Event::Note(settings.told()));
+    }
+    if let Some(note) = &settings.port_note {
+        observe(Event::Note(note.clone()));
+    }
+    profibus::Line::open(opening, slot_time, registry, interrupt.clone(), *observe).await
+}
+
+/// Addresses to ask: those that were named, or all.
+fn addresses(settings: &Settings) -> Result<Vec<u8>, Failure> {
+    let everybody = profibus::everybody();
+    let Addresses::Named(list) = &settings.addresses else { return Ok(everybody) };
+    let Some(wrong) = list.iter().find(|address| !everybody.contains(address)) else { return Ok(list.clone()) };
+    let message = both!(
+        "there is no station {wrong}: expected addresses from 0 to 125",
+        "es gibt keine Station {wrong}: erwartet werden Adressen von 0 bis 125"
+    );
+    Err(Failure::new(Class::Usage, "usage.address", message))
+}
+
+/// Why it was of no use to ask.
+fn nobody(found: &LiveList) -> Option<Failure> {
+    if !found.stations.is_empty() {
+        return None;
+    }
+    let line = &found.line;
+    let message = both!("nobody answers at {line}", "bei {line} antwortet niemand");
+    Some(Failure::new(Class::No, "no.station", message).hint(both!(
+        "another speed with --baud (9600, 19200, 93750, 187500, 500000)? A slave finds the speed by itself, but not every adapter \
+         reaches it; adapters often label A and B the other way; termination and bias need the 5 V of pin 6",
+        "eine andere Baudrate mit --baud (9600, 19200, 93750, 187500, 500000)? Ein Slave findet sie selbst, aber nicht jeder \
+         Adapter erreicht sie; Adapter beschriften A und B oft umgekehrt; Abschluss und Ruhepegel brauchen die 5 V von Pin 6"
+    )))
+}
+
+/// Why the rows do not tell everything.
+fn incomplete(found: &LiveList) -> Option<Failure> {
+    let first = found.stations.iter().find(|station| station.error.is_some())?;
+    let address = first.address;
+    let message = both!(
+        "station {address} did not answer everything; the rows say which else",
+        "Station {address} hat nicht alles beantwortet; die Zeilen sagen, welche noch"
+    );
+    Some(Failure::new(Class::Partial, "partial", message).with("address", address))
 }

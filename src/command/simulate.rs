@@ -19,13 +19,13 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, ClapArgs)]
 #[command(after_long_help = bench::FILE_HELP)]
 pub struct Args {
-    /// Bench file [default: an ACT at 1, an ACU at 2; with --profibus an L200 at 3, an SJ200 at 5]
+    /// Bench file [default: an ACT at 1, an ACU at 2]
     #[arg(value_name = "BENCH.toml")]
     pub bench: Option<PathBuf>,
 
     /// A PROFIBUS line: Hitachi inverters behind SJ2-PB modules
     ///
-    /// Their watchdogs run, and what they do without a master is what P.703 or P.620 says. The ident number of the modules is made
+    /// An L200 at 3 and an SJ200 at 5, or those of the file. Their watchdogs run, and what they do without a master is what P.703 or P.620 says. The ident number of the modules is made
     /// up: the true one is in no source.
     #[arg(long)]
     pub profibus: bool,

@@ -1,7 +1,14 @@
-//! Modules of an SJ2-PB in Basic mode by name: from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
+//! PROFIBUS without a controller: a line with us as its only master ([`Line`]), who is on it ([`live`]), and modules of an
+//! SJ2-PB in Basic mode by name, from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
 
+mod line;
+mod live;
 mod phrase;
 mod told;
+mod trouble;
+
+pub use line::Line;
+pub use live::{everybody, live, questions};
 
 use super::decode::hex_bytes;
 use crate::failure::{Class, Failure};

@@ -1,12 +1,14 @@
 //! Conversations without I/O: what to send, how the reply ends, when to give up, how to retry.
 //!
 //! A conversation is fed bytes and times and says what to do next ([`Step`]); `drive::pump` carries it out on a link.
-//! [`Master`] asks one station, [`Survey`] looks for all of them; [`dialect`] is what the protocols differ in. This room
+//! [`Master`] asks one station, [`Survey`] looks for all of them; [`dialect`] is what the protocols differ in. [`dp`] is the
+//! master of a PROFIBUS line. This room
 //! knows no drive and reads no clock.
 
 mod cut;
 mod debt;
 pub mod dialect;
+pub mod dp;
 mod ear;
 mod echo;
 mod foreign;

@@ -1,6 +1,6 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
-use super::{ErrorDoc, LineCheck, Load, Motion, Plan, Read, Record, Stops, Warning, Write};
+use super::{ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Read, Record, Stops, Warning, Write};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -34,6 +34,16 @@ pub enum OrPlan<D> {
     Found(D),
     /// What would be sent.
     Plan(Plan),
+}
+
+/// What a verb finds, or who is on a line.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrLive<D> {
+    /// What was found.
+    Found(D),
+    /// Who is on the line.
+    Live(LiveList),
 }
 
 /// What a verb finds, or what it would ask or write under `--dry-run`.

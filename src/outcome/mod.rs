@@ -20,7 +20,9 @@ mod systembus;
 mod transfer;
 mod value;
 
-pub use document::{Document, Envelope, OrBusLoad, OrLine, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite};
+pub use document::{
+    Document, Envelope, OrBusLoad, OrLine, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
+};
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
     SearchNews,
@@ -34,7 +36,7 @@ pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Par
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
-pub use profibus::BasicModule;
+pub use profibus::{BasicModule, LiveList, LiveStation};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{
@@ -150,6 +152,8 @@ pub enum Data {
     Import(Box<Import>),
     /// `params export`
     Export(Export),
+    /// `profibus live`
+    LiveList(LiveList),
     /// `profibus module`
     BasicModule(BasicModule),
     /// `decode`

@@ -1,6 +1,6 @@
 //! What `profibus` says.
 
-use super::Field;
+use super::{ErrorDoc, Field};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -24,4 +24,52 @@ pub struct BasicModule {
     pub fields: Vec<Field>,
     /// What the manual leaves open.
     pub notes: Vec<Text>,
+}
+
+/// Result of `profibus live`: the stations that answered.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct LiveList {
+    /// Port.
+    pub port: String,
+    /// Line setting.
+    pub line: String,
+    /// Addresses that were to be asked.
+    pub addresses: usize,
+    /// Addresses that were asked.
+    pub asked: usize,
+    /// Who answered.
+    pub stations: Vec<LiveStation>,
+}
+
+/// A station of a PROFIBUS line. What stands in Slave_Diag and Get_Cfg is told by slaves alone.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct LiveStation {
+    /// Address, 0 to 125.
+    pub address: u8,
+    /// `slave`, `master-not-ready`, `master-ready`, `master-in-ring`; empty if nothing valid came.
+    pub kind: &'static str,
+    /// The same in words.
+    pub is: Text,
+    /// Ident number, hexadecimal.
+    pub ident: Option<String>,
+    /// `wait-prm`, `wait-cfg`, `data-exchange`.
+    pub state: Option<&'static str>,
+    /// Master that parameterised it; null if none did.
+    pub master: Option<u8>,
+    /// Bits of Slave_Diag that are set, by the names of the norm.
+    pub flags: Vec<String>,
+    /// Bytes of its configuration.
+    pub configuration: Option<String>,
+    /// `basic`, `ppo1` to `ppo5`, where it is one of an SJ2-PB.
+    pub layout: Option<&'static str>,
+    /// From the end of the question (FDL status) to its answer, microseconds, with what the adapter adds.
+    pub answered_us: u64,
+    /// How often it had to be asked again.
+    pub repeats: u64,
+    /// Slave_Diag, field by field.
+    pub diagnosis: Vec<Field>,
+    /// Get_Cfg, identifier by identifier.
+    pub identifiers: Vec<Field>,
+    /// Why it is not all told.
+    pub error: Option<ErrorDoc>,
 }

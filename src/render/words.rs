@@ -61,6 +61,11 @@ const GERMAN: &[(&str, &str)] = &[
     ("time (UTC)", "Zeit (UTC)"),
     ("title", "Bezeichnung"),
     ("why", "Grund"),
+    // PROFIBUS.
+    ("ident", "Ident"),
+    ("reply", "Antwort"),
+    ("data", "Daten"),
+    ("repeats", "Wiederh."),
     // The system bus.
     ("1 ms", "1 ms"),
     ("2 ms", "2 ms"),

@@ -9,6 +9,7 @@ mod endless;
 mod jitter;
 mod line;
 mod once;
+mod profibus;
 mod stations;
 mod thrown;
 

@@ -20,7 +20,7 @@ use antrieb::render::{self, Console, Format};
 use clap::{Args, FromArgMatches};
 use serde_json::{Map, Value};
 
-use bench::{BENCH, FILES, HELD, TAPE};
+use bench::{BENCH, FILES, HELD, MODULES, TAPE};
 use rows::{cell, rows, shortened};
 
 /// Runs a line in every form; it must end with this code in each.
@@ -30,7 +30,7 @@ fn case(name: &str, code: u8, line: &str) {
         return stream(name, code, line);
     }
     let run = |options: &str| -> Run {
-        let run = antrieb(&format!("{line} {options}")).on(BENCH);
+        let run = antrieb(&format!("{line} {options}")).on(bench_of(line));
         FILES.iter().chain(&[("held.toml", HELD)]).fold(run, |run, (name, text)| run.file(name, text))
     };
     tables(name, code, run);
@@ -121,6 +121,10 @@ fn stream(name: &str, code: u8, line: &str) {
     assert!(csv::Reader::from_reader(csv.as_bytes()).records().all(|record| record.is_ok()), "{csv}");
 }
 
+fn bench_of(line: &str) -> &'static str {
+    if line.contains("profibus live") { MODULES } else { BENCH }
+}
+
 fn entry(name: &str) -> &'static Entry {
     VERBS.iter().find(|verb| verb.name == name).unwrap()
 }
@@ -129,7 +133,7 @@ fn entry(name: &str) -> &'static Entry {
 #[track_caller]
 fn interrupted(after: usize, code: u8, line: &str) {
     let directory = tempfile::tempdir().unwrap();
-    for (name, text) in FILES.iter().chain(&[("bench.toml", BENCH), ("heard", TAPE), ("held.toml", HELD)]) {
+    for (name, text) in FILES.iter().chain(&[("bench.toml", bench_of(line)), ("heard", TAPE), ("held.toml", HELD)]) {
         std::fs::write(directory.path().join(name), text).unwrap();
     }
     let (kind, file) = if line.contains("sniff") { ("tape", "heard") } else { ("sim", "bench.toml") };
@@ -239,7 +243,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
-    ("profibus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("profibus", &["refused", "partial"], "it asks what every slave answers; only a bad line leaves something out"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
@@ -373,6 +377,10 @@ cases! {
     decode_control: 0, "--drive act decode control 0x000F --mode 1";
     decode_warnings: 0, "decode warnings 0x8083";
     decode_fault: 0, "decode fault F2105";
+    profibus_live: 0, "profibus live";
+    profibus_live_one: 0, "-a 3 profibus live";
+    profibus_planned: 0, "-a 3 --dry-run profibus live";
+    profibus_silence: 1, "-a 9,10 profibus live";
     profibus_fine: 0, "profibus module L200 set deceleration min 0x0001 max 0x7530";
     decode_stw: 0, "decode control 0x047F --drive l200";
     params_hitachi: 0, "--drive x200 params F002";
@@ -438,5 +446,6 @@ cuts! {
     line_interrupted: 8, 130, "-a 1,2 line show";
     monitor_interrupted: 6, 0, "-a 1,2 monitor --count 50";
     sniff_interrupted: 2, 0, "sniff";
+    profibus_interrupted: 3, 130, "profibus live";
     simulate_interrupted: 0, 0, "simulate --tcp 127.0.0.1:0";
 }

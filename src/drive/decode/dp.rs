@@ -9,11 +9,28 @@ use super::{InputError, field, hex_bytes, no_telegram};
 use crate::outcome::{Field, Parts, TelegramDoc};
 use crate::profile::Family;
 use crate::protocol::dp::cfg::Layout;
-use crate::protocol::dp::control::{Count, Status};
+use crate::protocol::dp::control::{Count, Station, Status};
 use crate::protocol::dp::{Control, EVERYBODY, Frame, NAME, Service, Telegram, frame};
 use crate::protocol::modbus::Hex;
 use crate::text::{Text, Wrong, both};
 use std::str::FromStr;
+
+/// The answer to Slave_Diag in words.
+pub(in crate::drive) fn diagnosed(data: &[u8]) -> Parts {
+    let (meaning, fields) = services::diagnosis(data).unwrap_or_else(|| (bytes_of(data), raw(data)));
+    Parts { meaning, fields }
+}
+
+/// The answer to Get_Cfg in words.
+pub(in crate::drive) fn configuration(data: &[u8]) -> Parts {
+    let (meaning, fields) = services::configuration(data);
+    Parts { meaning, fields }
+}
+
+/// What a station is, as it answers FDL status.
+pub(in crate::drive) fn station(station: Station) -> Text {
+    words::station(station)
+}
 
 /// What the cyclic data of a slave are: `basic`, `ppo1` to `ppo5`, or the bytes of its configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -72,6 +72,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Params(found) => found,
         Data::Import(found) => found.as_ref(),
         Data::Export(found) => found,
+        Data::LiveList(found) => found,
         Data::BasicModule(found) => found,
         Data::Decode(found) => found,
         Data::Sniff(found) => found,

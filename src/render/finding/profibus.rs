@@ -1,8 +1,8 @@
-//! `profibus`: a module by name and by bytes.
+//! `profibus`: a module by name and by bytes, and who is on a line.
 
 use super::page::Page;
 use super::{Finding, Row, list};
-use crate::outcome::BasicModule;
+use crate::outcome::{BasicModule, LiveList, LiveStation};
 
 impl Finding for BasicModule {
     fn table(&self, page: Page) -> String {
@@ -24,6 +24,48 @@ impl Page {
         text += &self.fields(&module.fields);
         for note in &module.notes {
             text += &self.prose(&format!("- {}", note.get(self.lang)));
+        }
+        text
+    }
+}
+
+impl Finding for LiveList {
+    fn table(&self, page: Page) -> String {
+        page.live(self)
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        list("station", &self.stations)
+    }
+}
+
+impl Page {
+    fn live(self, live: &LiveList) -> String {
+        let row = |station: &LiveStation| {
+            let or_none = |told: Option<&str>| told.unwrap_or("-").to_owned();
+            vec![
+                station.address.to_string(),
+                self.say(&station.is),
+                or_none(station.ident.as_deref()),
+                station.master.map_or_else(|| "-".to_owned(), |master| master.to_string()),
+                or_none(station.state),
+                or_none(station.layout.or(station.configuration.as_deref())),
+                format!("{}.{} ms", station.answered_us / 1_000, station.answered_us % 1_000 / 100),
+                station.repeats.to_string(),
+            ]
+        };
+        let head = ["addr", "", "ident", "master", "state", "data", "reply", "repeats"];
+        let mut text = self.table(&head, live.stations.iter().map(row).collect());
+        // One station alone is told in full.
+        if let [station] = &live.stations[..] {
+            for (title, fields) in [("Slave_Diag", &station.diagnosis), ("Get_Cfg", &station.identifiers)] {
+                if !fields.is_empty() {
+                    text += &format!("\n{title}{}", self.fields(fields));
+                }
+            }
+        }
+        for error in live.stations.iter().filter_map(|station| station.error.as_ref()) {
+            text += &self.prose(error.message.get(self.lang));
         }
         text
     }

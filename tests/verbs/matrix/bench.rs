@@ -21,6 +21,17 @@ address = 9
 registers = { \"0\" = 17 }
 ";
 
+/// An L200 behind an SJ2-PB, and an X200 that was configured for nothing yet.
+pub(super) const MODULES: &str = "\
+[[module]]
+drive = \"l200\"
+address = 3
+[[module]]
+drive = \"x200\"
+address = 12
+readings = { unconfigured = \"basic\" }
+";
+
 /// Parameter files, and what takes one back.
 pub(super) const FILES: &[(&str, &str)] = &[
     (

@@ -51,6 +51,8 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "systembus" => list(&data["pdos"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
+        "profibus" if data["stations"].is_array() => list(&data["stations"]),
+        "profibus" if data["telegrams"].is_array() => list(&data["telegrams"]),
         "decode" | "profibus" => vec![data.clone()],
         "dataset" if data["saved"].is_array() => {
             let is_empty = |saved: &Value| list(&saved["values"]).is_empty();

@@ -88,7 +88,12 @@ const TYPED: &[(&str, &[&str])] = &[
     ),
     (
         "profibus",
-        &["profibus module L200 set deceleration min 0x0001 max 0x7530", "profibus module C7 FF FF --drive l200"],
+        &[
+            "profibus live -p sim",
+            "profibus live -p sim -a 3",
+            "profibus module L200 set deceleration min 0x0001 max 0x7530",
+            "profibus module C7 FF FF --drive l200",
+        ],
     ),
     ("sniff", &["sniff -p tape:{dir}/heard"]),
     ("protocol", &["protocol show -a 1"]),

@@ -1,0 +1,124 @@
+//! An open PROFIBUS line with us as its only master: listened to first, asked afterwards.
+
+use super::trouble;
+use crate::drive::decode::dp::Reader;
+use crate::drive::opening::{Opening, open_trace};
+use crate::drive::pump;
+use crate::drive::{AccessError, Interrupt};
+use crate::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
+use crate::exchange::{Record, Verdict};
+use crate::failure::Failure;
+use crate::outcome::Event;
+use crate::profile::Registry;
+use crate::protocol::line::{LineSetting, Parity};
+use crate::protocol::modbus::Hex;
+use crate::text::both;
+use crate::tick::Span;
+use crate::transport::{Link, Port};
+
+/// An open PROFIBUS line.
+pub struct Line<'a> {
+    name: String,
+    setting: String,
+    link: Link,
+    pub(super) fdl: Fdl,
+    interrupt: Interrupt,
+    observe: &'a mut dyn FnMut(Event),
+    verbose: bool,
+}
+
+impl std::fmt::Debug for Line<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Line").field("link", &self.link).field("fdl", &self.fdl).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Line<'a> {
+    /// Opens the line and listens on it. Fails if somebody else asks there: nothing was sent then.
+    pub async fn open(
+        opening: Opening<'_>,
+        slot: Option<Span>,
+        registry: &Registry,
+        interrupt: Interrupt,
+        observe: &'a mut dyn FnMut(Event),
+    ) -> Result<Self, Failure> {
+        let Opening { port, line, rs485, trace, verbose, retries, .. } = opening;
+        // PROFIBUS is always 8E1 (IEC 61158-4-3).
+        let line = LineSetting::rtu(line.baud, Parity::Even);
+        let mut link = match port {
+            Port::Sim(file) => {
+                let bus = crate::drive::bench::profibus(file.as_deref(), registry)?;
+                Link::open_profibus(bus, line)
+            }
+            port => tokio::select! {
+                link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error))?,
+                () = interrupt.raised() => return Err(trouble::interrupted()),
+            },
+        };
+        if let Some(recording) = trace {
+            link.record_to(open_trace(recording, &format!("{line}, dp"))?);
+        }
+        for deviation in link.deviations() {
+            observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));
+        }
+        let usual = Timing::of(line);
+        let timing = Timing { slot: slot.unwrap_or(usual.slot), retries: retries.unwrap_or(usual.retries) };
+        let mut listening = Listening::new(link.now());
+        let heard = pump::run(&mut listening, &mut link, &interrupt, None).await;
+        let heard = heard.map_err(|error| AccessError::from(error).failure(0, None))?;
+        match heard {
+            Heard::Nobody => {}
+            Heard::Master(master) => return Err(trouble::other_master(master)),
+            Heard::Somebody => return Err(trouble::somebody(line)),
+        }
+        let fdl = Fdl::new(MASTER, line, timing, link.now());
+        let (name, setting) = (port.to_string(), line.to_string());
+        Ok(Line { name, setting, link, fdl, interrupt, observe, verbose })
+    }
+
+    /// Port and setting.
+    pub fn name(&self) -> (String, String) {
+        (self.name.clone(), self.setting.clone())
+    }
+
+    /// Tells whoever watches.
+    pub(super) fn tell(&mut self, event: Event) {
+        (self.observe)(event);
+    }
+
+    /// Asks a station once, with its repeats.
+    pub(super) async fn ask(
+        &mut self,
+        station: u8,
+        asked: Asked,
+        retries: Option<u8>,
+    ) -> Result<Result<Reply, Unanswered>, Failure> {
+        self.fdl.ask(station, asked, retries, self.link.now());
+        let outcome = pump::run(&mut self.fdl, &mut self.link, &self.interrupt, None).await;
+        self.show();
+        outcome.map_err(|error| AccessError::from(error).failure(0, None))
+    }
+
+    /// Tells every telegram, where that is wanted.
+    fn show(&mut self) {
+        let records = self.fdl.take_records();
+        if self.verbose {
+            records.iter().for_each(|record| (self.observe)(told(record)));
+        }
+    }
+}
+
+fn told(record: &Record) -> Event {
+    let direction = match record.verdict {
+        Verdict::Request | Verdict::Fence | Verdict::Farewell => '>',
+        Verdict::Reply => '<',
+        Verdict::Echo | Verdict::Stray { .. } | Verdict::Garbage => '~',
+    };
+    let reader = Reader { family: None, cyclic: None };
+    let said = reader.telegram(&record.bytes).meaning;
+    let meaning = match record.verdict {
+        Verdict::Echo => both!("echo of the adapter: {said}", "Echo des Adapters: {said}", said),
+        _ => said,
+    };
+    Event::Telegram { at_us: record.at.as_micros(), direction, hex: Hex(&record.bytes).to_string(), meaning }
+}

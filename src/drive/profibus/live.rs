@@ -1,0 +1,119 @@
+//! Who is on a PROFIBUS line: the live list, and what each slave tells of itself without being taken.
+//!
+//! FDL status, Slave_Diag and Get_Cfg are answered before and beside any parameterisation; nothing is changed by them.
+
+use super::line::Line;
+use super::trouble;
+use crate::drive::decode::dp::{Reader, configuration, diagnosed, station};
+use crate::exchange::dp::{Asked, MASTER, Reply, Unanswered};
+use crate::failure::Failure;
+use crate::outcome::{ErrorDoc, Event, LiveList, LiveStation, TelegramDoc};
+use crate::protocol::dp::cfg::Layout;
+use crate::protocol::dp::control::Station;
+use crate::protocol::dp::{Diagnosis, LAST_STATION, Service, diagnosis};
+use crate::protocol::modbus::Hex;
+use crate::text::both;
+
+/// Repeats of the question whether anybody is there: one more than none, so that a lost byte hides nobody.
+const REPEATS: u8 = 1;
+
+/// Every address that a station can have.
+pub fn everybody() -> Vec<u8> {
+    (0..LAST_STATION).collect()
+}
+
+/// The questions to one address, as they go out first.
+pub fn questions(address: Option<u8>) -> Vec<TelegramDoc> {
+    let asked = [Service::SlaveDiag, Service::GetCfg].map(|service| Asked::service(service, Vec::new()));
+    let reader = Reader { family: None, cyclic: None };
+    let of = |address: u8| {
+        [Asked::STATUS].into_iter().chain(asked.clone()).map(move |asked| asked.telegram(address, MASTER))
+    };
+    address.into_iter().flat_map(of).map(|bytes| reader.telegram(&bytes)).collect()
+}
+
+/// Asks every address who is there, and the slaves what they are. Also what ended it early.
+pub async fn live(line: &mut Line<'_>, addresses: &[u8]) -> (LiveList, Option<Failure>) {
+    let (port, setting) = line.name();
+    let mut list = LiveList { port, line: setting, asked: 0, addresses: addresses.len(), stations: Vec::new() };
+    let total = addresses.len() as u64;
+    for (done, &address) in (0..).zip(addresses) {
+        // Our own address is nobody's.
+        let what = both!("address {address}", "Adresse {address}");
+        line.tell(Event::Progress { done, total, what });
+        if address != line.fdl.address() {
+            match look(line, address).await {
+                Ok(found) => list.stations.extend(found),
+                Err(failure) => return (list, Some(failure)),
+            }
+        }
+        list.asked += 1;
+    }
+    (list, None)
+}
+
+/// What stands at an address, if anything does.
+async fn look(line: &mut Line<'_>, address: u8) -> Result<Option<LiveStation>, Failure> {
+    let mut found = LiveStation { address, ..LiveStation::default() };
+    match line.ask(address, Asked::STATUS, Some(REPEATS)).await? {
+        Ok(Reply::Frame { station: kind, .. }) => {
+            (found.kind, found.is) = (word(kind), station(kind));
+            found.answered_us = line.fdl.answered_after().as_micros();
+            if kind != Station::Slave {
+                return Ok(Some(found));
+            }
+        }
+        Ok(_) => return Ok(None),
+        Err(Unanswered::Silence { .. }) => return Ok(None),
+        Err(why) => {
+            let failure = trouble::unanswered(address, &why);
+            if matches!(why, Unanswered::OtherMaster(_)) {
+                return Err(failure);
+            }
+            found.error = Some(ErrorDoc::from(&failure));
+            return Ok(Some(found));
+        }
+    }
+    for service in [Service::SlaveDiag, Service::GetCfg] {
+        let answer = line.ask(address, Asked::service(service, Vec::new()), None).await?;
+        match (service, answer) {
+            (Service::SlaveDiag, Ok(Reply::Frame { data, .. })) => diagnose(&mut found, &data),
+            (_, Ok(Reply::Frame { data, .. })) if !data.is_empty() => configure(&mut found, &data),
+            (_, Ok(_)) => {}
+            (_, Err(why)) => found.error = Some(ErrorDoc::from(&trouble::unanswered(address, &why))),
+        }
+    }
+    found.repeats = line.fdl.repeats(address);
+    Ok(Some(found))
+}
+
+fn diagnose(station: &mut LiveStation, data: &[u8]) {
+    let Some(told) = Diagnosis::decode(data) else { return };
+    let [first, second, _] = told.status;
+    // Bits of the norm: Prm_Req, Station_Not_Ready (IEC 61158-6-3).
+    station.state = Some(match (second & 1 != 0, first & 2 != 0) {
+        (true, _) => "wait-prm",
+        (false, true) => "wait-cfg",
+        (false, false) => "data-exchange",
+    });
+    station.ident = Some(format!("{:04X}", told.ident));
+    station.master = Some(told.master).filter(|master| *master != diagnosis::NOBODY);
+    station.flags = told.flags().map(str::to_owned).collect();
+    station.diagnosis = diagnosed(data).fields;
+}
+
+fn configure(station: &mut LiveStation, data: &[u8]) {
+    station.configuration = Some(Hex(data).to_string());
+    station.layout = Layout::of("", data).map(Layout::name);
+    station.identifiers = configuration(data).fields;
+}
+
+/// The word of a kind of station.
+fn word(kind: Station) -> &'static str {
+    match kind {
+        Station::Slave => "slave",
+        Station::NotReady => "master-not-ready",
+        Station::Ready => "master-ready",
+        Station::InRing => "master-in-ring",
+    }
+}

@@ -1,0 +1,69 @@
+//! Whether somebody else asks on a line, before anything is sent.
+
+use crate::exchange::{Conversation, Step};
+use crate::protocol::dp::frame::cut;
+use crate::protocol::dp::{Control, Telegram};
+use crate::tick::{Span, Tick};
+
+/// So long is listened: who asks once a second is heard.
+const LISTENED: Span = Span::from_millis(1_250);
+/// So many bytes that are no telegram are no noise any more: somebody speaks at another speed.
+const NOISE: usize = 12;
+/// Bytes that are kept.
+const MOST_BYTES: usize = 4_096;
+
+/// Who was heard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heard {
+    /// Nobody.
+    Nobody,
+    /// A master, by its address.
+    Master(u8),
+    /// Somebody whom nobody understands at this speed.
+    Somebody,
+}
+
+/// Listens on a line.
+#[derive(Debug)]
+pub struct Listening {
+    until: Tick,
+    bytes: Vec<u8>,
+}
+
+impl Listening {
+    /// Listens from `now` on.
+    pub fn new(now: Tick) -> Self {
+        Listening { until: now + LISTENED, bytes: Vec::new() }
+    }
+
+    fn master(&self) -> Option<u8> {
+        cut(&self.bytes).into_iter().find_map(|piece| match Telegram::decode(piece).ok()? {
+            Telegram::Token { from, .. } => Some(from),
+            Telegram::Frame(frame) => match frame.control {
+                Control::Request { .. } => Some(frame.from),
+                Control::Reply { .. } => Some(frame.to),
+            },
+            Telegram::Ack => None,
+        })
+    }
+}
+
+impl Conversation for Listening {
+    type End = Heard;
+
+    fn step(&mut self, now: Tick) -> Step<Heard> {
+        if let Some(master) = self.master() {
+            return Step::Done(Heard::Master(master));
+        }
+        match now >= self.until {
+            false => Step::Wait(self.until),
+            true if self.bytes.len() >= NOISE => Step::Done(Heard::Somebody),
+            true => Step::Done(Heard::Nobody),
+        }
+    }
+
+    fn feed(&mut self, _at: Tick, bytes: &[u8]) {
+        self.bytes.extend(bytes);
+        self.bytes.truncate(MOST_BYTES);
+    }
+}

@@ -1,0 +1,14 @@
+//! PROFIBUS-DP as the only master of a line: no token is passed, slaves answer whoever asks (IEC 61158-4-3).
+//!
+//! [`Fdl`] puts one question at a time on the line: T_SYN before it, slot time behind it, the same telegram with the same frame
+//! count bit again where no answer came. [`Listening`] hears whether somebody else asks on the line, which must be known before
+//! the first byte of ours.
+
+mod fdl;
+mod listen;
+
+pub use fdl::{Asked, Fdl, Reply, Timing, Unanswered};
+pub use listen::{Heard, Listening};
+
+/// Our address: that of a configuration tool, which class 1 masters of a controller leave free more often than not.
+pub const MASTER: u8 = 0;

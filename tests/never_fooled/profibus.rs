@@ -1,0 +1,172 @@
+//! The master of a PROFIBUS line against modules of the bench on bad lines: no answer is lost that repeats can bring, none is
+//! taken that is not the answer, no idle time is too short, and every question has an end.
+
+use antrieb::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
+use antrieb::exchange::{Conversation, Step};
+use antrieb::profile::Registry;
+use antrieb::protocol::dp::{Diagnosis, Service};
+use antrieb::protocol::line::{LineSetting, Parity};
+use antrieb::simulator::Profibus;
+use antrieb::tick::{Span, Tick};
+use proptest::prelude::*;
+
+const RATES: [u32; 4] = [9_600, 19_200, 93_750, 500_000];
+/// FDL status of master 2 to station 3, a token of master 4, and an answer to master 2.
+const ASKED: [u8; 6] = [0x10, 0x03, 0x02, 0x49, 0x4E, 0x16];
+const TOKEN: [u8; 3] = [0xDC, 0x05, 0x04];
+const ANSWERED: [u8; 6] = [0x10, 0x02, 0x03, 0x00, 0x05, 0x16];
+
+/// A line with one module at 3, and what else stands in its file.
+struct Bus {
+    bus: Profibus,
+    fdl: Fdl,
+    line: LineSetting,
+    now: Tick,
+}
+
+impl Bus {
+    fn new(baud: u32, more: &str) -> Self {
+        let registry = Registry::open(&[]).unwrap();
+        let text = format!("[line]\nbaud = {baud}\n{more}\n[[module]]\ndrive = \"l200\"\naddress = 3\n");
+        let bus = Profibus::from_toml("line.toml", &text, &registry).unwrap();
+        let (line, now) = (LineSetting::rtu(baud, Parity::Even), Tick::ZERO + Span::from_secs(1));
+        Bus { bus, fdl: Fdl::new(MASTER, line, Timing::of(line), now), line, now }
+    }
+
+    fn carry<C: Conversation>(bus: &mut Profibus, now: &mut Tick, line: LineSetting, talk: &mut C) -> C::End {
+        loop {
+            match talk.step(*now) {
+                Step::Done(end) => return end,
+                Step::Send(bytes) => bus.master_sends(*now, line, &bytes),
+                Step::Wait(until) => {
+                    *now = bus.next_event().map_or(until, |event| event.min(until)).max(*now + Span::from_micros(1));
+                    let bytes: Vec<u8> = bus.advance(*now).into_iter().map(|(_, byte)| byte).collect();
+                    if !bytes.is_empty() {
+                        talk.feed(*now, &bytes);
+                    }
+                }
+            }
+        }
+    }
+
+    fn ask(&mut self, station: u8, asked: Asked) -> Result<Reply, Unanswered> {
+        self.fdl.ask(station, asked, None, self.now);
+        Bus::carry(&mut self.bus, &mut self.now, self.line, &mut self.fdl)
+    }
+
+    fn service(&mut self, service: Service) -> Result<Vec<u8>, Unanswered> {
+        match self.ask(3, Asked::service(service, Vec::new()))? {
+            Reply::Frame { data, .. } => Ok(data),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// What is asked in turns, so that an old answer would be seen.
+    #[track_caller]
+    fn is_answered(&mut self, times: usize) {
+        for _ in 0..times {
+            let diagnosis = Diagnosis::decode(&self.service(Service::SlaveDiag).unwrap()).unwrap();
+            assert_eq!(diagnosis.flags().collect::<Vec<_>>(), ["Station_Not_Ready", "Prm_Req"]);
+            assert_eq!(diagnosis.ident, 0x0BE7);
+            assert_eq!(self.service(Service::GetCfg), Ok(vec![0xF3, 0xF1]));
+            assert!(matches!(self.ask(3, Asked::STATUS), Ok(Reply::Frame { .. })));
+        }
+    }
+}
+
+#[test]
+fn on_a_good_line_every_question_is_asked_once_and_no_idle_time_is_too_short() {
+    for baud in RATES {
+        for more in ["", "echo = true"] {
+            let mut bus = Bus::new(baud, more);
+            bus.is_answered(50);
+            assert_eq!((bus.bus.remarks(), bus.fdl.repeats(3)), (&[][..], 0), "{baud} {more}");
+        }
+    }
+}
+
+#[test]
+fn an_adapter_that_holds_bytes_back_costs_repeats_at_most() {
+    for (baud, latency) in [(9_600, 16), (19_200, 16), (93_750, 4), (500_000, 4)] {
+        for echo in [true, false] {
+            let mut bus = Bus::new(baud, &format!("latency = \"{latency}ms\"\necho = {echo}"));
+            bus.is_answered(50);
+            assert_eq!((bus.bus.remarks(), bus.fdl.repeats(3)), (&[][..], 0), "{baud} {echo}");
+        }
+    }
+}
+
+#[test]
+fn repeats_heal_a_bad_line() {
+    for baud in RATES {
+        for seed in 1..4 {
+            for more in ["flips = 6", "losses = 8", "flips = 3\nlosses = 4\necho = true"] {
+                let mut bus = Bus::new(baud, &format!("seed = {seed}\n{more}"));
+                bus.is_answered(60);
+                assert!(bus.fdl.repeats(3) > 0, "{baud} {more}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mute_station_is_asked_four_times_and_costs_four_slots() {
+    let mut bus = Bus::new(19_200, "");
+    let begun = bus.now;
+    let slot = Span::from_millis(30);
+    assert_eq!(bus.ask(9, Asked::STATUS), Err(Unanswered::Silence { slot, asked: 4 }));
+    let took = bus.now.since(begun);
+    assert!(took >= slot.times(4) && took < slot.times(4) + Span::from_millis(30), "{took}");
+    assert_eq!(bus.bus.remarks(), [] as [String; 0]);
+    bus.is_answered(1);
+}
+
+#[test]
+fn who_asks_besides_is_heard_before_and_between_our_questions() {
+    for (bytes, master) in [(&ASKED[..], 2), (&TOKEN, 4), (&ANSWERED, 2)] {
+        let mut listening = Listening::new(Tick::ZERO);
+        assert!(matches!(listening.step(Tick::ZERO), Step::Wait(_)));
+        listening.feed(Tick::ZERO, &[&[0x00], bytes].concat());
+        assert_eq!(listening.step(Tick::ZERO), Step::Done(Heard::Master(master)));
+        let mut bus = Bus::new(19_200, "");
+        bus.fdl.ask(3, Asked::STATUS, None, bus.now);
+        while !matches!(bus.fdl.step(bus.now), Step::Send(_)) {
+            bus.now += Span::from_millis(1);
+        }
+        bus.fdl.feed(bus.now, bytes);
+        assert_eq!(bus.fdl.step(bus.now), Step::Done(Err(Unanswered::OtherMaster(master))));
+    }
+    for (noise, heard) in [(2, Heard::Nobody), (40, Heard::Somebody)] {
+        let mut listening = Listening::new(Tick::ZERO);
+        listening.feed(Tick::ZERO, &vec![0x55; noise]);
+        assert_eq!(listening.step(Tick::ZERO + Span::from_secs(2)), Step::Done(heard));
+    }
+}
+
+proptest! {
+    /// Whatever comes, a question ends, within the time of its tries, and is believed only where an answer came.
+    #[test]
+    fn no_bytes_put_off_the_end(
+        chunks in proptest::collection::vec((0_u64..20_000, proptest::collection::vec(any::<u8>(), 0..40)), 0..400),
+    ) {
+        let line = LineSetting::rtu(19_200, Parity::Even);
+        let mut fdl = Fdl::new(MASTER, line, Timing::of(line), Tick::ZERO);
+        fdl.ask(3, Asked::service(Service::SlaveDiag, Vec::new()), None, Tick::ZERO);
+        let (mut now, mut chunks) = (Tick::ZERO, chunks.into_iter());
+        let end = loop {
+            match fdl.step(now) {
+                Step::Done(end) => break end,
+                Step::Send(_) => {}
+                Step::Wait(until) => match chunks.next() {
+                    Some((after, bytes)) if !bytes.is_empty() => {
+                        now = until.min(now + Span::from_micros(after)).max(now + Span::from_micros(1));
+                        fdl.feed(now, &bytes);
+                    }
+                    _ => now = until,
+                },
+            }
+            prop_assert!(now < Tick::ZERO + Span::from_secs(10));
+        };
+        prop_assert!(end.is_err(), "{end:?}");
+    }
+}
