@@ -89,7 +89,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let permit = match permit(&mut session, *ask, &jobs).await {
         Ok(Some(permit)) => permit,
         Ok(None) => return Ok(job::done(jobs, Vec::new(), &terms)),
-        Err(failure) if failure.class == Class::Port => {
+        // Nothing was begun; a script is told what it would have been asked about.
+        Err(failure) if failure.class == Class::Port || !ask.is_there() => {
             let failure = job::leave(&mut jobs, failure);
             return Ok(job::done(jobs, vec![failure], &terms));
         }

@@ -85,11 +85,21 @@ async fn load_into(
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
     report.node = session.node();
     if let Some(failure) = forbidden(&mut plan) {
+        report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
-    let Some(permit) = permit(&mut session, *ask, &plan, Act::Load(&args.files)).await? else {
-        report.ended = Some(LoadEnd::Done);
-        return Ok(whole(report, plan, Vec::new(), None).into());
+    let permit = match permit(&mut session, *ask, &plan, Act::Load(&args.files)).await {
+        Ok(Some(permit)) => permit,
+        Ok(None) => {
+            report.ended = Some(LoadEnd::Done);
+            return Ok(whole(report, plan, Vec::new(), None).into());
+        }
+        // A script is told what it would have been asked about.
+        Err(denied) if !ask.is_there() => {
+            report.ended = Some(LoadEnd::Untouched);
+            return Ok(whole(report, plan, Vec::new(), Some(denied)).into());
+        }
+        Err(denied) => return Err(denied),
     };
     let left = match (&args.undo_file, args.files.first()) {
         (Some(path), _) => UndoFile::leave(path, &head, &plan)?,

@@ -64,7 +64,13 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
             leave_all(lines);
         }
         if let Some(question) = question(&wanted, lines).filter(|_| !together.interrupt.is_raised()) {
-            let permit = asking::off_line(&together.interrupt, ask, &question).await?;
+            let permit = match asking::off_line(&together.interrupt, ask, &question).await {
+                Err(denied) if !ask.is_there() => {
+                    let told = told::plant(settings, &wanted, lines, false);
+                    return Ok(Outcome { failure: Some(denied), ..told });
+                }
+                permit => permit?,
+            };
             if args.atomic {
                 join_all(lines.iter_mut().map(Line::look_again)).await;
                 leave_all(lines);

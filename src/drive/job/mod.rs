@@ -30,9 +30,11 @@ pub struct Step {
     pub kind: Option<Type>,
 }
 
-/// Leaves out what is planned: the port went away before anything was sent.
+/// Leaves out what is planned: nobody said yes, or the port went away before anything was sent.
 pub fn leave(jobs: &mut [Job], mut failure: Failure) -> Failure {
-    failure.message = both!("{why}; nothing was begun", "{why}; es wurde nichts begonnen", why = failure.message);
+    if failure.class == Class::Port {
+        failure.message = both!("{why}; nothing was begun", "{why}; es wurde nichts begonnen", why = failure.message);
+    }
     let planned = jobs.iter_mut().flat_map(|job| &mut job.rows).filter(|row| row.result == WriteResult::Planned);
     for row in planned {
         row.result = WriteResult::Skipped;

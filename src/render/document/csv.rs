@@ -1,30 +1,22 @@
-//! The rows under a head line with the fields of all of them, each cell a plain value: of a word its hex and, in a column of
+//! The rows under a head line, which is the same whatever was found, each cell a plain value: of a word its hex and, in a column of
 //! their own, the names of the bits that are set; a list as its members with semicolons between them.
 
 use super::Print;
+use crate::render::finding::{Column, Rows};
 use crate::render::spoken::pick;
 use crate::render::{clean, finding};
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
 pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut rows: Vec<_> = page.outcome.data.iter().flat_map(|data| finding::of(data).rows()).collect();
+    let Some(data) = &page.outcome.data else { return Ok(()) };
+    let Rows { columns, mut rows } = finding::of(data).rows();
     rows.iter_mut().flat_map(|row| row.fields.values_mut()).for_each(|field| pick(field, page.manner.lang));
-    // Rows of several kinds stand in one table: every field of any of them has its column.
-    let mut columns: Vec<String> = Vec::new();
-    for (column, value) in rows.iter().flat_map(|row| &row.fields) {
-        if !columns.contains(column) {
-            columns.push(column.clone());
-        }
-        let bits = bits_of(column);
-        if is_word(value) && !columns.contains(&bits) {
-            let at = columns.iter().position(|known| known == column).map_or(columns.len(), |at| at + 1);
-            columns.insert(at, bits);
-        }
-    }
-    if rows.is_empty() {
-        return Ok(());
-    }
+    let with_bits = |column: Column| {
+        let bits = column.is_word.then(|| bits_of(&column.name));
+        std::iter::once(column.name).chain(bits)
+    };
+    let columns: Vec<String> = columns.into_iter().flat_map(with_bits).collect();
     let mut writer = ::csv::Writer::from_writer(out);
     writer.write_record(&columns).map_err(io_error)?;
     for row in &rows {

@@ -12,7 +12,7 @@ pub(super) fn print(page: &Print<'_>, out: &mut dyn Write) -> io::Result<()> {
         line.extend(fields);
         line
     };
-    for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows()) {
+    for row in page.outcome.data.iter().flat_map(|data| finding::of(data).rows().rows) {
         serde_json::to_writer(&mut *out, &spoken(&tagged(row.kind, row.fields), page.manner.lang)?)?;
         writeln!(out)?;
     }

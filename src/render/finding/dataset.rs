@@ -1,7 +1,7 @@
 //! `dataset`: the data sets side by side.
 
 use super::page::{Page, is_unscaled, number, set_name, shown};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::Dataset;
 
 impl Finding for Dataset {
@@ -9,14 +9,9 @@ impl Finding for Dataset {
         page.dataset(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let values = self.rows.iter().flat_map(|row| &row.values);
-        let mut rows = list("value", &values.collect::<Vec<_>>());
-        rows.extend(list("written", &self.written));
-        if rows.is_empty() {
-            rows.extend(list("dataset", &[self]));
-        }
-        rows
+    fn rows(&self) -> Rows {
+        let values: Vec<_> = self.rows.iter().flat_map(|row| &row.values).collect();
+        Rows::of("value", &values).and(Rows::of("written", &self.written)).or(Rows::of("dataset", &[self]))
     }
 }
 

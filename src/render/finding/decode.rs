@@ -1,7 +1,7 @@
 //! `decode`: what bytes, words and codes say.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Decode, Field, TelegramDoc};
 use crate::render::clean;
 
@@ -10,8 +10,8 @@ impl Finding for Decode {
         page.decode(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        if self.telegrams.is_empty() { list("decoded", &[self]) } else { list("telegram", &self.telegrams) }
+    fn rows(&self) -> Rows {
+        if self.telegrams.is_empty() { Rows::of("decoded", &[self]) } else { Rows::of("telegram", &self.telegrams) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! `diag`: what ails a drive.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Diag, Diagnosis, LinkTest, Value, Word};
 use crate::profile::value::format_decimal;
 
@@ -13,8 +13,8 @@ impl Finding for Diag {
         }
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives)
     }
 }
 

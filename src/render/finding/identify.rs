@@ -1,7 +1,7 @@
 //! `identify`: who a drive is, and by what that is told.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Identify, Identity};
 use crate::render::clean;
 
@@ -10,8 +10,8 @@ impl Finding for Identify {
         page.each(&self.drives, Page::identity)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `params import`: the catalogue with what was taken for what above it, or that alone. `params export`: the list.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Export, Import};
 use crate::text::Text;
 
@@ -15,10 +15,8 @@ impl Finding for Import {
         told + self.catalogue.as_deref().unwrap_or_default()
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let mut rows = list("param", &self.rows);
-        rows.extend(list("left_out", &self.left_out));
-        rows
+    fn rows(&self) -> Rows {
+        Rows::of("param", &self.rows).and(Rows::of("left_out", &self.left_out))
     }
 }
 
@@ -30,15 +28,10 @@ impl Finding for Export {
         self.list.clone().unwrap_or_else(|| page.prose(&format!("{} {said} {to}", count.get(page.lang))))
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let cells = |param: &std::collections::BTreeMap<&'static str, String>| Row {
-            kind: "param",
-            fields: self
-                .columns
-                .iter()
-                .map(|column| ((*column).to_owned(), param.get(column).cloned().unwrap_or_default().into()))
-                .collect(),
+    fn rows(&self) -> Rows {
+        let cells = |param: &std::collections::BTreeMap<&'static str, String>| {
+            self.columns.iter().map(|column| param.get(column).cloned().unwrap_or_default()).collect()
         };
-        self.params.iter().map(cells).collect()
+        Rows::named("param", &self.columns, self.params.iter().map(cells))
     }
 }

@@ -1,7 +1,7 @@
 //! `diag line`: what ails the line.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Adapter, AdapterErrors, Bucket, LineCheck};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -12,8 +12,8 @@ impl Finding for LineCheck {
         page.line_check(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives)
     }
 }
 

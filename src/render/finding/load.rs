@@ -1,7 +1,7 @@
 //! `dataset load`, `dataset undo`: what became of each value.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Load, LoadEnd, NotLoadedWhy, WriteResult, Written};
 
 impl Finding for Load {
@@ -9,8 +9,8 @@ impl Finding for Load {
         page.load(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("written", &self.values)
+    fn rows(&self) -> Rows {
+        Rows::of("written", &self.values)
     }
 }
 

@@ -18,6 +18,7 @@ mod profibus;
 mod read;
 mod relocation;
 mod report;
+mod rows;
 mod scan;
 mod simulate;
 mod sollwert;
@@ -28,27 +29,17 @@ mod write;
 
 pub(super) use page::Page;
 pub use report::sheet;
+pub(super) use rows::{Column, Rows};
 pub(super) use telegrams::direction;
 
 use crate::outcome::Data;
-use serde::Serialize;
-use serde_json::Value;
 
 /// A kind of finding, in the forms that are no JSON document.
 pub(super) trait Finding {
     /// For people.
     fn table(&self, page: Page) -> String;
     /// The list that it is in the main.
-    fn rows(&self) -> Vec<Row>;
-}
-
-/// A row: what it is, and its fields.
-#[derive(Clone, Debug)]
-pub(super) struct Row {
-    /// `drive`, `value` …
-    pub(super) kind: &'static str,
-    /// Fields in the order of the JSON document.
-    pub(super) fields: serde_json::Map<String, Value>,
+    fn rows(&self) -> Rows;
 }
 
 /// What was found, whatever it is.
@@ -87,12 +78,4 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Stops(found) => found,
         Data::Relocation(found) => found,
     }
-}
-
-fn list<T: Serialize>(kind: &'static str, items: &[T]) -> Vec<Row> {
-    let fields = items.iter().filter_map(|item| match serde_json::to_value(item) {
-        Ok(Value::Object(fields)) => Some(fields),
-        _ => None,
-    });
-    fields.map(|fields| Row { kind, fields }).collect()
 }

@@ -1,7 +1,7 @@
 //! `monitor`: its stream has shown everything.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::Monitor;
 
 impl Finding for Monitor {
@@ -9,7 +9,7 @@ impl Finding for Monitor {
         String::new()
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("end", &[self])
+    fn rows(&self) -> Rows {
+        Rows::of("end", &[self])
     }
 }

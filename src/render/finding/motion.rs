@@ -1,7 +1,7 @@
 //! `statemachine enable`, `sollwert 25Hz`: what the shaft did.
 
 use super::page::{Page, shown};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Motion, Setpoint, State, Stopped, Stops};
 
 impl Finding for Motion {
@@ -9,8 +9,8 @@ impl Finding for Motion {
         page.motion(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("motion", &[self])
+    fn rows(&self) -> Rows {
+        Rows::of("motion", &[self])
     }
 }
 
@@ -19,8 +19,8 @@ impl Finding for Stops {
         page.each(&self.drives, Page::stopped)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("motion", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("motion", &self.drives)
     }
 }
 

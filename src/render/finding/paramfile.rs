@@ -1,22 +1,23 @@
 //! `dataset save`, `check` and `diff`: what a file holds, and where sides differ.
 
 use super::page::{Page, shown};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Comparison, Comparisons, Decimal, Difference, SavedFile, Saves, Side};
 use crate::render::clean;
 use crate::text::Text;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::Value;
 
 impl Finding for Saves {
     fn table(&self, page: Page) -> String {
         page.each(&self.saved, Page::saved)
     }
 
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self) -> Rows {
         let values: Vec<_> = self.saved.iter().flat_map(|saved| &saved.values).collect();
         let failed: Vec<_> = self.saved.iter().filter(|saved| saved.values.is_empty()).collect();
-        let mut rows = list("value", &values);
-        rows.extend(list("saved", &failed).into_iter().map(without_lists));
-        rows
+        Rows::of("value", &values).and(Rows::of("saved", &failed).without_lists())
     }
 }
 
@@ -25,16 +26,19 @@ impl Finding for Comparisons {
         page.each(&self.comparisons, Page::comparison)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let differences: Vec<_> = self.comparisons.iter().flat_map(|one| &one.differences).collect();
-        list("difference", &differences)
+    fn rows(&self) -> Rows {
+        let of = |one: &Comparison| {
+            let address = one.b.address.or(one.a.address).map_or(Value::Null, Value::from);
+            compared("comparison", one, one).under("address", &address)
+        };
+        self.comparisons.iter().map(of).fold(Rows::default(), Rows::and)
     }
 }
 
-/// A row has no lists in it.
-pub(super) fn without_lists(mut row: Row) -> Row {
-    row.fields.retain(|_, value| !value.is_array());
-    row
+/// A comparison, and a row for each place where its sides differ.
+pub(super) fn compared<T: Serialize + JsonSchema>(kind: &'static str, whole: &T, one: &Comparison) -> Rows {
+    let whole = Rows::of(kind, std::slice::from_ref(&whole)).without_lists().without(&["a", "b"]);
+    whole.and(Rows::of("difference", &one.differences))
 }
 
 impl Page {

@@ -1,7 +1,7 @@
 //! `params`: rows of the catalogue, or one of them in full.
 
 use super::page::{Page, shown};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Decimal, ParamDoc, Params};
 
 impl Finding for Params {
@@ -12,8 +12,8 @@ impl Finding for Params {
         }
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("param", &self.params)
+    fn rows(&self) -> Rows {
+        Rows::of("param", &self.params)
     }
 }
 

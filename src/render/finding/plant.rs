@@ -1,24 +1,25 @@
 //! `plan`, `apply`, `check`, `init`: the drives of a plant.
 
 use super::page::{Page, set_name, shown};
-use super::paramfile::without_lists;
+use super::paramfile::compared;
 use super::write::result;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{
     Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult, Written,
 };
 use crate::render::clean;
-use serde::Serialize;
-use serde_json::{Map, Value};
 
 impl Finding for Plant {
     fn table(&self, page: Page) -> String {
         page.plant(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let of = |drive: &PlantDrive| in_plant(&drive.called, &drive.port, list("written", &drive.load.values));
-        rows_or_self(&self.drives, of)
+    fn rows(&self) -> Rows {
+        let of = |drive: &PlantDrive| {
+            let whole = Rows::of("drive", &[drive]).without_lists();
+            of_drive(&drive.called, &drive.port, whole.and(Rows::of("written", &drive.load.values)))
+        };
+        self.drives.iter().map(of).fold(Rows::default(), Rows::and)
     }
 }
 
@@ -27,13 +28,12 @@ impl Finding for PlantCheck {
         page.plant_check(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self) -> Rows {
         let of = |one: &PlantComparison| {
-            let rows = list("difference", &one.comparison.differences);
-            let address = |row: Row| Row { fields: first("address", one.address.into(), row.fields), ..row };
-            in_plant(&one.called, &one.port, rows.into_iter().map(address).collect())
+            let rows = compared("drive", one, &one.comparison).under("address", &one.address.into());
+            of_drive(&one.called, &one.port, rows)
         };
-        rows_or_self(&self.drives, of)
+        self.drives.iter().map(of).fold(Rows::default(), Rows::and)
     }
 }
 
@@ -55,37 +55,14 @@ impl Finding for Init {
         text
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives).into_iter().chain(list("unknown", &self.unknown)).map(without_lists).collect()
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives).and(Rows::of("unknown", &self.unknown)).without_lists()
     }
 }
 
-/// The rows of each drive; of one that has none, itself without its lists and its sides.
-fn rows_or_self<D: Serialize>(drives: &[D], of: impl Fn(&D) -> Vec<Row>) -> Vec<Row> {
-    let bare = |row: Row| {
-        let mut row = without_lists(row);
-        row.fields.retain(|name, _| !matches!(name.as_str(), "a" | "b"));
-        row
-    };
-    let each = |drive: &D| match of(drive) {
-        rows if rows.is_empty() => list("drive", std::slice::from_ref(drive)).into_iter().map(bare).collect(),
-        rows => rows,
-    };
-    drives.iter().flat_map(each).collect()
-}
-
-/// The same rows with the drive that they are of.
-fn in_plant(called: &str, port: &str, rows: Vec<Row>) -> Vec<Row> {
-    let named = |Row { kind, fields }: Row| {
-        let fields = first("called", called.into(), first("port", port.into(), fields));
-        Row { kind, fields }
-    };
-    rows.into_iter().map(named).collect()
-}
-
-/// The fields with another one before them.
-fn first(name: &str, value: Value, fields: Map<String, Value>) -> Map<String, Value> {
-    [(name.to_owned(), value)].into_iter().chain(fields).collect()
+/// A drive in a plant and what is told of it: each row says of which.
+fn of_drive(called: &str, port: &str, rows: Rows) -> Rows {
+    rows.under("port", &port.into()).under("called", &called.into())
 }
 
 impl Page {

@@ -1,7 +1,7 @@
 //! `plot`: a chart in letters, and what the curves come to.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Plot, PlotCurve};
 use crate::render::clean;
 use ratatui::buffer::Buffer;
@@ -41,8 +41,8 @@ impl Finding for Plot {
         text
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("curve", &self.curves)
+    fn rows(&self) -> Rows {
+        Rows::of("curve", &self.curves)
     }
 }
 

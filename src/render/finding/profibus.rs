@@ -1,7 +1,7 @@
 //! `profibus`: a module by name and by bytes, and who is on a line.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{BasicModule, LiveList, LiveStation};
 
 impl Finding for BasicModule {
@@ -9,8 +9,8 @@ impl Finding for BasicModule {
         page.module(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("module", &[self])
+    fn rows(&self) -> Rows {
+        Rows::of("module", &[self])
     }
 }
 
@@ -34,8 +34,8 @@ impl Finding for LiveList {
         page.live(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("station", &self.stations)
+    fn rows(&self) -> Rows {
+        Rows::of("station", &self.stations)
     }
 }
 

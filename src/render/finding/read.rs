@@ -1,7 +1,7 @@
 //! `read`: values.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::Read;
 
 impl Finding for Read {
@@ -9,7 +9,7 @@ impl Finding for Read {
         page.values(&self.values)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("value", &self.values)
+    fn rows(&self) -> Rows {
+        Rows::of("value", &self.values)
     }
 }

@@ -1,7 +1,7 @@
 //! `protocol set`, `line set`: where a drive is now.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Relocation, RelocationResult, RelocationStep, StepResult};
 
 impl Finding for Relocation {
@@ -9,8 +9,8 @@ impl Finding for Relocation {
         page.relocation(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("relocation", &[self])
+    fn rows(&self) -> Rows {
+        Rows::of("relocation", &[self])
     }
 }
 

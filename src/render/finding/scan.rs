@@ -1,7 +1,7 @@
 //! `scan`: who answered.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{FoundDrive, Scan};
 
 impl Finding for Scan {
@@ -9,8 +9,8 @@ impl Finding for Scan {
         page.scan(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `simulate`: what was asked of the bench.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::Simulate;
 use crate::profile::Lang;
 
@@ -25,7 +25,7 @@ impl Finding for Simulate {
         text
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("end", &[self])
+    fn rows(&self) -> Rows {
+        Rows::of("end", &[self])
     }
 }

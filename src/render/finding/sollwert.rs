@@ -1,7 +1,7 @@
 //! `sollwert`: setpoints and actual values.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{SetpointReport, Sollwert};
 
 impl Finding for Sollwert {
@@ -9,13 +9,13 @@ impl Finding for Sollwert {
         page.each(&self.drives, Page::setpoints)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        let of =
-            |drive: &SetpointReport| [&drive.setpoints, &drive.actual, &drive.sources].map(|part| list("value", part));
-        let mut rows: Vec<Row> = self.drives.iter().flat_map(of).flatten().collect();
+    fn rows(&self) -> Rows {
+        let parts = |drive: &SetpointReport| {
+            [&drive.setpoints, &drive.actual, &drive.sources].map(|part| Rows::of("value", part))
+        };
+        let values = self.drives.iter().flat_map(parts).fold(Rows::default(), Rows::and);
         // A drive that failed has no values, but must not be missing.
-        rows.extend(list("drive", &self.drives.iter().filter(|drive| drive.error.is_some()).collect::<Vec<_>>()));
-        rows
+        values.and(Rows::of("drive", &self.drives.iter().filter(|drive| drive.error.is_some()).collect::<Vec<_>>()))
     }
 }
 

@@ -1,7 +1,7 @@
 //! `statemachine`: the state, and what leads out of it.
 
 use super::page::{Page, number};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{StateReport, Statemachine, Value};
 
 impl Finding for Statemachine {
@@ -9,8 +9,8 @@ impl Finding for Statemachine {
         page.each(&self.drives, Page::state)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("drive", &self.drives)
+    fn rows(&self) -> Rows {
+        Rows::of("drive", &self.drives)
     }
 }
 

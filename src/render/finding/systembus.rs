@@ -1,7 +1,7 @@
 //! `systembus`: a plan, and what PDOs cost the bus.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{BusDrive, BusLink, BusLoad, BusPlan, BusRelation, BusTotal};
 use crate::render::clean;
 
@@ -34,8 +34,8 @@ impl Finding for BusLoad {
         text
     }
 
-    fn rows(&self) -> Vec<Row> {
-        if self.pdos.is_empty() { list("rate", &self.rates) } else { list("pdo", &self.pdos) }
+    fn rows(&self) -> Rows {
+        if self.pdos.is_empty() { Rows::of("rate", &self.rates) } else { Rows::of("pdo", &self.pdos) }
     }
 }
 
@@ -68,8 +68,8 @@ impl Finding for BusPlan {
         if files.is_empty() { text } else { text + &section(&page.pairs(files)) }
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("link", &self.links)
+    fn rows(&self) -> Rows {
+        Rows::of("link", &self.links)
     }
 }
 

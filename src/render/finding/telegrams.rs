@@ -1,7 +1,7 @@
 //! Telegrams: of `sniff`, and of `--dry-run`.
 
 use super::page::Page;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Plan, Sniff, TelegramDoc};
 use crate::profile::value::format_decimal;
 
@@ -10,8 +10,8 @@ impl Finding for Plan {
         page.plan(self)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("telegram", &self.telegrams)
+    fn rows(&self) -> Rows {
+        Rows::of("telegram", &self.telegrams)
     }
 }
 
@@ -20,8 +20,8 @@ impl Finding for Sniff {
         page.telegrams(&self.telegrams)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("telegram", &self.telegrams)
+    fn rows(&self) -> Rows {
+        Rows::of("telegram", &self.telegrams)
     }
 }
 

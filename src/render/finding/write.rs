@@ -1,7 +1,7 @@
 //! `write`: what became of each value.
 
 use super::page::{Page, set_name, shown};
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Write, WriteResult, Written};
 
 impl Finding for Write {
@@ -9,8 +9,8 @@ impl Finding for Write {
         page.written(&self.values)
     }
 
-    fn rows(&self) -> Vec<Row> {
-        list("written", &self.values)
+    fn rows(&self) -> Rows {
+        Rows::of("written", &self.values)
     }
 }
 

@@ -30,8 +30,8 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
             found.map(row).collect()
         }
         "plan" | "apply" | "check" if data["telegrams"].is_array() => list(&data["telegrams"]),
-        "plan" | "apply" => of_plant(&list(&data["drives"]), "values"),
-        "check" => of_plant(&list(&data["drives"]), "differences"),
+        "plan" | "apply" => of_whole(&list(&data["drives"]), "values", |one| places(one, &["called", "port"])),
+        "check" => of_whole(&list(&data["drives"]), "differences", |one| places(one, &["called", "port", "address"])),
         "sniff" => list(&data["telegrams"]),
         "plot" => list(&data["curves"]),
         "report" => {
@@ -63,9 +63,10 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
             let values = list(&data["saved"]).into_iter().flat_map(|saved| list(&saved["values"]));
             values.chain(failed).collect()
         }
-        "dataset" if data["comparisons"].is_array() => {
-            list(&data["comparisons"]).into_iter().flat_map(|one| list(&one["differences"])).collect()
-        }
+        "dataset" if data["comparisons"].is_array() => of_whole(&list(&data["comparisons"]), "differences", |one| {
+            let drive = if one["b"]["address"].is_null() { &one["a"] } else { &one["b"] };
+            vec![("address", drive["address"].clone())]
+        }),
         "dataset" if data["values"].is_array() => list(&data["values"]),
         "dataset" if list(&data["rows"]).is_empty() && list(&data["written"]).is_empty() => vec![data.clone()],
         "dataset" => {
@@ -87,26 +88,27 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
     rows.into_iter().map(|row| row.as_object().unwrap().clone()).collect()
 }
 
-/// What is told of the drives of a plant: the rows of each, or itself without its lists.
-fn of_plant(drives: &[Value], rows: &str) -> Vec<Value> {
+/// Each whole without its lists and sides, then what it lists; all of them say of which they are.
+fn of_whole(wholes: &[Value], rows: &str, of: impl Fn(&Value) -> Vec<(&'static str, Value)>) -> Vec<Value> {
     let mut told = Vec::new();
-    for drive in drives {
-        let own = drive[rows].as_array().unwrap();
-        for row in own {
-            let mut named = Map::new();
-            for place in ["called", "port", "address"] {
-                named.insert(place.to_owned(), drive[place].clone());
-            }
-            named.extend(row.as_object().unwrap().clone());
+    for whole in wholes {
+        let mut bare = whole.clone();
+        bare.as_object_mut().unwrap().retain(|name, value| !value.is_array() && name != "a" && name != "b");
+        for row in std::iter::once(&bare).chain(whole[rows].as_array().unwrap()) {
+            let mut named: Map<String, Value> =
+                of(whole).into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+            let own = row.as_object().unwrap().clone();
+            own.into_iter().for_each(|(name, value)| {
+                named.entry(name).or_insert(value);
+            });
             told.push(named.into());
-        }
-        if own.is_empty() {
-            let mut drive = drive.clone();
-            drive.as_object_mut().unwrap().retain(|name, value| !value.is_array() && name != "a" && name != "b");
-            told.push(drive);
         }
     }
     told
+}
+
+fn places(whole: &Value, names: &[&'static str]) -> Vec<(&'static str, Value)> {
+    names.iter().map(|name| (*name, whole[*name].clone())).collect()
 }
 
 /// A document without its long lists of bits and counters, for snapshots that people read.

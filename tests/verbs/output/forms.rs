@@ -202,3 +202,29 @@ fn completions_and_man_pages_are_printed() {
     assert!(antrieb("man read").exits(0).out.contains("data set"));
     antrieb("man nope").exits(2);
 }
+
+#[test]
+fn csv_has_the_same_head_line_whatever_is_found() {
+    let plant = "[drives.a]\naddress = 1\nfiles = [\"p.toml\"]\n[drives.b]\naddress = 2\nfiles = [\"p.toml\"]\n";
+    let head = |line: &str, values: &str, bench: &str| {
+        let file = format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n{values}\n");
+        let run = antrieb(&format!("--config {{dir}}/antrieb.toml --format csv {line}"));
+        let run = run.file("antrieb.toml", plant).file("p.toml", &file).on(bench).run();
+        let head = run.out.lines().next().unwrap_or_default().to_owned();
+        assert!(head.contains("address"), "{line}: {}{}", run.out, run.err);
+        head
+    };
+    let two = "[[drive]]\nmodel = \"act\"\n[[drive]]\nmodel = \"act\"\naddress = 2\n";
+    let one = "[[drive]]\nmodel = \"act\"\n";
+    let (same, other) = ("\"480\" = 5.0", "\"480\" = 6.0");
+    for line in
+        ["plan", "apply", "apply --yes", "check", "-a 1 dataset check {dir}/p.toml", "-a 1 dataset load {dir}/p.toml"]
+    {
+        let fine = head(line, same, two);
+        assert_eq!(head(line, other, two), fine, "{line}");
+        if !line.contains("dataset") {
+            assert_eq!(head(line, other, one), fine, "{line}");
+        }
+    }
+    assert_eq!(head("scan -a 5", same, two), head("scan -a 1", same, two));
+}

@@ -7,8 +7,7 @@ mod paper;
 mod whole;
 
 use super::page::Page;
-use super::paramfile::without_lists;
-use super::{Finding, Row, list};
+use super::{Finding, Rows};
 use crate::outcome::{Form, Report, ReportedDrive};
 use crate::profile::Lang;
 use crate::render::clean;
@@ -44,16 +43,11 @@ impl Finding for Report {
         text
     }
 
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self) -> Rows {
         let values: Vec<_> = self.drives.iter().flat_map(|drive| &drive.values).collect();
         let failed: Vec<_> = self.drives.iter().filter(|drive| drive.values.is_empty()).collect();
-        let mut rows = list("value", &values);
-        rows.extend(list("drive", &failed).into_iter().map(|row| {
-            let mut row = without_lists(row);
-            row.fields.retain(|name, _| !["identity", "diagnosis"].contains(&name.as_str()));
-            row
-        }));
-        rows
+        let failed = Rows::of("drive", &failed).without_lists().without(&["identity", "diagnosis"]);
+        Rows::of("value", &values).and(failed)
     }
 }
 
