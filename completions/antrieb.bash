@@ -181,6 +181,9 @@ _antrieb() {
             antrieb__subcmd__profibus,module)
                 cmd="antrieb__subcmd__profibus__subcmd__module"
                 ;;
+            antrieb__subcmd__profibus,read)
+                cmd="antrieb__subcmd__profibus__subcmd__read"
+                ;;
             antrieb__subcmd__protocol,set)
                 cmd="antrieb__subcmd__protocol__subcmd__set"
                 ;;
@@ -3510,7 +3513,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus)
-            opts="-p -a -b -q -v -h --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --help live module"
+            opts="-p -a -b -q -v -h --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help live read module"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3588,7 +3591,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__live)
-            opts="-p -a -b -q -v -h --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3670,12 +3673,98 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__profibus__subcmd__module)
-            opts="-p -a -b -q -v -h --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
+                --port)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -p)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --address)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -a)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --baud)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -b)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --rs485)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --rs485-before)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --rs485-after)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --drive)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --retries)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --format)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --lang)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --trace)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --color)
+                    COMPREPLY=($(compgen -W "auto always never" -- "${cur}"))
+                    return 0
+                    ;;
+                --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__profibus__subcmd__read)
+            opts="-p -a -b -q -v -h --user-prm --slot-time --port --address --baud --rs485 --rs485-before --rs485-after --drive --retries --format --json --lang --quiet --verbose --trace --color --no-progress --config --no-config --dry-run --force --yes --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 3 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --user-prm)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --slot-time)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 --port)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0

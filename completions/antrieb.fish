@@ -2454,31 +2454,33 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand decode; and __fish_seen_subcommand_from basic-control" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l trace -d 'Record the line to a new file' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
 always\t'Always'
 never\t'Never'"
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l json -d 'Same as --format json'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s q -l quiet -d 'Less on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s v -l verbose -d 'Show settings and telegrams, on stderr'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l no-progress -d 'No progress bar'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l no-config -d 'Read no project file and no user configuration'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -l force -d 'Replace the file of --trace if it exists'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -f -a "live" -d 'Who is on the line: stations, idents, states, configurations'
-complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live module" -f -a "module" -d 'A module of the Basic mode: by name, or by its bytes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "live" -d 'Who is on the line: stations, idents, states, configurations'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "read" -d 'Parameters of one inverter, over PKW'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and not __fish_seen_subcommand_from live read module" -f -a "module" -d 'A module of the Basic mode: by name, or by its bytes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
@@ -2502,7 +2504,34 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from live" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l format -d 'table, json (--json), ndjson, csv [default: table]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -r
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from read" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -r
@@ -2525,6 +2554,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_see
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l no-config -d 'Read no project file and no user configuration'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand profibus; and __fish_seen_subcommand_from module" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l duration -l for -d 'End after this time' -r
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l count -d 'End after this many telegrams' -r
@@ -2567,7 +2597,7 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
-complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l profibus -d 'A PROFIBUS line: Hitachi inverters behind SJ2-PB modules'
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l profibus -d 'A PROFIBUS line with Hitachi inverters on it'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s v -l verbose -d 'Show settings and telegrams, on stderr'

@@ -62,8 +62,8 @@ impl Takes {
     };
     /// Looks at a PROFIBUS line, which has one format and times of its own, or knows of it without one.
     pub const PROFIBUS: Takes = Takes {
-        first: &["port", "address", "baud", "drive", "format", "lang", "verbose", "dry_run"],
-        silent: &["protocol", "yes", "catalogue"],
+        first: &["port", "address", "baud", "drive", "format", "lang", "verbose", "dry_run", "yes"],
+        silent: &["protocol", "catalogue"],
         refused: &[&["parity", "stop_bits", "data_bits", "timeout", "word_order"]],
     };
     /// Draws what was recorded, without a line.

@@ -1,12 +1,14 @@
 //! `profibus`: a line of it without a controller, and what a master has to be told of a Hitachi SJ2-PB.
 
+mod read;
+
 use super::verb::{Verb, Working};
 use super::{Context, named_family};
 use crate::args::{Addresses, Settings, Takes, parse_span};
 use crate::drive::{Opening, Recording, open_port, profibus};
 use crate::failure::{Class, Failure};
-use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrPlan, Outcome, Plan};
-use crate::text::both;
+use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrRead, Outcome, Plan};
+use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -35,6 +37,23 @@ enum What {
         #[arg(long, value_name = "TIME", value_parser = parse_span)]
         slot_time: Option<Span>,
     },
+    /// Parameters of one inverter, over PKW
+    ///
+    /// A slave tells its parameters only to a master that exchanges data with it, so it is taken for this (PPO1), held by the stop word
+    /// 047E, and let go again, and you are asked before: a motor that a lost controller left running stops, and afterwards P.703 and
+    /// A002 decide. The stop word goes on until the frequency is 0; only then go zero outputs, Clear and Unlock, also behind Ctrl-C. The
+    /// watchdog of the slave is set to 2 s. Nothing is written to a parameter.
+    Read {
+        /// Indexes, short names (F002) or names
+        #[arg(required = true, value_name = "PARAMETER")]
+        parameters: Vec<String>,
+        /// User parameters of Set_Prm (hex), if the GSD wants any
+        #[arg(long, value_name = "HEX")]
+        user_prm: Option<UserPrm>,
+        /// How soon an answer begins [default: 30ms or 8ms]
+        #[arg(long, value_name = "TIME", value_parser = parse_span)]
+        slot_time: Option<Span>,
+    },
     /// A module of the Basic mode: by name, or by its bytes
     ///
     /// By name: the series (or --drive), get or set, and a parameter: its index, the maker's short name, its name, or an
@@ -48,6 +67,23 @@ enum What {
     },
 }
 
+/// Bytes that the GSD wants in Set_Prm.
+#[derive(Clone, Debug)]
+struct UserPrm(Vec<u8>);
+
+impl std::str::FromStr for UserPrm {
+    type Err = Wrong;
+    fn from_str(text: &str) -> Result<Self, Wrong> {
+        let expected = || {
+            both!(
+                "expected bytes in hex such as C7FFFF, got '{text}'",
+                "erwartet: Bytes in Hex wie C7FFFF; angegeben: '{text}'"
+            )
+        };
+        profibus::user_parameters(text).map(UserPrm).ok_or_else(|| Wrong(expected()))
+    }
+}
+
 impl Verb for Args {
     const NAME: &'static str = "profibus";
     const TAKES: Takes = Takes::PROFIBUS;
@@ -55,16 +91,21 @@ impl Verb for Args {
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim profibus live",
         "antrieb --port sim -a 3 profibus live",
+        "antrieb --port sim -a 3 --yes profibus read F002 614",
         "antrieb profibus module L200 get acceleration",
         "antrieb profibus module L200 set deceleration min 0x0001 max 0x7530",
         "antrieb profibus module X200 get F002 swapped address based",
         "antrieb profibus module C7 FF FF",
     ];
-    type Prints = Document<OrPlan<OrLive<BasicModule>>>;
+    type Prints = Document<OrLive<OrRead<BasicModule>>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         match &self.what {
             What::Live { slot_time } => Box::pin(live(*slot_time, context)),
+            What::Read { parameters, user_prm, slot_time } => {
+                let user = user_prm.as_ref().map_or(&[][..], |user| &user.0);
+                Box::pin(read::read(read::Wanted { parameters, user, slot_time: *slot_time }, context))
+            }
             What::Module { module } => Box::pin(std::future::ready(self::module(module, context))),
         }
     }

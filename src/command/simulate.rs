@@ -23,7 +23,7 @@ pub struct Args {
     #[arg(value_name = "BENCH.toml")]
     pub bench: Option<PathBuf>,
 
-    /// A PROFIBUS line: Hitachi inverters behind SJ2-PB modules
+    /// A PROFIBUS line with Hitachi inverters on it
     ///
     /// An L200 at 3 and an SJ200 at 5, or those of the file. Their watchdogs run, and what they do without a master is what P.703 or P.620 says. The ident number of the modules is made
     /// up: the true one is in no source.

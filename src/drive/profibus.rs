@@ -1,14 +1,19 @@
-//! PROFIBUS without a controller: a line with us as its only master ([`Line`]), who is on it ([`live`]), and modules of an
+//! PROFIBUS without a controller: a line with us as its only master ([`Line`]), who is on it ([`live`]), parameters over PKW
+//! ([`Exchange`]), and modules of an
 //! SJ2-PB in Basic mode by name, from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
 
+mod exchange;
 mod line;
 mod live;
 mod phrase;
+mod read;
 mod told;
 mod trouble;
 
+pub use exchange::Exchange;
 pub use line::Line;
 pub use live::{everybody, live, questions};
+pub use read::Haul;
 
 use super::decode::hex_bytes;
 use crate::failure::{Class, Failure};
@@ -32,6 +37,14 @@ pub fn module(text: &str, named: Option<&Family>, registry: &Registry) -> Result
     };
     told::told(text, &module, &family)
 }
+
+/// Bytes of user parameters as they are typed; `None` if they are none, or more than Set_Prm takes.
+pub fn user_parameters(text: &str) -> Option<Vec<u8>> {
+    hex_bytes(text).ok().filter(|bytes| bytes.len() <= MOST_USER)
+}
+
+/// User parameters of one Set_Prm (IEC 61158-6-3).
+const MOST_USER: usize = 237;
 
 /// The catalogue of a series.
 fn inverter(series: Series, registry: &Registry) -> Result<Rc<Family>, Failure> {

@@ -62,8 +62,9 @@ pub struct LiveStation {
     pub configuration: Option<String>,
     /// `basic`, `ppo1` to `ppo5`, where it is one of an SJ2-PB.
     pub layout: Option<&'static str>,
-    /// From the end of the question (FDL status) to its answer, microseconds, with what the adapter adds.
-    pub answered_us: u64,
+    /// From the end of the question (FDL status) to its answer, microseconds, with what the adapter adds; null if it had to be
+    /// asked again.
+    pub answered_us: Option<u64>,
     /// How often it had to be asked again.
     pub repeats: u64,
     /// Slave_Diag, field by field.

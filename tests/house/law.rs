@@ -105,6 +105,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive::opening",
             "drive::probe",
             "drive::profibus",
+            "drive::profibus::exchange",
             "drive::profibus::line",
             "drive::profibus::live",
             "drive::profibus::phrase",

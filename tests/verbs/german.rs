@@ -34,7 +34,7 @@ const ALIKE: &str = "
     exceptions exit fmax format gateway halt hz in ixt kw lexium lrc lxm man master mbtcp mech median modbus motor ms name ndjson negative
     nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal text ti
     tk type udc uint vabus version war was watchdog
-    acceleration fdl generic manual pin slaves status volatile
+    acceleration an fdl generic manual pin profibus slaves status volatile
     ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
 ";
 

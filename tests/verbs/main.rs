@@ -13,6 +13,7 @@ mod lexium;
 mod matrix;
 mod monitor;
 mod plotting;
+mod profibus;
 mod recording;
 mod reporting;
 mod run;

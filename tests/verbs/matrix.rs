@@ -122,7 +122,7 @@ fn stream(name: &str, code: u8, line: &str) {
 }
 
 fn bench_of(line: &str) -> &'static str {
-    if line.contains("profibus live") { MODULES } else { BENCH }
+    if line.contains("profibus live") || line.contains("profibus read") { MODULES } else { BENCH }
 }
 
 fn entry(name: &str) -> &'static Entry {
@@ -243,7 +243,6 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("params", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
-    ("profibus", &["refused", "partial"], "it asks what every slave answers; only a bad line leaves something out"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
@@ -380,6 +379,11 @@ cases! {
     profibus_live: 0, "profibus live";
     profibus_live_one: 0, "-a 3 profibus live";
     profibus_planned: 0, "-a 3 --dry-run profibus live";
+    profibus_read: 0, "-a 3 --yes profibus read F002 614 703 219";
+    profibus_unconfirmed: 8, "-a 3 profibus read F002";
+    profibus_refused: 6, "-a 3 --yes profibus read 599";
+    profibus_partial: 9, "-a 3 --yes profibus read 614 599";
+    profibus_mute: 4, "-a 9 --yes profibus read 614";
     profibus_silence: 1, "-a 9,10 profibus live";
     profibus_fine: 0, "profibus module L200 set deceleration min 0x0001 max 0x7530";
     decode_stw: 0, "decode control 0x047F --drive l200";

@@ -27,6 +27,11 @@ pub(in crate::drive) fn configuration(data: &[u8]) -> Parts {
     Parts { meaning, fields }
 }
 
+/// Number of a refusal over PKW, and why.
+pub(in crate::drive) fn refused(pwe: u32) -> (Text, Text) {
+    cyclic::refused(pwe)
+}
+
 /// What a station is, as it answers FDL status.
 pub(in crate::drive) fn station(station: Station) -> Text {
     words::station(station)

@@ -13,7 +13,7 @@ use crate::profile::Registry;
 use crate::protocol::line::{LineSetting, Parity};
 use crate::protocol::modbus::Hex;
 use crate::text::both;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use crate::transport::{Link, Port};
 
 /// An open PROFIBUS line.
@@ -82,8 +82,27 @@ impl<'a> Line<'a> {
     }
 
     /// Tells whoever watches.
-    pub(super) fn tell(&mut self, event: Event) {
+    pub fn tell(&mut self, event: Event) {
         (self.observe)(event);
+    }
+
+    /// The time of the line.
+    pub(super) fn now(&self) -> Tick {
+        self.link.now()
+    }
+
+    /// Waits without asking anything; what comes is nobody's answer.
+    pub(super) async fn rest(&mut self, until: Tick) -> Result<(), Failure> {
+        while self.link.now() < until {
+            let heard = pump::hear(&mut self.link, &self.interrupt, until).await;
+            heard.map_err(|error| AccessError::from(error).failure(0, None))?;
+        }
+        Ok(())
+    }
+
+    /// Takes note of who interrupted so far: the line is used on, for what must still go out.
+    pub(super) fn note_interrupts(&mut self) {
+        self.interrupt.note();
     }
 
     /// Asks a station once, with its repeats.

@@ -13,6 +13,7 @@ use crate::protocol::dp::control::Station;
 use crate::protocol::dp::{Diagnosis, LAST_STATION, Service, diagnosis};
 use crate::protocol::modbus::Hex;
 use crate::text::both;
+use crate::tick::Span;
 
 /// Repeats of the question whether anybody is there: one more than none, so that a lost byte hides nobody.
 const REPEATS: u8 = 1;
@@ -58,7 +59,7 @@ async fn look(line: &mut Line<'_>, address: u8) -> Result<Option<LiveStation>, F
     match line.ask(address, Asked::STATUS, Some(REPEATS)).await? {
         Ok(Reply::Frame { station: kind, .. }) => {
             (found.kind, found.is) = (word(kind), station(kind));
-            found.answered_us = line.fdl.answered_after().as_micros();
+            found.answered_us = line.fdl.answered_after().map(Span::as_micros);
             if kind != Station::Slave {
                 return Ok(Some(found));
             }

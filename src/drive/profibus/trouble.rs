@@ -1,6 +1,6 @@
 //! What goes wrong on a PROFIBUS line, said in both languages, with what to do next.
 
-use crate::exchange::dp::Unanswered;
+use crate::exchange::dp::{Trouble, Unanswered};
 use crate::failure::{Class, Failure};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
@@ -73,3 +73,85 @@ pub(super) fn unanswered(address: u8, why: &Unanswered) -> Failure {
 
 /// Bytes of garbage that are shown.
 const SHOWN: usize = 16;
+
+/// The drive refuses a request over PKW.
+pub(super) fn refused(address: u8, index: u16, pwe: u32) -> Failure {
+    let (number, why) = crate::drive::decode::dp::refused(pwe);
+    let message = both!(
+        "station {address} refuses P.{index}: {number}: {why}",
+        "Station {address} lehnt P.{index} ab: {number}: {why}",
+        number,
+        why
+    );
+    Failure::new(Class::Refused, "refused.pkw", message).with("address", address).with("pwe", format!("{pwe:08X}"))
+}
+
+/// The PKW channel is locked.
+pub(super) fn no_right(address: u8, index: u16) -> Failure {
+    let message = both!(
+        "station {address} gives no right to P.{index} over PKW",
+        "Station {address} gibt über PKW kein Recht auf P.{index}"
+    );
+    Failure::new(Class::Refused, "refused.no_right", message)
+        .with("address", address)
+        .hint(both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal"))
+}
+
+/// A request over PKW was not answered.
+pub(super) fn no_answer(address: u8, index: u16) -> Failure {
+    let message = both!(
+        "station {address} exchanges data, but does not answer for P.{index}",
+        "Station {address} tauscht Daten aus, antwortet aber nicht zu P.{index}"
+    );
+    Failure::new(Class::Silence, "silence.pkw", message).with("address", address)
+}
+
+/// The motor was not seen standing.
+pub(super) fn unproven(address: u8, actual: i16) -> Failure {
+    let word = format!("{actual:04X}h");
+    let message = both!(
+        "station {address}: the stop word goes out, but the frequency stays at {word} (HIW): THE MOTOR MAY TURN",
+        "Station {address}: das Stoppwort geht hinaus, aber die Frequenz bleibt bei {word} (HIW): DER MOTOR KANN DREHEN"
+    );
+    Failure::new(Class::Forbidden, "forbidden.not_still", message).with("address", address).hint(both!(
+        "it may be run by its terminals or its keypad (P.928 is not 1 then); stop it there",
+        "vielleicht fährt er über Klemmen oder Bedienfeld (P.928 ist dann nicht 1); dort anhalten"
+    ))
+}
+
+/// The slave does not exchange data.
+pub(super) fn not_exchanging(address: u8, why: &Trouble) -> Failure {
+    let (code, told) = match why {
+        Trouble::Locked(master) => ("forbidden.locked", both!("master {master} has it", "Master {master} hat sie")),
+        Trouble::Parameters => {
+            ("refused.prm_fault", both!("it refuses Set_Prm (Prm_Fault)", "sie lehnt Set_Prm ab (Prm_Fault)"))
+        }
+        Trouble::Configuration => (
+            "refused.cfg_fault",
+            both!("it refuses PPO1 in Chk_Cfg (Cfg_Fault)", "sie lehnt PPO1 in Chk_Cfg ab (Cfg_Fault)"),
+        ),
+        Trouble::NotReady => (
+            "refused.not_ready",
+            both!("it stays not ready (Station_Not_Ready)", "sie bleibt nicht bereit (Station_Not_Ready)"),
+        ),
+        Trouble::Unanswered(_) | Trouble::Strange(_) => {
+            ("garbled.service", both!("its answer has no sense", "ihre Antwort ist sinnlos"))
+        }
+    };
+    let class = match why {
+        Trouble::Locked(_) => Class::Forbidden,
+        Trouble::Unanswered(_) | Trouble::Strange(_) => Class::Garbled,
+        _ => Class::Refused,
+    };
+    let message = both!(
+        "station {address} does not exchange data: {told}",
+        "Station {address} tauscht keine Daten aus: {told}",
+        told
+    );
+    Failure::new(class, code, message).with("address", address).hint(both!(
+        "PKW is there in ProfiDrive mode alone; what its GSD wants in Set_Prm goes into --user-prm; `antrieb -a {address} profibus \
+         live` tells its diagnosis",
+        "PKW gibt es nur im ProfiDrive-Modus; was seine GSD in Set_Prm verlangt, kommt in --user-prm; `antrieb -a {address} \
+         profibus live` nennt seine Diagnose"
+    ))
+}

@@ -159,7 +159,7 @@ pub struct Fdl {
     done: Option<Result<Reply, Unanswered>>,
     records: Vec<Record>,
     /// From the end of the last question to its answer.
-    after: Span,
+    after: Option<Span>,
     /// Repeats so far, by station.
     repeats: BTreeMap<u8, u64>,
 }
@@ -177,7 +177,7 @@ impl Fdl {
             ready: now + syn(line),
             done: None,
             records: Vec::new(),
-            after: Span::ZERO,
+            after: None,
             repeats: BTreeMap::new(),
         }
     }
@@ -187,8 +187,9 @@ impl Fdl {
         self.me
     }
 
-    /// From the end of the last question that was answered to the end of its answer.
-    pub fn answered_after(&self) -> Span {
+    /// From the end of the last question to the end of its answer; `None` if it had to be asked again, because nobody knows which
+    /// of them was answered.
+    pub fn answered_after(&self) -> Option<Span> {
         self.after
     }
 
@@ -228,7 +229,7 @@ impl Fdl {
 
     fn ends(&mut self, now: Tick, result: Result<Reply, Unanswered>) {
         let Some(open) = self.open.take() else { return };
-        self.after = open.sent.map_or(Span::ZERO, |sent| now.since(sent));
+        self.after = open.sent.filter(|_| open.asked_times == 1).map(|sent| now.since(sent));
         self.ready = self.ready.max(now + syn(self.line));
         if open.asked.is_counted(open.station) {
             // The first question counts as bit 1, and behind silence the counting begins again.

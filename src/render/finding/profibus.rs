@@ -50,7 +50,9 @@ impl Page {
                 station.master.map_or_else(|| "-".to_owned(), |master| master.to_string()),
                 or_none(station.state),
                 or_none(station.layout.or(station.configuration.as_deref())),
-                format!("{}.{} ms", station.answered_us / 1_000, station.answered_us % 1_000 / 100),
+                station
+                    .answered_us
+                    .map_or_else(|| "-".to_owned(), |us| format!("{}.{} ms", us / 1_000, us % 1_000 / 100)),
                 station.repeats.to_string(),
             ]
         };

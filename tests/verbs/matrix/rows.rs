@@ -51,6 +51,7 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "systembus" => list(&data["pdos"]),
         "params" => list(&data["params"]),
         "decode" if !list(&data["telegrams"]).is_empty() => list(&data["telegrams"]),
+        "profibus" if data["values"].is_array() => list(&data["values"]),
         "profibus" if data["stations"].is_array() => list(&data["stations"]),
         "profibus" if data["telegrams"].is_array() => list(&data["telegrams"]),
         "decode" | "profibus" => vec![data.clone()],

@@ -162,7 +162,7 @@ impl Reader<'_> {
 }
 
 /// Number of a refusal, and why. In which half of PWE it stands is not printed; the other half is 0 then.
-fn refused(pwe: u32) -> (Text, Text) {
+pub(super) fn refused(pwe: u32) -> (Text, Text) {
     let (high, low) = (pwe >> 16, pwe & 0xFFFF);
     match (high, low) {
         (0, number) | (number, 0) => (Text::name(number), words::refusal(number)),

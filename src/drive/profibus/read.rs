@@ -1,0 +1,87 @@
+//! Values of an inverter by PKW, and what is to be known before it is let go.
+
+use super::exchange::Exchange;
+use crate::drive::describe;
+use crate::drive::transfer::Reading;
+use crate::failure::{Class, Failure};
+use crate::outcome::Value;
+use crate::profile::{Family, Param, Registry, Type, value};
+use crate::text::{Text, both};
+use std::rc::Rc;
+
+/// What was read so far, and what came of the rest.
+#[derive(Debug, Default)]
+pub struct Haul {
+    /// One entry a parameter.
+    pub values: Vec<Value>,
+    /// Why some of them are missing.
+    pub failures: Vec<Failure>,
+}
+
+/// Which series it is (SJ2-PB manual 5.3), with the words of `--drive`.
+const SERIES: u16 = 624;
+const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
+/// What decides on the motor once nobody exchanges data: P.703, A002, A001 (5.2; 5.5 index 89, 88).
+const BEHIND: [u32; 3] = [703, 89, 88];
+
+impl Exchange<'_, '_> {
+    /// The family of the inverter: the one that was named, or what P.624 tells.
+    pub async fn family(&mut self, named: Option<Rc<Family>>, registry: &Registry) -> Result<Rc<Family>, Failure> {
+        let told = self.read(SERIES).await?;
+        if let Some(named) = named {
+            return Ok(named);
+        }
+        let series = told?;
+        let name = NAMES.iter().find(|row| row.0 == series & 0xFF).map(|row| row.1);
+        name.and_then(|name| registry.family(name)).ok_or_else(|| {
+            let message = both!(
+                "P.624 tells {series:02X}h, which is no series that is known: expected 10h, 20h or 40h",
+                "P.624 nennt {series:02X}h, keine bekannte Serie: erwartet 10h, 20h oder 40h"
+            );
+            Failure::new(Class::Data, "data.unknown_drive", message)
+                .hint(both!("name it: --drive l200, sj200, x200", "sie nennen: --drive l200, sj200, x200"))
+        })
+    }
+
+    /// Reads a parameter into the haul. Fails only if the exchange is over.
+    pub async fn value(&mut self, family: &Family, param: &Param, haul: &mut Haul) -> Result<(), Failure> {
+        let address = self.address();
+        let index = u16::try_from(param.id).unwrap_or(u16::MAX);
+        match self.read(index).await? {
+            Ok(bits) => {
+                let kind = param.kind.unwrap_or(Type::Word);
+                let raw = value::from_wire(bits, kind, param.min);
+                let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
+                haul.values.push(describe::value(address, family, param, reading, &|_| None));
+            }
+            Err(failure) => {
+                haul.values.push(describe::unread(address, family, param, 0, &failure));
+                haul.failures.push(failure);
+            }
+        }
+        Ok(())
+    }
+
+    /// What decides on the motor once the slave is let go.
+    pub async fn parting(&mut self, family: &Family) -> Result<Text, Failure> {
+        let mut told = Vec::new();
+        for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
+            let (id, name) = (param.id, &param.name);
+            told.push(match self.read(u16::try_from(id).unwrap_or(u16::MAX)).await? {
+                Ok(raw) => match family.text_of(param, i64::from(raw)) {
+                    Some(text) => {
+                        both!("{name} (P.{id}) = {raw}: {text}", "{name} (P.{id}) = {raw}: {text}", name, text)
+                    }
+                    None => both!("{name} (P.{id}) = {raw}", "{name} (P.{id}) = {raw}", name),
+                },
+                Err(_) => both!("{name} (P.{id}) is not told", "{name} (P.{id}) wird nicht genannt", name),
+            });
+        }
+        let told = Text::join(&told, "; ");
+        Ok(both!(
+            "the inverter goes on without us by these: {told}",
+            "der Umrichter arbeitet ohne uns weiter nach: {told}",
+            told
+        ))
+    }
+}
