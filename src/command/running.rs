@@ -159,19 +159,21 @@ pub(super) async fn run<'p, C>(
         interrupt.hear_only_keys();
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let first_word = match goes_first {
-        Some(act) => {
-            let (mut said, mut first_word) = (false, FirstWord::default());
-            for drive in meant(settings, registry, &[address])? {
-                (said, first_word) = stop_first(&mut session, registry, &drive, act, plan.zero).await?;
-            }
-            plan.said = said;
-            first_word
-        }
-        None => FirstWord::default(),
-    };
+    let mut first_word = FirstWord::default();
+    for (drive, act) in meant(settings, registry, &[address])?.iter().zip(goes_first) {
+        first_word = said_of(&mut session, registry, drive, act, &mut plan).await?;
+    }
+    let said = Said { address, first_word, pressed: false };
     let mut around = Around { settings, registry, interrupt, ask: *ask };
-    on_drive(&mut session, &mut around, (address, first_word), plan, check, work).await
+    on_drive(&mut session, &mut around, said, plan, check, work).await
+}
+
+/// What went out to a drive that takes motion away.
+struct Said {
+    address: u8,
+    first_word: FirstWord,
+    /// Somebody interrupted meanwhile, so a stronger one follows.
+    pressed: bool,
 }
 
 /// What a run on an open line needs besides.
@@ -186,11 +188,12 @@ struct Around<'w> {
 async fn on_drive<'p, C>(
     session: &mut Session<'_>,
     around: &mut Around<'_>,
-    (address, first_word): (u8, FirstWord),
+    said: Said,
     mut plan: Plan<'p>,
     check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
     work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
+    let Said { address, first_word, mut pressed } = said;
     let Around { settings, registry, interrupt, ask } = around;
     let (act, goes_first) = (plan.relief, plan.goes_first());
     if goes_first.is_some() {
@@ -200,7 +203,16 @@ async fn on_drive<'p, C>(
     }
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
-    let mut target = target(session, settings, registry, address, false).await.map_err(unstopped)?;
+    let recognised = match target(session, settings, registry, address, false).await {
+        // Its word went out, so whoever presses again gets the stronger one.
+        Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
+            pressed = true;
+            stop_harder(session, (settings, registry), address, act).await?;
+            target(session, settings, registry, address, false).await
+        }
+        recognised => recognised,
+    };
+    let mut target = recognised.map_err(unstopped)?;
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
     let before = first_look(session, &mut target, act).await.map_err(unstopped)?;
@@ -227,6 +239,9 @@ async fn on_drive<'p, C>(
     motor.watched = watched;
     let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
+            if pressed && is_command(act) {
+                return Err(motor.breaks_off());
+            }
             prepare(motor, &plan, &family, watchdog).await?;
             work(motor, checked).await
         })
@@ -287,19 +302,45 @@ fn meant(settings: &Settings, registry: &Registry, addresses: &[u8]) -> Result<V
     Ok(addresses.iter().map(one).collect())
 }
 
-/// Sends what stops the drive, before anything is asked that it does not need; whether something went out.
-async fn stop_first(
+/// Sends what stops the drive, before anything is asked that it does not need, and notes in the plan whether something went out.
+async fn said_of(
     session: &mut Session<'_>,
     registry: &Registry,
     meant: &Meant,
     act: Relief,
-    zero: Option<&Modes<'_>>,
-) -> Result<(bool, FirstWord), Failure> {
-    let sent = match zero {
+    plan: &mut Plan<'_>,
+) -> Result<FirstWord, Failure> {
+    let sent = match plan.zero {
         Some(modes) => shout_zero(session, registry, meant, modes).await.map(|sent| (sent, FirstWord::default())),
         None => shout(session, registry, meant, act).await.map(|first| (true, first)),
     };
-    sent.map_err(|error| unstopped(error.failure(meant.address, None), act, zero.is_none()))
+    let is_word = plan.zero.is_none();
+    let (said, first_word) = sent.map_err(|error| unstopped(error.failure(meant.address, None), act, is_word))?;
+    plan.said = said;
+    Ok(first_word)
+}
+
+/// Whether an act is a word that is said at once.
+fn is_command(act: Option<Relief>) -> bool {
+    act.is_some_and(|act| act != Relief::Zero)
+}
+
+/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is.
+async fn stop_harder(
+    session: &mut Session<'_>,
+    (settings, registry): (&Settings, &Registry),
+    address: u8,
+    act: Option<Relief>,
+) -> Result<(), Failure> {
+    session.note_interrupts();
+    let act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
+    for drive in meant(settings, registry, &[address])? {
+        let said = shout(session, registry, &drive, act).await;
+        said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
+    }
+    session.insist(true);
+    session.end_at(Some(session.now() + PROOF));
+    Ok(())
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.

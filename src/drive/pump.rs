@@ -2,7 +2,7 @@
 
 use super::interrupt::Interrupt;
 use crate::exchange::{Conversation, Master, Step};
-use crate::tick::{Span, Tick};
+use crate::tick::Tick;
 use crate::transport::{Link, LinkError, Wake};
 
 /// Why a conversation did not come to its end.
@@ -22,9 +22,8 @@ pub(super) async fn rest(
     master: &mut Master,
     link: &mut Link,
     interrupt: &Interrupt,
-    span: Span,
+    until: Tick,
 ) -> Result<(), PumpError> {
-    let until = link.now() + span;
     loop {
         match hear(link, interrupt, until).await? {
             Wake::Bytes(bytes) => master.feed(link.now(), &bytes),

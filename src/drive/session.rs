@@ -3,14 +3,14 @@
 use super::access::AccessError;
 use super::account::Account;
 use super::interrupt::Interrupt;
+use super::open_line::OpenLine;
 use super::opening::{Opening, is_wired, open_trace};
 use super::probe::sounding;
 use super::pump::{self, PumpError};
 use super::trouble;
+use super::turns::Seat;
 use crate::exchange::talk::Window;
-use crate::exchange::{
-    Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Survey, Tally, Verdict,
-};
+use crate::exchange::{Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Survey, Tally};
 use crate::failure::Failure;
 use crate::outcome::Event;
 use crate::profile::{Family, Registry};
@@ -21,7 +21,10 @@ use crate::simulator::Bench;
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use crate::transport::{Link, Port, Wake};
+use std::cell::RefCell;
 use std::rc::Rc;
+
+mod beside;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
 const SOUNDINGS: u8 = 2;
@@ -29,14 +32,13 @@ const SOUNDINGS: u8 = 2;
 /// each (docs/sources.md A2) are heard within it, whatever their adapters hold back. A choice: longer would be felt.
 const LISTEN: Span = Span::from_millis(60);
 
-/// Strange telegrams that are kept until somebody asks for them.
-const MOST_OVERHEARD: usize = 4_096;
-
 /// An open line.
 pub struct Session<'a> {
     port: String,
-    link: Link,
-    master: Master,
+    line: Rc<RefCell<OpenLine<'a>>>,
+    /// Where others talk over it too, the place among them, and the station that is talked to.
+    seat: Option<(Seat, u8)>,
+    limits: Limits,
     /// System-bus node behind every drive that is asked; 0 is the drive itself.
     node: u8,
     interrupt: Interrupt,
@@ -50,14 +52,11 @@ pub struct Session<'a> {
     listens: bool,
     /// Why the last question brought no answer.
     unanswered: Option<ExchangeError>,
-    /// Telegrams and garbage that were not for the master, if anybody wants them.
-    overheard: Option<Vec<Record>>,
-    account: Account<'a>,
 }
 
 impl std::fmt::Debug for Session<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Session").field("link", &self.link).field("master", &self.master).finish_non_exhaustive()
+        f.debug_struct("Session").field("port", &self.port).field("limits", &self.limits).finish_non_exhaustive()
     }
 }
 
@@ -87,10 +86,17 @@ impl<'a> Session<'a> {
         let wired = is_wired(port);
         let (port, mut master) = (port.to_string(), Master::new(protocol, line, limits));
         master.set_wired(wired);
-        Ok(Session {
+        let line = OpenLine::new(link, master, Account::new(observe, verbose));
+        Ok(Session::on(port, Rc::new(RefCell::new(line)), (limits, interrupt)))
+    }
+
+    /// A conversation of its own on a line.
+    fn on(port: String, line: Rc<RefCell<OpenLine<'a>>>, (limits, interrupt): (Limits, Interrupt)) -> Self {
+        Session {
             port,
-            link,
-            master,
+            line,
+            seat: None,
+            limits,
             node: 0,
             interrupt,
             insists: false,
@@ -98,9 +104,13 @@ impl<'a> Session<'a> {
             since: None,
             listens: false,
             unanswered: None,
-            overheard: None,
-            account: Account::new(observe, verbose),
-        })
+        }
+    }
+
+    /// Works on the line, which nobody else does meanwhile.
+    #[expect(clippy::await_holding_refcell_ref, reason = "whoever shares the line waits for his turn")]
+    async fn on_line<T>(&self, work: impl AsyncFnOnce(&mut OpenLine<'a>) -> T) -> T {
+        work(&mut self.line.borrow_mut()).await
     }
 
     /// From now on everything is asked of this node of the system bus, through the drive that is its master; 0 asks the
@@ -140,12 +150,12 @@ impl<'a> Session<'a> {
 
     /// Whether that time is over.
     pub fn is_over(&self) -> bool {
-        self.ends_at.is_some_and(|at| self.link.now() >= at)
+        self.ends_at.is_some_and(|at| self.now() >= at)
     }
 
     /// The longest that one question takes, whatever comes over the line.
     pub fn longest(&self) -> Span {
-        self.master.limits().longest(self.protocol(), self.line())
+        self.limits.longest(self.protocol(), self.line())
     }
 
     /// Asks a station and waits for the answer. Where the echo of the question would pass for its answer, and nobody
@@ -163,7 +173,7 @@ impl<'a> Session<'a> {
     ) -> Result<Answer, AccessError> {
         let question = question.into();
         for _ in 0..SOUNDINGS {
-            if self.master.needs_sounding(station, &question) {
+            if self.line.borrow().master.needs_sounding(station, &question) {
                 self.put(station, sounding().into(), limits).await?;
             }
         }
@@ -187,45 +197,39 @@ impl<'a> Session<'a> {
     }
 
     async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
-        if self.is_over() {
-            return Err(self.too_late());
-        }
-        pump::drain(&mut self.master, &mut self.link).await?;
         // What must not wait listens for nobody.
         let listen = if std::mem::take(&mut self.listens) && !self.insists { LISTEN } else { Span::ZERO };
         let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
-        self.master.ask_within(station, question, limits, self.link.now());
-        let outcome = pump::run(&mut self.master, &mut self.link, &self.interrupt, self.ends_at).await;
-        if let Some(error) = self.link.take_trace_error() {
-            self.tell(Event::Note(both!(
-                "the recording (--trace) ends here: {error}",
-                "die Aufzeichnung (--trace) endet hier: {error}"
-            )));
+        let mut asked = 0;
+        loop {
+            self.take_turn().await;
+            if self.is_over() {
+                return Err(self.too_late());
+            }
+            let tries = self.tries(limits.retries.saturating_sub(asked));
+            let (question, limits) = (question.clone(), Limits { retries: tries, ..limits });
+            let put =
+                async |line: &mut OpenLine<'a>| line.put((station, question), limits, &self.interrupt, self.ends_at).await;
+            let outcome = self.on_line(put).await;
+            self.hear_of(&outcome);
+            match outcome {
+                Err(PumpError::TimeUp) => return Err(self.too_late()),
+                Ok(Err(error)) => {
+                    let error = error.behind(asked);
+                    self.unanswered = Some(error.clone());
+                    asked += tries + 1;
+                    if asked > limits.retries || !error.is_missing() {
+                        return Err(error.into());
+                    }
+                }
+                outcome => return Ok(outcome??),
+            }
         }
-        let records = self.master.take_records();
-        self.account.show(self.master.protocol(), &records, Some(station));
-        if let Some(overheard) = &mut self.overheard {
-            let is_answer = |record: &Record| matches!(record.verdict, Verdict::Reply | Verdict::Echo);
-            let room = MOST_OVERHEARD.saturating_sub(overheard.len());
-            overheard.extend(records.into_iter().filter(|record| !is_answer(record)).take(room));
-        }
-        if self.master.answers_twice(station) {
-            self.account.tell_twice(station);
-        }
-        if self.master.differs(station) && matches!(outcome, Ok(Ok(_))) {
-            self.account.tell_differing(station);
-        }
-        match outcome {
-            Err(PumpError::TimeUp) => return Err(self.too_late()),
-            Ok(Err(ref error)) => self.unanswered = Some(error.clone()),
-            _ => {}
-        }
-        Ok(outcome??)
     }
 
     /// Fails where two answers to one question differed: whatever is started there could be started twice.
     pub fn demand_one_drive(&self, station: u8) -> Result<(), AccessError> {
-        if self.master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }
+        if self.line.borrow().master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }
     }
 
     /// What a question ends with that has no time left: with what the line was like before.
@@ -235,59 +239,66 @@ impl<'a> Session<'a> {
 
     /// Carries a survey on until it has something to tell.
     pub(super) async fn survey(&mut self, survey: &mut Survey) -> Result<News, AccessError> {
-        let outcome = pump::run(survey, &mut self.link, &self.interrupt, None).await;
-        self.account.show(self.master.protocol(), &survey.take_records(), None);
-        Ok(outcome?)
+        let survey = async |line: &mut OpenLine<'a>| line.carry(survey, Survey::take_records, &self.interrupt).await;
+        Ok(self.on_line(survey).await?)
     }
 
     /// Listens as long as a window lasts.
     pub(super) async fn eavesdrop(&mut self, window: &mut Window) -> Result<(), AccessError> {
-        let outcome = pump::run(window, &mut self.link, &self.interrupt, None).await;
-        self.account.show(self.master.protocol(), &window.take_records(), None);
-        Ok(outcome?)
+        let listen = async |line: &mut OpenLine<'a>| line.carry(window, Window::take_records, &self.interrupt).await;
+        Ok(self.on_line(listen).await?)
     }
 
     /// What came since the last call and was no answer to a question, and what was sent; kept from the first call on.
     pub(super) fn overheard(&mut self) -> Vec<Record> {
-        std::mem::take(self.overheard.get_or_insert_default())
+        self.line.borrow_mut().overheard()
     }
 
     /// A station was asked this otherwise, and its reply may still come.
     pub(super) fn expect(&mut self, station: u8, question: Question) {
-        self.master.expect(station, question, self.link.now());
+        let now = self.now();
+        self.line.borrow_mut().master.expect(station, question, now);
     }
 
     /// Remembers what a drive is, for what is told of its telegrams from now on.
     pub(super) fn knows(&mut self, address: u8, family: &Rc<Family>, order: WordOrder) {
-        self.master.has_counters(address, family.counters.iter().map(|row| row.sub));
-        self.account.knows(address, family, order);
+        let mut line = self.line.borrow_mut();
+        line.master.has_counters(address, family.counters.iter().map(|row| row.sub));
+        line.account.knows(address, family, order);
     }
 
     /// Other speed, format or protocol from now on.
     pub async fn retune(&mut self, protocol: Protocol, line: LineSetting) -> Result<(), AccessError> {
-        self.link.set_line(line).await?;
-        self.master.retune(protocol, line, self.link.now());
-        Ok(())
+        let retune = async |on: &mut OpenLine<'a>| {
+            on.link.set_line(line).await?;
+            on.master.retune(protocol, line, on.link.now());
+            Ok(())
+        };
+        self.on_line(retune).await
     }
 
     /// Whether [`Session::retune`] can set another speed or format.
     pub fn can_retune(&self) -> bool {
-        self.link.can_set_line()
+        self.line.borrow().link.can_set_line()
     }
 
     /// Whether speed and format can be changed from here; behind a raw TCP port they are set by other means.
     pub(super) fn can_set_line(&self) -> bool {
-        self.link.can_set_line()
+        self.line.borrow().link.can_set_line()
     }
 
     /// Waits without asking anything; ends early with an error if somebody interrupts or the port is lost.
     pub async fn rest(&mut self, span: Span) -> Result<(), AccessError> {
-        Ok(pump::rest(&mut self.master, &mut self.link, &self.interrupt, span).await?)
+        let until = self.now() + span;
+        self.give_way(until).await;
+        let rest = async |line: &mut OpenLine<'a>| line.rest(until, &self.interrupt).await;
+        Ok(self.on_line(rest).await?)
     }
 
     /// Waits until bytes come or the time is over; they go to nobody else.
     pub(super) async fn hear(&mut self, until: Tick) -> Result<Wake, AccessError> {
-        Ok(pump::hear(&mut self.link, &self.interrupt, until).await?)
+        let hear = async |line: &mut OpenLine<'a>| pump::hear(&mut line.link, &self.interrupt, until).await;
+        Ok(self.on_line(hear).await?)
     }
 
     /// Waits for something that is not on the line, such as the answer to a question, and keeps the line meanwhile: what
@@ -326,15 +337,21 @@ impl<'a> Session<'a> {
         self.interrupt.note();
     }
 
+    /// Whether somebody interrupts, of which no note was taken.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupt.is_raised()
+    }
+
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what
     /// was on its way to a lost question is nobody's answer.
     pub async fn reopen(&mut self) -> Result<(), AccessError> {
         let interrupt = self.interrupt.clone();
+        let reopen = async |line: &mut OpenLine<'a>| line.link.reopen().await;
         tokio::select! {
-            reopened = self.link.reopen() => reopened?,
+            reopened = self.on_line(reopen) => reopened?,
             () = interrupt.raised() => return Err(AccessError::Interrupted),
         }
-        if let Some(name) = self.link.name() {
+        if let Some(name) = self.line.borrow().link.name() {
             name.clone_into(&mut self.port);
         }
         self.rest(self.limits().reply_timeout).await
@@ -342,47 +359,49 @@ impl<'a> Session<'a> {
 
     /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold.
     pub fn pace(&mut self) {
-        self.link.pace();
+        self.line.borrow_mut().link.pace();
     }
 
     /// The time of the link.
     pub fn now(&self) -> Tick {
-        self.link.now()
+        self.line.borrow().link.now()
     }
 
     /// The time of day in UTC (RFC 3339); the bench has none.
     pub fn utc(&self) -> Option<String> {
-        self.link.utc()
+        self.line.borrow().link.utc()
     }
 
     /// The time of day, since the beginning of 1970; the bench has none.
     pub fn since_1970(&self) -> Option<Span> {
-        self.link.since_1970()
+        self.line.borrow().link.since_1970()
     }
 
     /// Tells an event to whoever watches.
     pub fn tell(&mut self, event: Event) {
-        self.account.tell(event);
+        let event = self.addressed(event);
+        self.line.borrow_mut().account.tell(event);
     }
 
     /// Whether somebody wants to know everything.
     pub fn is_verbose(&self) -> bool {
-        self.account.is_verbose()
+        self.line.borrow().account.is_verbose()
     }
 
     /// Counts of what happened on the line.
     pub fn tally(&self) -> Tally {
-        self.master.tally()
+        self.line.borrow().master.tally()
     }
 
     /// Time limits.
     pub fn limits(&self) -> Limits {
-        self.master.limits()
+        self.limits
     }
 
     /// Other time limits from now on.
     pub fn set_limits(&mut self, limits: Limits) {
-        self.master.set_limits(limits);
+        self.limits = limits;
+        self.line.borrow_mut().master.set_limits(limits);
     }
 
     /// Works within these time limits; afterwards those from before hold again.
@@ -408,41 +427,31 @@ impl<'a> Session<'a> {
 
     /// What is spoken.
     pub fn protocol(&self) -> Protocol {
-        self.master.protocol()
+        self.line.borrow().master.protocol()
     }
 
     /// What is between us and the wire.
     pub fn adapter(&self) -> crate::transport::AdapterInfo {
-        self.link.adapter()
+        self.line.borrow().link.adapter()
     }
 
     /// Pauses that were kept between replies and the next questions.
     pub fn pauses(&self) -> Pauses {
-        self.master.pauses()
+        self.line.borrow().master.pauses()
     }
 
     /// Whether the adapter gives back what we send; `None` as long as nothing was asked that tells.
     pub fn echoes(&self) -> Option<bool> {
-        self.master.echoes()
+        self.line.borrow().master.echoes()
     }
 
     /// Setting of the line.
     pub fn line(&self) -> LineSetting {
-        self.master.line()
+        self.line.borrow().master.line()
     }
 
     /// The bench behind the line, if it is the simulator.
     pub fn bench(&mut self) -> Option<&mut Bench> {
-        self.link.bench()
-    }
-}
-
-/// A drive that answers late may still owe a reply. Nobody else gets the line before it has come or cannot come any
-/// more: the next program would take it for the answer to its own question. Costs nothing unless a reply is missing.
-impl Drop for Session<'_> {
-    fn drop(&mut self) {
-        if let Some(until) = self.master.owes_until(self.link.now()) {
-            self.link.outlast(until);
-        }
+        Rc::get_mut(&mut self.line)?.get_mut().link.bench()
     }
 }

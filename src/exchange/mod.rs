@@ -202,6 +202,26 @@ pub enum ExchangeError {
     BroadcastRead,
 }
 
+impl ExchangeError {
+    /// Whether an answer is missing, so that the same asked again may bring one.
+    pub fn is_missing(&self) -> bool {
+        !matches!(self, ExchangeError::TwoAnswers { .. } | ExchangeError::BroadcastRead)
+    }
+
+    /// The same where it had been asked so often before.
+    #[must_use]
+    pub fn behind(mut self, before: u8) -> Self {
+        if let ExchangeError::Silence { asked, .. }
+        | ExchangeError::Garbled { asked, .. }
+        | ExchangeError::NeverSilent { asked }
+        | ExchangeError::Unproven { asked } = &mut self
+        {
+            *asked = asked.saturating_add(before);
+        }
+        self
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

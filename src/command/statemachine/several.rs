@@ -5,6 +5,8 @@ use crate::args::{Addresses, MotionArgs, Settings};
 use crate::command::rehearse::Rehearsal;
 use crate::command::running::{self, Plan};
 use crate::command::{Context, offline_family};
+use crate::drive::motion::{Motor, Situation};
+use crate::drive::{Session, Target};
 use crate::failure::Failure;
 use crate::gate::Relief;
 use crate::outcome::Outcome;
@@ -30,7 +32,9 @@ pub(super) async fn stop(
     }
     if !context.settings.dry_run {
         let plan = || Plan { aim: Some(act), relief: Some(act), ..Plan::of(slug, announce.clone(), motion) };
-        return running::stop_each(context, addresses, act, plan).await;
+        let check = async |_: &mut Session<'_>, _: &mut Target, _: &Situation, _: &mut Plan<'_>| Ok(());
+        let work = async |motor: &mut Motor<'_, '_>, ()| motor.relieve(act).await;
+        return running::stop_each(context, addresses, act, plan, check, work).await;
     }
     let family = offline_family(context.settings, context.registry)?;
     let mut told: Option<Rehearsal<'_>> = None;

@@ -17,7 +17,6 @@ mod shaft;
 mod shout;
 mod still;
 mod stop;
-mod turns;
 mod walk;
 mod watchdog;
 mod watched;
@@ -29,10 +28,9 @@ pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
-pub use shout::{FirstWord, Shouting, shout, shout_zero};
+pub use shout::{Call, FirstWord, shout, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
-pub use turns::{Glimpse, Next};
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
 pub use watched::{Stays, Watched};
@@ -101,8 +99,6 @@ pub struct Motor<'a, 's> {
     pub instead: Option<Text>,
     /// What looks tell of the shaft of a drive that shows the frequency of its stator.
     sight: Sight,
-    /// What was seen in turns with other drives, before the stop is proven.
-    glimpsed: Option<Sight>,
     /// The encoder that tells without power too, once it was looked for.
     encoder: Option<Option<Param>>,
     /// How the drive is set to end a ramp stop, if its frequency does not show that; once it was asked.
@@ -198,7 +194,6 @@ impl<'a, 's> Motor<'a, 's> {
             first_word: FirstWord::default(),
             instead: None,
             sight: Sight::default(),
-            glimpsed: None,
             encoder: None,
             ending: None,
             stopping: false,

@@ -73,10 +73,7 @@ impl Motor<'_, '_> {
         }
         self.enabled = false;
         (self.shouted, self.stopping, self.shown) = (true, true, None);
-        match self.glimpsed.take() {
-            Some(sight) => self.sight = sight,
-            None => self.sight.forget(),
-        }
+        self.sight.forget();
         self.session.insist(true);
         match self.relieve_by(act).await {
             Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {

@@ -67,8 +67,6 @@ pub struct FirstWord {
     pub(super) word: Option<u16>,
     /// A quick stop in place of the ramp that was asked for.
     pub(super) instead: bool,
-    /// One of the kind that it is, once that is known.
-    pub(super) family: Option<Rc<Family>>,
 }
 
 /// Sends what stops a drive until it is acknowledged, or has been said often enough. An act that is no command sends nothing.
@@ -78,82 +76,26 @@ pub async fn shout(
     meant: &Meant,
     act: Relief,
 ) -> Result<FirstWord, AccessError> {
-    let mut shouting = Shouting::new(std::slice::from_ref(meant), act);
-    while shouting.goes_on() {
-        shouting.round(session, registry).await;
-    }
-    shouting.end().pop().unwrap_or_else(|| Ok(FirstWord::default()))
+    Call { tell: Tell::Alone, ..Call::new(meant, act) }.go_on(session, registry).await
 }
 
-/// Telling drives to stop, in rounds: whoever is silent is spoken to again only when everybody else had his turn, which is no longer
-/// than one reply may take. So the drives behind a cabinet that is switched off hear their stop in time.
-///
-/// [`Shouting::round`] first; then that or [`Shouting::next`] as long as it goes on, and [`Shouting::end`].
-pub struct Shouting<'m> {
-    calls: Vec<Call<'m>>,
+/// Tells several drives to stop: whoever is silent is spoken to again only when everybody else had his turn, which is no longer than
+/// one reply may take. So the drives behind a cabinet that is switched off hear their stop in time. What is said to each goes on
+/// with [`Call::go_on`]. Returns it with whether somebody interrupted.
+pub async fn shout_round<'m>(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    drives: &'m [Meant],
     act: Relief,
-    tell: Tell,
-    interrupted: bool,
-    /// Whose turn is next.
-    at: usize,
-}
-
-impl<'m> Shouting<'m> {
-    /// Nothing is sent yet.
-    pub fn new(drives: &'m [Meant], act: Relief) -> Self {
-        let calls: Vec<Call<'m>> = drives.iter().map(Call::new).collect();
-        let tell = if calls.len() == 1 { Tell::Alone } else { Tell::First };
-        Shouting { calls, act, tell, interrupted: false, at: 0 }
+) -> (Vec<Call<'m>>, bool) {
+    let (mut calls, mut interrupted) = (Vec::new(), false);
+    for meant in drives {
+        let mut call = Call::new(meant, act);
+        interrupted |= call.said(session, registry).await;
+        call.tell = Tell::Again;
+        calls.push(call);
     }
-
-    /// Whether somebody has not acknowledged it yet, and was not told often enough.
-    pub fn goes_on(&self) -> bool {
-        command_of(self.act).is_some() && self.calls.iter().any(Call::goes_on)
-    }
-
-    /// A turn of everybody who has not acknowledged it.
-    pub async fn round(&mut self, session: &mut Session<'_>, registry: &Registry) {
-        for at in 0..self.calls.len() {
-            self.turn(session, registry, at).await;
-        }
-        if self.tell == Tell::First {
-            self.tell = Tell::Again;
-        }
-    }
-
-    /// A turn of the next one who has not.
-    pub async fn next(&mut self, session: &mut Session<'_>, registry: &Registry) {
-        let count = self.calls.len();
-        let order = (0..count).map(|step| (self.at + step) % count);
-        let Some(at) = order.clone().find(|&at| self.calls.get(at).is_some_and(Call::goes_on)) else { return };
-        self.at = at + 1;
-        self.turn(session, registry, at).await;
-    }
-
-    async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry, at: usize) {
-        let (act, tell) = (self.act, self.tell);
-        let Some(call) = self.calls.get_mut(at).filter(|call| call.goes_on() && command_of(act).is_some()) else {
-            return;
-        };
-        let turn = async |session: &mut Session<'_>| call.turn(session, registry, act, tell).await;
-        match at_once(session, turn).await {
-            Ok(pressed) => self.interrupted |= pressed,
-            Err(error) => call.ended = Some(Err(error)),
-        }
-        if self.interrupted {
-            self.calls.iter_mut().filter(|call| call.was_told()).for_each(Call::interrupt);
-        }
-    }
-
-    /// What went out to the drives so far, in their order.
-    pub fn first(&self) -> Vec<FirstWord> {
-        self.calls.iter().map(Call::first).collect()
-    }
-
-    /// What went out to each, or why that was broken off.
-    pub fn end(self) -> Vec<Result<FirstWord, AccessError>> {
-        self.calls.into_iter().map(Call::end).collect()
-    }
+    (calls, interrupted)
 }
 
 /// How long it may be asked which word stops a drive, and what follows where that is not told.
@@ -168,8 +110,10 @@ enum Tell {
 }
 
 /// What one drive is told.
-struct Call<'m> {
+pub struct Call<'m> {
     meant: &'m Meant,
+    act: Relief,
+    tell: Tell,
     /// The families that it may be, once that was asked.
     families: Option<Vec<Rc<Family>>>,
     /// Those of them whose word is not known yet.
@@ -187,9 +131,12 @@ struct Call<'m> {
 }
 
 impl<'m> Call<'m> {
-    fn new(meant: &'m Meant) -> Self {
+    /// Nothing is said yet; others wait.
+    fn new(meant: &'m Meant, act: Relief) -> Self {
         Call {
             meant,
+            act,
+            tell: Tell::First,
             families: None,
             untold: Vec::new(),
             words: VecDeque::new(),
@@ -197,21 +144,35 @@ impl<'m> Call<'m> {
             first: FirstWord::default(),
             refused: false,
             widened: false,
-            ended: None,
+            ended: command_of(act).is_none().then_some(Ok(())),
         }
     }
 
-    fn first(&self) -> FirstWord {
-        let family = match self.families.as_deref() {
-            Some([family]) if !self.widened => Some(family.clone()),
-            _ => None,
-        };
-        FirstWord { family, ..self.first.clone() }
+    /// Says it until it is acknowledged, or has been said often enough; returns what went out, or why that was broken off.
+    pub async fn go_on(mut self, session: &mut Session<'_>, registry: &Registry) -> Result<FirstWord, AccessError> {
+        let mut interrupted = false;
+        while self.ended.is_none() {
+            interrupted |= self.said(session, registry).await;
+            if interrupted && self.was_told() {
+                self.ended = Some(Err(AccessError::Interrupted));
+            }
+        }
+        self.ended.unwrap_or(Ok(())).map(|()| self.first)
     }
 
-    fn end(self) -> Result<FirstWord, AccessError> {
-        let first = self.first();
-        self.ended.unwrap_or(Ok(())).map(|()| first)
+    /// Says one word more, at once; whether somebody interrupted that.
+    async fn said(&mut self, session: &mut Session<'_>, registry: &Registry) -> bool {
+        if self.ended.is_some() {
+            return false;
+        }
+        let turn = async |session: &mut Session<'_>| self.turn(session, registry).await;
+        match at_once(session, turn).await {
+            Ok(pressed) => pressed,
+            Err(error) => {
+                self.ended = Some(Err(error));
+                false
+            }
+        }
     }
 
     fn goes_on(&self) -> bool {
@@ -223,19 +184,9 @@ impl<'m> Call<'m> {
         self.goes_on() && self.untold.is_empty() && self.said >= self.words.len()
     }
 
-    fn interrupt(&mut self) {
-        self.ended = Some(Err(AccessError::Interrupted));
-    }
-
     /// Says one word more; whether somebody interrupted that.
-    async fn turn(
-        &mut self,
-        session: &mut Session<'_>,
-        registry: &Registry,
-        act: Relief,
-        tell: Tell,
-    ) -> Result<bool, AccessError> {
-        let by = session.now() + TURN;
+    async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry) -> Result<bool, AccessError> {
+        let (by, tell) = (session.now() + TURN, self.tell);
         if self.families.is_none() {
             let families = match &self.meant.family {
                 Some(family) => vec![family.clone()],
@@ -244,7 +195,7 @@ impl<'m> Call<'m> {
             self.untold.clone_from(&families);
             self.families = Some(families);
         }
-        self.learn(session, act, tell, by).await?;
+        self.learn(session, by).await?;
         let is_late = tell == Tell::First && !self.untold.is_empty() && session.now() >= by;
         let by = if tell == Tell::First { by } else { session.now() };
         let pressed = if is_late { false } else { self.say(session, by).await? };
@@ -257,7 +208,8 @@ impl<'m> Call<'m> {
     }
 
     /// Finds out the words that are not known yet.
-    async fn learn(&mut self, session: &mut Session<'_>, act: Relief, tell: Tell, by: Tick) -> Result<(), AccessError> {
+    async fn learn(&mut self, session: &mut Session<'_>, by: Tick) -> Result<(), AccessError> {
+        let (act, tell) = (self.act, self.tell);
         for family in std::mem::take(&mut self.untold) {
             let by = match tell {
                 Tell::Alone => None,

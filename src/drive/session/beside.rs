@@ -1,0 +1,77 @@
+//! Several conversations side by side on one line, each in a session of its own.
+
+use super::Session;
+use crate::drive::pump::PumpError;
+use crate::drive::turns::seats;
+use crate::exchange::{Answer, ExchangeError};
+use crate::outcome::Event;
+use crate::text::both;
+use crate::tick::Tick;
+use futures_util::future::join_all;
+use std::rc::Rc;
+
+impl<'a> Session<'a> {
+    /// Works on several stations side by side. Each work is written as if it had the line to itself: whenever it rests, or asks in
+    /// vain, it is the turn of another. Returns what came of each, in their order.
+    pub async fn side_by_side<T>(
+        &mut self,
+        stations: &[u8],
+        work: impl AsyncFn(&mut Session<'a>, usize) -> T,
+    ) -> Vec<T> {
+        let work = &work;
+        let works: Vec<_> = (seats(stations.len(), self.now()).into_iter().zip(stations).enumerate())
+            .map(|(at, (seat, &station))| {
+                let heard = (self.limits, self.interrupt.clone());
+                let mut beside = Session::on(self.port.clone(), Rc::clone(&self.line), heard);
+                (beside.node, beside.seat) = (self.node, Some((seat, station)));
+                async move {
+                    if let Some((seat, _)) = &beside.seat {
+                        seat.begin().await;
+                    }
+                    work(&mut beside, at).await
+                }
+            })
+            .collect();
+        join_all(works).await
+    }
+
+    /// Lets the others talk until `due`, if there are any. What is answered in its turns has the time that the others take added to
+    /// its own.
+    pub(super) async fn give_way(&mut self, due: Tick) {
+        let (Some((seat, _)), now) = (&self.seat, self.now()) else { return };
+        seat.give_way(now, due, &self.interrupt).await;
+        let waited = self.now().since(now.max(due));
+        if !seat.is_quiet() {
+            self.ends_at = self.ends_at.map(|at| at + waited);
+        }
+    }
+
+    /// Lets whoever waits talk before another question.
+    pub(super) async fn take_turn(&mut self) {
+        if self.seat.as_ref().is_some_and(|(seat, _)| seat.is_over(self.now())) {
+            self.give_way(self.now()).await;
+        }
+    }
+
+    /// How often a question is repeated within one turn.
+    pub(super) fn tries(&self, retries: u8) -> u8 {
+        if self.seat.as_ref().is_none_or(|(seat, _)| seat.is_alone()) { retries } else { 0 }
+    }
+
+    /// Takes note of whether the station answers.
+    pub(super) fn hear_of(&self, outcome: &Result<Result<Answer, ExchangeError>, PumpError>) {
+        if let (Some((seat, _)), Ok(outcome)) = (&self.seat, outcome) {
+            seat.was_answered(outcome.is_ok());
+        }
+    }
+
+    /// Where several are talked to at once, what is told says of whom.
+    pub(super) fn addressed(&self, event: Event) -> Event {
+        match (event, &self.seat) {
+            (Event::Note(note), Some((_, station))) => {
+                Event::Note(both!("address {station}: {note}", "Adresse {station}: {note}", station, note))
+            }
+            (event, _) => event,
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Several conversations on one line take turns. Each is written as if it had the line to itself; whenever it rests, or waits for
+//! an answer in vain, it is the turn of another.
+//!
+//! Who is silent costs the others little: he gets a question when everybody else had his turn, and no more than half of the time.
+
+use super::interrupt::Interrupt;
+use crate::tick::{Span, Tick};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::task::{Poll, Waker};
+
+/// Who has asked for so long gives way to whoever waits: two or three questions at 19200 Bd, which is one look at a shaft.
+const TURN: Span = Span::from_millis(100);
+
+/// A place at the line. Whoever leaves it gives it up.
+#[derive(Debug)]
+pub(super) struct Seat {
+    table: Rc<RefCell<Table>>,
+    at: usize,
+}
+
+#[derive(Debug, Default)]
+struct Table {
+    places: Vec<Place>,
+    /// Whose turn it is.
+    holder: Option<usize>,
+    /// When it began.
+    begun: Tick,
+    now: Tick,
+    /// Who is silent does not get the line again before that, as long as somebody answers.
+    quiet_until: Tick,
+}
+
+#[derive(Debug, Default)]
+struct Place {
+    /// From when on he wants the line, if he waits for it.
+    wants: Option<Tick>,
+    /// He has not answered.
+    quiet: bool,
+    /// He had a turn since a silent one had his.
+    served: bool,
+    gone: bool,
+    waker: Option<Waker>,
+}
+
+/// So many places at a line.
+pub(super) fn seats(count: usize, now: Tick) -> Vec<Seat> {
+    let places = (0..count).map(|_| Place { wants: Some(now), ..Place::default() }).collect();
+    let table = Table { places, now, ..Table::default() };
+    let table = Rc::new(RefCell::new(table));
+    table.borrow_mut().call();
+    (0..count).map(|at| Seat { table: table.clone(), at }).collect()
+}
+
+impl Seat {
+    /// Waits for the first turn.
+    pub(super) async fn begin(&self) {
+        self.called().await;
+    }
+
+    /// Gives the turn away and waits for the next one, which is not wanted before `due`; whoever interrupts wants it at once.
+    /// It may come earlier, if nobody else wants it: then the rest is to be waited for on the line.
+    pub(super) async fn give_way(&self, now: Tick, due: Tick, interrupt: &Interrupt) {
+        {
+            let mut table = self.table.borrow_mut();
+            table.give_way(self.at, now, due);
+        }
+        tokio::select! {
+            biased;
+            () = self.called() => return,
+            () = interrupt.raised() => {}
+        }
+        if let Some(place) = self.table.borrow_mut().places.get_mut(self.at) {
+            place.wants = Some(Tick::ZERO);
+        }
+        self.called().await;
+    }
+
+    /// Whether the turn is to be given away before another question.
+    pub(super) fn is_over(&self, now: Tick) -> bool {
+        let table = self.table.borrow();
+        !table.is_alone(self.at) && (table.is_quiet(self.at) || now.since(table.begun) > TURN)
+    }
+
+    /// Whether the last question brought no answer.
+    pub(super) fn is_quiet(&self) -> bool {
+        self.table.borrow().is_quiet(self.at)
+    }
+
+    /// Whether nobody else is at the line any more.
+    pub(super) fn is_alone(&self) -> bool {
+        self.table.borrow().is_alone(self.at)
+    }
+
+    /// Takes note of an answer, or of none.
+    pub(super) fn was_answered(&self, answered: bool) {
+        if let Some(place) = self.table.borrow_mut().places.get_mut(self.at) {
+            place.quiet = !answered;
+        }
+    }
+
+    async fn called(&self) {
+        std::future::poll_fn(|context| {
+            let mut table = self.table.borrow_mut();
+            if table.holder == Some(self.at) {
+                return Poll::Ready(());
+            }
+            if let Some(place) = table.places.get_mut(self.at) {
+                place.waker = Some(context.waker().clone());
+            }
+            Poll::Pending
+        })
+        .await;
+    }
+}
+
+impl Drop for Seat {
+    fn drop(&mut self) {
+        let mut table = self.table.borrow_mut();
+        if let Some(place) = table.places.get_mut(self.at) {
+            (place.gone, place.wants) = (true, None);
+        }
+        if table.holder == Some(self.at) {
+            table.holder = None;
+            table.call();
+        }
+    }
+}
+
+impl Table {
+    fn is_alone(&self, at: usize) -> bool {
+        self.places.iter().enumerate().all(|(other, place)| place.gone || other == at)
+    }
+
+    fn is_quiet(&self, at: usize) -> bool {
+        self.places.get(at).is_some_and(|place| place.quiet)
+    }
+
+    fn give_way(&mut self, at: usize, now: Tick, due: Tick) {
+        let (took, quiet) = (now.since(self.begun), self.is_quiet(at));
+        self.now = now;
+        if quiet {
+            self.quiet_until = now + took;
+            self.places.iter_mut().for_each(|place| place.served = false);
+        }
+        if let Some(place) = self.places.get_mut(at) {
+            (place.wants, place.served) = (Some(due), !quiet);
+        }
+        self.holder = None;
+        self.call();
+    }
+
+    /// Calls who is next.
+    fn call(&mut self) {
+        let Some(next) = self.next() else { return };
+        (self.holder, self.begun) = (Some(next), self.now);
+        let place = self.places.get_mut(next);
+        if let Some(place) = place {
+            place.wants = None;
+            place.waker.take().into_iter().for_each(Waker::wake);
+        }
+    }
+
+    /// Who answers and has waited longest, then who is silent; if nobody wants it yet, who does first.
+    fn next(&self) -> Option<usize> {
+        let first = |is: &dyn Fn(&Place) -> bool| {
+            let waiting = self.places.iter().enumerate().filter(|(_, place)| is(place));
+            let waiting = waiting.filter_map(|(at, place)| Some((place.wants?, at)));
+            waiting.min().map(|(_, at)| at)
+        };
+        let is_due = |place: &Place| place.wants.is_some_and(|wants| wants <= self.now);
+        let is_held_back = self.now < self.quiet_until;
+        first(&|place| is_due(place) && !place.quiet && !place.served)
+            .or_else(|| first(&|place| is_due(place) && place.quiet && !is_held_back))
+            .or_else(|| first(&|place| is_due(place) && !place.quiet))
+            .or_else(|| first(&|place| !place.quiet && place.wants.is_some_and(|wants| wants < self.quiet_until)))
+            .or_else(|| first(&|_| true))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(ms: u64) -> Tick {
+        Tick::ZERO + Span::from_millis(ms)
+    }
+
+    /// Who is called when these wait, each from when on and whether silent, and the present one gives way.
+    fn called(places: &[(u64, bool)], now: u64, quiet_until: u64) -> Option<usize> {
+        let place = |&(wants, quiet): &(u64, bool)| Place { wants: Some(at(wants)), quiet, ..Place::default() };
+        let places = places.iter().map(place).collect();
+        Table { places, now: at(now), quiet_until: at(quiet_until), ..Table::default() }.next()
+    }
+
+    #[test]
+    fn who_answers_comes_before_who_is_silent_and_who_waited_before_who_came() {
+        for (places, quiet_until, next) in [
+            (&[(5, false), (3, false)][..], 0, Some(1)),
+            (&[(3, true), (5, false)], 0, Some(1)),
+            (&[(3, true), (50, false)], 0, Some(0)),
+            // He had half of the time.
+            (&[(3, true), (50, false)], 60, Some(1)),
+            (&[(3, true), (50, false)], 40, Some(0)),
+            (&[(3, true), (4, true)], 60, Some(0)),
+            (&[(50, false), (40, true)], 0, Some(1)),
+            (&[], 0, None),
+        ] {
+            assert_eq!(called(places, 10, quiet_until), next, "{places:?} {quiet_until}");
+        }
+    }
+
+    #[test]
+    fn a_silent_one_waits_until_everybody_had_his_turn_and_no_longer() {
+        let place = |quiet, served| Place { wants: Some(at(1)), quiet, served, ..Place::default() };
+        let next = |places| Table { places, now: at(10), ..Table::default() }.next();
+        assert_eq!(next(vec![place(true, false), place(false, true), place(false, false)]), Some(2));
+        assert_eq!(next(vec![place(false, true), place(true, false), place(false, true)]), Some(1));
+    }
+
+    #[test]
+    fn a_turn_is_over_when_nothing_was_answered_or_it_lasts_and_somebody_waits() {
+        let seats = seats(2, at(0));
+        let [first, second] = &seats[..] else { unreachable!() };
+        assert!(!first.is_over(at(100)) && first.is_over(at(101)) && !first.is_alone());
+        first.was_answered(false);
+        assert!(first.is_over(at(0)));
+        first.table.borrow_mut().give_way(0, at(50), at(50));
+        assert_eq!(first.table.borrow().holder, Some(1));
+        assert!(!second.is_over(at(150)) && second.is_over(at(151)), "it began at 50");
+    }
+
+    #[test]
+    fn who_leaves_gives_it_to_the_next_and_the_last_has_it_to_himself() {
+        let mut seats = seats(3, at(0));
+        let table = seats[0].table.clone();
+        drop(seats.remove(0));
+        assert_eq!(table.borrow().holder, Some(1));
+        drop(seats.remove(1));
+        assert_eq!(table.borrow().holder, Some(1), "it was not the turn of who left");
+        assert!(seats[0].is_alone() && !seats[0].is_over(at(1_000)));
+    }
+}
