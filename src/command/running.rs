@@ -9,7 +9,7 @@ use crate::drive::motion::{
 use crate::drive::{Interrupt, Session, Target, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
-use crate::outcome::{Decimal, Event, Outcome, RunKeys};
+use crate::outcome::{Data, Decimal, Event, Outcome, RunKeys};
 use crate::profile::{Family, Mode, Registry};
 use crate::text::{Text, both};
 
@@ -203,7 +203,12 @@ async fn on_drive<'p, C>(
     }
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
-    let recognised = match target(session, settings, registry, address, false).await {
+    let passing = first_word.passing().filter(|_| session.is_shared() && settings.drive.is_none());
+    let recognised = match &passing {
+        Some(kind) => Ok(Target::new(address, kind.clone())),
+        None => target(session, settings, registry, address, false).await,
+    };
+    let recognised = match recognised {
         // Its word went out, so whoever presses again gets the stronger one.
         Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
             pressed = true;
@@ -249,7 +254,16 @@ async fn on_drive<'p, C>(
     let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
     keypad::close(&mut motor, &mut ended, &plan, interrupt).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
-    Ok(report(&plan, &target, seen, done, ended))
+    if passing.is_none() {
+        return Ok(report(&plan, &target, seen, done, ended));
+    }
+    session.end_at(Some(session.now() + PROOF));
+    let named = super::target(session, settings, registry, address, false).await;
+    let mut outcome = report(&plan, named.as_ref().unwrap_or(&target), seen, done, ended);
+    if let (Some(Data::Motion(motion)), Err(_)) = (&mut outcome.data, &named) {
+        "unknown".clone_into(&mut motion.drive);
+    }
+    Ok(outcome)
 }
 
 /// Nobody agreed to the rest.

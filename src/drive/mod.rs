@@ -48,7 +48,7 @@ pub use line_check::check_line;
 pub use opening::{Opening, Recording, open_port};
 pub use panel::{Button, EndedBy, Keypad, Panel};
 pub use reader::{InForce, Reader};
-pub use recognise::{Finding, introduce, recognise};
+pub use recognise::{Finding, introduce, is_there, recognise};
 pub use route::{Cell, Inquiry, No, Route};
 pub use scan::{
     Asked, First, Manner, ScanPlan, ScanResult, Searched, Talker, Tuning, Unknown, Yielded, probe_question, ranges,

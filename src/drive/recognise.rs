@@ -10,7 +10,7 @@ use super::probe::{STATUS_WORD, presumed};
 use super::route::{Cell, Content, Inquiry, No, Route, no};
 use super::session::Session;
 use super::target::Target;
-use crate::exchange::{Answer, ExchangeError, Said};
+use crate::exchange::{Answer, ExchangeError, Limits, Said};
 use crate::outcome::Evidence;
 use crate::profile::{Registry, Role, Type};
 use crate::protocol::Protocol;
@@ -107,6 +107,18 @@ pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> 
         Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => Some(false),
         _ => None,
     })
+}
+
+/// Whether anybody answers at an address, whatever he says.
+pub async fn is_there(session: &mut Session<'_>, address: u8) -> bool {
+    let route = Route { node: session.node(), ..presumed(session.protocol(), address) };
+    let question = match session.protocol() {
+        Protocol::Modbus(_) => Some(describe_yourself(identification::VENDOR_NAME).into()),
+        _ => route.question(Inquiry::Read(STATUS_WORD, Type::Uint)),
+    };
+    let Some(question) = question else { return false };
+    let limits = Limits { retries: 1, ..session.limits() };
+    session.ask_within(address, question, limits).await.is_ok()
 }
 
 /// Asks on from the answer to [`super::probe::probe`] what the device is. A survey asks everybody for the status word: any device

@@ -36,8 +36,10 @@ const LISTEN: Span = Span::from_millis(60);
 pub struct Session<'a> {
     port: String,
     line: Rc<RefCell<OpenLine<'a>>>,
-    /// Where others talk over it too, the place among them, and the station that is talked to.
-    seat: Option<(Seat, u8)>,
+    /// Where others talk over it too, the place among them.
+    seat: Option<Seat>,
+    /// The station of which notes tell, where several are talked to.
+    named: Option<u8>,
     limits: Limits,
     /// System-bus node behind every drive that is asked; 0 is the drive itself.
     node: u8,
@@ -96,6 +98,7 @@ impl<'a> Session<'a> {
             port,
             line,
             seat: None,
+            named: None,
             limits,
             node: 0,
             interrupt,

@@ -3,16 +3,12 @@
 use super::{Around, Plan, Said, meant, on_drive, said_of, unstopped};
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
-use crate::drive::{Session, Target, recognise, summary};
+use crate::drive::{Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Question, Relief, Reply};
 use crate::outcome::{Data, ErrorDoc, Outcome, Stopped, Stops};
 use crate::text::{Text, both};
-use crate::tick::Span;
 use std::cell::RefCell;
-
-/// So long it is asked once more, when the others are done, who was silent in his turns: somebody slow says nothing in them.
-const ONCE_MORE: Span = Span::from_secs(2);
 
 /// What came of one drive.
 type Came = Result<Outcome, Failure>;
@@ -43,13 +39,12 @@ pub(in crate::command) async fn stop_each<'p, C>(
     };
     let mut came: Vec<Came> = session.side_by_side(addresses, one).await;
     for (drive, came) in named.iter().zip(&mut came) {
+        // Somebody slow says nothing in turns that are short.
         if session.is_interrupted() || !is_unheard(came) {
             continue;
         }
-        session.end_at(Some(session.now() + ONCE_MORE));
-        let is_there = recognise(&mut session, registry, drive.address, false).await.is_ok();
-        session.end_at(None);
-        if is_there {
+        session.speaks_of(Some(drive.address));
+        if is_there(&mut session, drive.address).await {
             let mut around = Around { settings, registry, interrupt, ask: &mut Nobody };
             let drive = (drive, None, false);
             *came = stop_one(&mut session, &mut around, drive, (act, plan()), &check, &work).await;

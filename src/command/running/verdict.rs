@@ -98,6 +98,8 @@ fn stopped(failure: Failure, stop: &Stop, running: Option<bool>, family: &Family
     let is_over = stop.acknowledged || is_off(stop) || running == Some(false);
     let failure = hinted(failure, [stop.note.clone()]);
     match is_over {
+        // A shaft that does not become slower has power, whatever the state says.
+        true if failure.code == "forbidden.still_turning" => dangerous(failure, family),
         false => dangerous(failure, family),
         // Nothing stops a shaft without power, but whoever stands beside it must know.
         true if is_unproven(stop) && !done.idle => warned(failure),

@@ -52,6 +52,11 @@ use std::panic::AssertUnwindSafe;
 use still::Sight;
 use watchdog::guard;
 
+/// Whether the shaft did not become slower.
+fn is_still_turning<T>(result: &Result<T, Failure>) -> bool {
+    result.as_ref().is_err_and(|failure| failure.code == still::STILL_TURNING)
+}
+
 /// What comes behind the stop takes no longer, whatever the line is like: giving back, and what is reported.
 const ENDING: Span = Span::from_secs(10);
 /// The same where nothing is to be given back.
@@ -262,8 +267,8 @@ impl<'a, 's> Motor<'a, 's> {
         };
         self.session.note_interrupts();
         let has_hand_on = self.touched || (hold && self.lever == Lever::ControlWord);
-        // A proof once made stays one: what is without power needs no other stop.
-        let is_done = self.relieving.is_some() && self.is_off();
+        // A proof once made stays one: what is without power needs no other stop, unless its shaft shows that it has some.
+        let is_done = self.relieving.is_some() && self.is_off() && !is_still_turning(&result);
         let must_stop = has_hand_on && (hold || result.is_err()) && !is_done;
         let stop = if must_stop { Some(self.stop(choice, because).await) } else { None };
         self.session.heed(Interrupt::default());

@@ -80,9 +80,12 @@ impl Motor<'_, '_> {
                 self.tell_lost(&failure);
                 Ok(())
             }
-            Err(failure) if failure.class == Class::Interrupted && self.lever == Lever::Setpoint => {
-                // Nobody has looked yet, but its first word went out: a stronger one follows.
-                (self.touched, self.lever) = (true, Lever::ControlWord);
+            Err(failure) if failure.class == Class::Interrupted => {
+                // Its first word went out, also where none was needed behind it: a stronger one follows.
+                self.touched = true;
+                if self.lever == Lever::Setpoint {
+                    self.lever = Lever::ControlWord;
+                }
                 Err(failure)
             }
             done => done,

@@ -67,6 +67,16 @@ pub struct FirstWord {
     pub(super) word: Option<u16>,
     /// A quick stop in place of the ramp that was asked for.
     pub(super) instead: bool,
+    /// One of the kind that it is, once that is known.
+    kind: Option<Rc<Family>>,
+}
+
+impl FirstWord {
+    /// One of the kind of drive that has acknowledged it, if a standstill of these shows only for a while: then it is looked at before
+    /// it is asked which of them it is.
+    pub fn passing(&self) -> Option<Rc<Family>> {
+        self.kind.clone().filter(|family| family.motion.stator.is_some())
+    }
 }
 
 /// Sends what stops a drive until it is acknowledged, or has been said often enough. An act that is no command sends nothing.
@@ -89,12 +99,17 @@ pub async fn shout_round<'m>(
     act: Relief,
 ) -> (Vec<Call<'m>>, bool) {
     let (mut calls, mut interrupted) = (Vec::new(), false);
+    // Whose family is named is asked nothing before his word, so its answer could be the echo of the line.
+    let mut sounded = drives.iter().all(|meant| meant.family.is_none());
     for meant in drives {
-        let mut call = Call::new(meant, act);
+        let mut call = Call { tell: if sounded { Tell::First } else { Tell::Unsounded }, ..Call::new(meant, act) };
+        session.speaks_of(Some(meant.address));
         interrupted |= call.said(session, registry).await;
+        sounded = sounded || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
         call.tell = Tell::Again;
         calls.push(call);
     }
+    session.speaks_of(None);
     (calls, interrupted)
 }
 
@@ -105,8 +120,16 @@ enum Tell {
     Alone,
     /// Others wait: it is asked again.
     First,
+    /// The same on a line that may echo, where others do not wait for an answer that could be the echo.
+    Unsounded,
     /// Others wait, and it was asked before: a quick stop.
     Again,
+}
+
+impl Tell {
+    fn is_first(self) -> bool {
+        matches!(self, Tell::First | Tell::Unsounded)
+    }
 }
 
 /// What one drive is told.
@@ -157,7 +180,8 @@ impl<'m> Call<'m> {
                 self.ended = Some(Err(AccessError::Interrupted));
             }
         }
-        self.ended.unwrap_or(Ok(())).map(|()| self.first)
+        let kind = self.kind();
+        self.ended.unwrap_or(Ok(())).map(|()| FirstWord { kind, ..self.first })
     }
 
     /// Says one word more, at once; whether somebody interrupted that.
@@ -172,6 +196,13 @@ impl<'m> Call<'m> {
                 self.ended = Some(Err(error));
                 false
             }
+        }
+    }
+
+    fn kind(&self) -> Option<Rc<Family>> {
+        match self.families.as_deref() {
+            Some([family]) if !self.widened => Some(family.clone()),
+            _ => None,
         }
     }
 
@@ -196,8 +227,8 @@ impl<'m> Call<'m> {
             self.families = Some(families);
         }
         self.learn(session, by).await?;
-        let is_late = tell == Tell::First && !self.untold.is_empty() && session.now() >= by;
-        let by = if tell == Tell::First { by } else { session.now() };
+        let is_late = tell.is_first() && !self.untold.is_empty() && session.now() >= by;
+        let by = if tell.is_first() { by } else { session.now() };
         let pressed = if is_late { false } else { self.say(session, by).await? };
         let often = self.said >= usize::from(TIMES) * self.words.len() && self.untold.is_empty();
         let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
@@ -213,10 +244,10 @@ impl<'m> Call<'m> {
         for family in std::mem::take(&mut self.untold) {
             let by = match tell {
                 Tell::Alone => None,
-                Tell::First => Some(by),
+                Tell::First | Tell::Unsounded => Some(by),
                 Tell::Again => Some(session.now() + SHORT),
             };
-            let Some(first) = first_word(session, self.meant, &family, act, (by, tell != Tell::First)).await? else {
+            let Some(first) = first_word(session, self.meant, &family, act, (by, !tell.is_first())).await? else {
                 self.untold.push(family);
                 continue;
             };
@@ -231,7 +262,9 @@ impl<'m> Call<'m> {
     /// Waits for the answer at least until `by`, where nothing was asked before it.
     async fn say(&mut self, session: &mut Session<'_>, by: Tick) -> Result<bool, AccessError> {
         let Some(word) = self.words.pop_front() else { return Ok(false) };
-        let limits = Limits { reply_timeout: SHORT.longer(by.since(session.now())), ..session.limits() };
+        let waits =
+            if self.tell == Tell::Unsounded { GLANCE } else { SHORT.longer(by.since(session.now())) };
+        let limits = Limits { reply_timeout: waits, ..session.limits() };
         let address = self.meant.address;
         let said = async |session: &mut Session<'_>| insist(session, address, &word).await;
         let (answer, pressed) = session.within(limits, said).await;
@@ -297,6 +330,12 @@ async fn at_once<T>(session: &mut Session<'_>, work: impl AsyncFnOnce(&mut Sessi
     session.end_at(None);
     session.insist(false);
     said
+}
+
+/// Asks something whose echo is no answer, so that the next answer is known from one. Whether it was answered.
+async fn sound(session: &mut Session<'_>, address: u8) -> bool {
+    session.end_at(Some(session.now() + BRIEF));
+    recognise::is_there(session, address).await
 }
 
 /// What was not told in a short time is not known.

@@ -15,6 +15,9 @@ pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "read
 /// States with it. Of a reaction to a fault nobody knows.
 const POWERED: &[&str] = &["operation-enabled", "quick-stop-active"];
 
+/// A shaft that was to stand, and does not become slower.
+pub(super) const STILL_TURNING: &str = "forbidden.still_turning";
+
 /// How long a shaft is watched that coasts as asked for.
 const COASTING: Span = Span::from_secs(30);
 
@@ -185,7 +188,7 @@ impl Motor<'_, '_> {
             "die Welle kommt nicht zum Stillstand; Zustand: {state}",
             state = state.name
         );
-        Failure::new(Class::Forbidden, "forbidden.still_turning", text)
+        Failure::new(Class::Forbidden, STILL_TURNING, text)
     }
 
     fn stands(&self, watch: &Watch) -> Option<bool> {

@@ -23,9 +23,9 @@ impl<'a> Session<'a> {
             .map(|(at, (seat, &station))| {
                 let heard = (self.limits, self.interrupt.clone());
                 let mut beside = Session::on(self.port.clone(), Rc::clone(&self.line), heard);
-                (beside.node, beside.seat) = (self.node, Some((seat, station)));
+                (beside.node, beside.seat, beside.named) = (self.node, Some(seat), Some(station));
                 async move {
-                    if let Some((seat, _)) = &beside.seat {
+                    if let Some(seat) = &beside.seat {
                         seat.begin().await;
                     }
                     work(&mut beside, at).await
@@ -35,10 +35,20 @@ impl<'a> Session<'a> {
         join_all(works).await
     }
 
+    /// Whether others talk over the line too.
+    pub fn is_shared(&self) -> bool {
+        self.seat.is_some()
+    }
+
+    /// From now on notes say that they are about this station; `None`: there is but one.
+    pub fn speaks_of(&mut self, station: Option<u8>) {
+        self.named = station;
+    }
+
     /// Lets the others talk until `due`, if there are any. What is answered in its turns has the time that the others take added to
     /// its own.
     pub(super) async fn give_way(&mut self, due: Tick) {
-        let (Some((seat, _)), now) = (&self.seat, self.now()) else { return };
+        let (Some(seat), now) = (&self.seat, self.now()) else { return };
         seat.give_way(now, due, &self.interrupt).await;
         let waited = self.now().since(now.max(due));
         if !seat.is_quiet() {
@@ -48,27 +58,27 @@ impl<'a> Session<'a> {
 
     /// Lets whoever waits talk before another question.
     pub(super) async fn take_turn(&mut self) {
-        if self.seat.as_ref().is_some_and(|(seat, _)| seat.is_over(self.now())) {
+        if self.seat.as_ref().is_some_and(|seat| seat.is_over(self.now())) {
             self.give_way(self.now()).await;
         }
     }
 
     /// How often a question is repeated within one turn.
     pub(super) fn tries(&self, retries: u8) -> u8 {
-        if self.seat.as_ref().is_none_or(|(seat, _)| seat.is_alone()) { retries } else { 0 }
+        if self.seat.as_ref().is_none_or(|seat| seat.is_alone()) { retries } else { 0 }
     }
 
     /// Takes note of whether the station answers.
     pub(super) fn hear_of(&self, outcome: &Result<Result<Answer, ExchangeError>, PumpError>) {
-        if let (Some((seat, _)), Ok(outcome)) = (&self.seat, outcome) {
+        if let (Some(seat), Ok(outcome)) = (&self.seat, outcome) {
             seat.was_answered(outcome.is_ok());
         }
     }
 
     /// Where several are talked to at once, what is told says of whom.
     pub(super) fn addressed(&self, event: Event) -> Event {
-        match (event, &self.seat) {
-            (Event::Note(note), Some((_, station))) => {
+        match (event, self.named) {
+            (Event::Note(note), Some(station)) => {
                 Event::Note(both!("address {station}: {note}", "Adresse {station}: {note}", station, note))
             }
             (event, _) => event,

@@ -31,10 +31,10 @@ pub(super) async fn first_word(
 ) -> Result<Option<FirstWord>, AccessError> {
     let word_of = |slug| family.machine.command(slug).map(|command| command.word);
     let Some(control) = family.motion.control.filter(|_| act == Relief::Disable) else {
-        return Ok(Some(FirstWord { word: command_of(act).and_then(word_of), instead: false }));
+        return Ok(Some(FirstWord { word: command_of(act).and_then(word_of), instead: false, ..FirstWord::default() }));
     };
     match ramp_word(session, meant, family, control, by).await {
-        Ok(Some(word)) => return Ok(Some(FirstWord { word: Some(word), instead: false })),
+        Ok(Some(word)) => return Ok(Some(FirstWord { word: Some(word), instead: false, ..FirstWord::default() })),
         Ok(None) if !force => return Ok(None),
         // Whoever interrupts that gets a stop at once.
         ramp => unless_interrupted(session, ramp)?,
@@ -44,7 +44,7 @@ pub(super) async fn first_word(
         "{label} did not tell in time what the control word is: a quick stop in place of the ramp",
         "{label} sagte nicht rechtzeitig, was das Steuerwort ist: Schnellhalt statt Rampe"
     )));
-    Ok(Some(FirstWord { word: word_of("quick-stop"), instead: true }))
+    Ok(Some(FirstWord { word: word_of("quick-stop"), instead: true, ..FirstWord::default() }))
 }
 
 /// The word that ramps the drive down and closes no contact; `None` if that was not told in time.
