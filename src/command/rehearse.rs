@@ -272,9 +272,17 @@ impl<'r> Rehearsal<'r> {
     }
 
     /// The same run on another drive, behind this one.
-    pub(super) fn then(mut self, other: Self) -> Self {
-        self.plan.telegrams.extend(other.plan.telegrams);
-        self
+    /// What goes to each of several drives.
+    pub(super) fn of_each(addresses: &[u8], one: impl Fn(u8) -> Result<Self, Failure>) -> Result<Outcome, Failure> {
+        let mut told: Option<Self> = None;
+        for &address in addresses {
+            let next = one(address)?;
+            match &mut told {
+                None => told = Some(next),
+                Some(told) => told.plan.telegrams.extend(next.plan.telegrams),
+            }
+        }
+        Ok(told.map(Rehearsal::told).unwrap_or_default())
     }
 
     pub(super) fn told(self) -> Outcome {

@@ -1,25 +1,26 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
-use crate::args::{MotionArgs, Settings, StopArg};
+use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
     FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
-    watchdog_words,
 };
-use crate::drive::{Interrupt, Session, Target, describe};
+use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
-use crate::gate::{self, Ask, Hazard, Permit, Question, Relief};
-use crate::outcome::{Data, Decimal, Event, Outcome, RunKeys};
+use crate::gate::{self, Ask, Permit, Relief};
+use crate::outcome::{Data, Event, Outcome, RunKeys};
 use crate::profile::{Family, Mode, Registry};
 use crate::text::{Text, both};
 
 mod done;
 mod keypad;
+mod question;
 mod report;
 mod several;
 mod verdict;
 
 use done::Seen;
+use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::stop_each;
 
@@ -102,6 +103,14 @@ impl<'p> Plan<'p> {
     }
 }
 
+/// The drives, where several were named.
+pub(super) fn several(settings: &Settings) -> Option<Vec<u8>> {
+    match &settings.addresses {
+        Addresses::Named(list) if list.len() > 1 => Some(list.clone()),
+        _ => None,
+    }
+}
+
 /// The only drive that is meant; several at once are not moved by one command.
 pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
     match addresses_to_write(context.settings)?.as_slice() {
@@ -112,8 +121,8 @@ pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
             "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
         ))
         .hint(both!(
-            "`statemachine quick-stop`, `disable` and `disable-voltage` stop several",
-            "`statemachine quick-stop`, `disable` und `disable-voltage` halten mehrere an"
+            "`statemachine quick-stop`, `disable`, `disable-voltage` and `sollwert 0` stop several",
+            "`statemachine quick-stop`, `disable`, `disable-voltage` und `sollwert 0` halten mehrere an"
         ))),
     }
 }
@@ -204,20 +213,10 @@ async fn on_drive<'p, C>(
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
     let passing = first_word.passing().filter(|_| session.is_shared() && settings.drive.is_none());
-    let recognised = match &passing {
-        Some(kind) => Ok(Target::new(address, kind.clone())),
-        None => target(session, settings, registry, address, false).await,
+    let mut target = match &passing {
+        Some(kind) => Target::new(address, kind.clone()),
+        None => whom(session, (settings, registry), address, act, &mut pressed).await.map_err(unstopped)?,
     };
-    let recognised = match recognised {
-        // Its word went out, so whoever presses again gets the stronger one.
-        Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
-            pressed = true;
-            stop_harder(session, (settings, registry), address, act).await?;
-            target(session, settings, registry, address, false).await
-        }
-        recognised => recognised,
-    };
-    let mut target = recognised.map_err(unstopped)?;
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
     let before = first_look(session, &mut target, act).await.map_err(unstopped)?;
@@ -254,16 +253,34 @@ async fn on_drive<'p, C>(
     let (done, after) = aftermath(&mut motor, &mut ended, &plan).await;
     keypad::close(&mut motor, &mut ended, &plan, interrupt).await;
     let seen = Seen { before, first: motor.first_seen.take(), after };
-    if passing.is_none() {
-        return Ok(report(&plan, &target, seen, done, ended));
+    if passing.is_some() {
+        session.end_at(Some(session.now() + PROOF));
+        let named = super::target(session, settings, registry, address, false).await;
+        let mut outcome = report(&plan, named.as_ref().unwrap_or(&target), seen, done, ended);
+        if let (Some(Data::Motion(motion)), Err(_)) = (&mut outcome.data, &named) {
+            "unknown".clone_into(&mut motion.drive);
+        }
+        return Ok(outcome);
     }
-    session.end_at(Some(session.now() + PROOF));
-    let named = super::target(session, settings, registry, address, false).await;
-    let mut outcome = report(&plan, named.as_ref().unwrap_or(&target), seen, done, ended);
-    if let (Some(Data::Motion(motion)), Err(_)) = (&mut outcome.data, &named) {
-        "unknown".clone_into(&mut motion.drive);
+    Ok(report(&plan, &target, seen, done, ended))
+}
+
+/// The drive, asked who it is. Its word went out, so whoever interrupts that gets a stronger one.
+async fn whom(
+    session: &mut Session<'_>,
+    (settings, registry): (&Settings, &Registry),
+    address: u8,
+    act: Option<Relief>,
+    pressed: &mut bool,
+) -> Result<Target, Failure> {
+    match target(session, settings, registry, address, false).await {
+        Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
+            *pressed = true;
+            stop_harder(session, (settings, registry), address, act).await?;
+            target(session, settings, registry, address, false).await
+        }
+        recognised => recognised,
     }
-    Ok(outcome)
 }
 
 /// Nobody agreed to the rest.
@@ -412,74 +429,6 @@ async fn prepare(
         motor.change("control-mode", control.obeys).await?;
     }
     Ok(())
-}
-
-/// Names address, family, present state and what will happen.
-fn question(plan: &Plan<'_>, target: &Target, node: u8, before: &Situation) -> Question {
-    let state = describe::state(&target.family, before.status).name;
-    let who = super::who(target.address, node, &target.family.drive);
-    let mut details = vec![both!("{who}: now in {state}", "{who}: jetzt in {state}", who, state)];
-    let powers = plan.powers(before);
-    details.push(at_the_end(plan, &target.family, before, powers));
-    let is_off = before.watchdog_s.is_some_and(|seconds| seconds.raw == 0) && plan.args.watchdog.is_none();
-    if powers && is_off {
-        details.push(nothing_stops_it(&target.family, before.watchdog_s));
-    }
-    details.extend(plan.details.iter().cloned());
-    details.push(both!("MOTION: the shaft may turn", "BEWEGUNG: die Welle kann drehen"));
-    Question { hazards: vec![Hazard::Motion], title: plan.announce.clone(), details }
-}
-
-/// What becomes of the drive when this program ends.
-fn at_the_end(plan: &Plan<'_>, family: &Family, before: &Situation, powers: bool) -> Text {
-    match (plan.args.hold, plan.args.on_exit) {
-        (true, StopArg::Keep) => both!(
-            "it keeps running when this program ends (--on-exit keep)",
-            "er läuft weiter, wenn dieses Programm endet (--on-exit keep)"
-        ),
-        (true, _) if plan.is_started_by_others(family, before) => started_by_others(family),
-        (true, stop) => both!(
-            "it is stopped when this program ends ({stop})",
-            "er wird angehalten, wenn dieses Programm endet ({stop})",
-            stop = stop_name(stop)
-        ),
-        (false, _) if plan.aim.is_some() => both!("it is to stop", "er soll anhalten"),
-        (false, _) if powers => both!(
-            "the drive KEEPS RUNNING when this program ends; --hold bounds it",
-            "der Antrieb LÄUFT WEITER, wenn dieses Programm endet; --hold begrenzt es"
-        ),
-        (false, _) => both!(
-            "what is set stays when this program ends; --hold bounds it",
-            "was eingestellt wird, bleibt nach Programmende; --hold begrenzt es"
-        ),
-    }
-}
-
-/// What the end of a run is whose only hand is on the setpoint.
-fn started_by_others(family: &Family) -> Text {
-    both!(
-        "its contacts or its keypad start and stop it ({label}): when this program ends only the setpoint goes to 0",
-        "seine Kontakte oder seine Bedieneinheit starten und halten ihn ({label}): endet dieses Programm, geht nur der \
-         Sollwert auf 0",
-        label = family.role_label("control-mode")
-    )
-}
-
-fn nothing_stops_it(family: &Family, watchdog_s: Option<Decimal>) -> Text {
-    both!(
-        "{watchdog}: if the line breaks, nothing stops it; --watchdog 2s sets it",
-        "{watchdog}: bricht die Leitung, hält ihn nichts an; --watchdog 2s stellt ihn ein",
-        watchdog = watchdog_words(family, watchdog_s)
-    )
-}
-
-fn stop_name(stop: StopArg) -> &'static str {
-    match stop {
-        StopArg::Ramp => "ramp",
-        StopArg::QuickStop => "quick-stop",
-        StopArg::Coast => "coast",
-        StopArg::Keep => "keep",
-    }
 }
 
 fn choice(stop: StopArg) -> StopChoice {

@@ -1,19 +1,19 @@
 //! `sollwert`: setpoints and actual values side by side, and giving a setpoint.
 
 mod check;
+mod dry;
 mod keys;
 mod shown;
 mod told;
 mod wanted;
 mod zero;
 
-use super::rehearse::Rehearsal;
 use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
 use crate::args::{KeypadArgs, MotionArgs, Takes, below_zero, parse_span};
-use crate::drive::motion::{self, Motor};
-use crate::drive::{Panel, Upper};
+use crate::drive::motion::{self, Motor, Situation};
+use crate::drive::{Panel, Session, Target, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::{Document, OrMotion, OrRecord, Outcome, Sollwert};
@@ -30,7 +30,7 @@ use wanted::{Spoken, Wanted, spoken, understand};
 ///
 /// Without a value it only reads: setpoints, actual values, and what decides how the setpoint is formed. With a value it
 /// asks, and then writes it; a plain 0 only takes motion away and asks nobody, unless it changed the operating mode or
-/// left another setpoint that turns the shaft the other way. Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
+/// left another setpoint that turns the shaft the other way, and stops several drives too (-a 1-5). Its unit says what it is a setpoint of: 25Hz, -12,5Hz, 30%, 1450rpm on an ACTIVE (line
 /// setpoint P.484 or P.524, in RAM); 1000rpm, 48usr, 10A, 2/3 on an LXM05, or --mode names it. --enable walks the state
 /// machine first; --hold bounds the run to this program.
 ///
@@ -153,7 +153,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     // Refused before the port is opened if no drive that it could be understands it.
     let (family, wanted) = offline(context.settings, context.registry, |family| understand(args, &spoken, family))?;
     if context.settings.dry_run {
-        return dry_run(args, &family, &wanted, context);
+        return dry::run(args, &family, &wanted, context);
     }
     takes_what_it_needs(args, &wanted)?;
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
@@ -187,50 +187,90 @@ async fn give(
     let enable = args.enable || args.jog.is_some();
     let bare = spoken.is_bare_zero() && args.mode.is_none();
     let zeros = |family: &Family| zero::modes(args, bare, understand(args, spoken, family).ok(), family);
-    let plan = Plan {
+    let plan = || Plan {
         needs_control: enable,
         relief,
         runs: enable,
         zero: zero_first.then_some(&zeros as &running::Modes<'_>),
         ..Plan::of("sollwert", Text::default(), &motion)
     };
+    let giving = Giving { args, spoken, motion: &motion, panel: &panel, enable, bare };
+    let several = running::several(context.settings).filter(|addresses| !addresses.contains(&0));
+    if let (Some(act), Some(addresses)) = (relief, several) {
+        return running::stop_each(
+            context,
+            &addresses,
+            act,
+            plan,
+            async |session, target, before, plan| giving.check(session, target, before, plan).await,
+            async |motor, checked| giving.work(motor, checked).await,
+        )
+        .await;
+    }
     running::run(
         context,
-        plan,
-        async |session, target, before, plan| {
-            let mut wanted = understand(args, spoken, &target.family)?;
-            if bare {
-                let present = zero::present_mode(session, target).await?;
-                wanted = present.map_or_else(|| wanted.clone(), |mode| wanted.clone().in_mode(&mode, &target.family));
-            }
-            plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
-                // What went out needs no leave any more; what came of it is told.
-                Some(act) if plan.said => Some(act),
-                Some(_) => zero::relief(session, target, before, &wanted).await?,
-                None => None,
-            };
-            plan.aim = match plan.relief {
-                None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
-                relief => relief,
-            };
-            tells_more(session, target, plan, &wanted, enable).await?;
-            let waits = args.until.is_some() && motion.duration.is_some();
-            plan.details.extend(waits.then(begins_later));
-            plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
-            let needs_control = enable && !motion.take_control;
-            let mut check = Check { args, session, target, before };
-            let wanted = check.run(wanted, enable, needs_control).await?;
-            plan.announce = announce(&wanted, &target.family, enable);
-            plan.details.extend(wanted.told_keys(&target.family));
-            plan.keys = wanted.shown_keys();
-            Ok((wanted, plan.aim))
-        },
-        async |motor, (wanted, aim)| match aim {
-            Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
-            None => carry_out(motor, &wanted, (enable, args.until.is_some()), &motion, &panel).await,
-        },
+        plan(),
+        async |session, target, before, plan| giving.check(session, target, before, plan).await,
+        async |motor, checked| giving.work(motor, checked).await,
     )
     .await
+}
+
+/// A setpoint on its way to a drive.
+struct Giving<'g> {
+    args: &'g Args,
+    spoken: &'g Spoken,
+    motion: &'g MotionArgs,
+    panel: &'g Panel,
+    enable: bool,
+    /// A zero without a unit.
+    bare: bool,
+}
+
+impl Giving<'_> {
+    /// What it is for this drive, and whether it takes anything but motion away.
+    async fn check(
+        &self,
+        session: &mut Session<'_>,
+        target: &mut Target,
+        before: &Situation,
+        plan: &mut Plan<'_>,
+    ) -> Result<(Wanted, Option<Relief>), Failure> {
+        let Giving { args, motion, enable, .. } = *self;
+        let mut wanted = understand(args, self.spoken, &target.family)?;
+        if self.bare {
+            let present = zero::present_mode(session, target).await?;
+            wanted = present.map_or_else(|| wanted.clone(), |mode| wanted.clone().in_mode(&mode, &target.family));
+        }
+        plan.relief = match plan.relief.filter(|_| zero::is_meant(args, &wanted)) {
+            // What went out needs no leave any more; what came of it is told.
+            Some(act) if plan.said => Some(act),
+            Some(_) => zero::relief(session, target, before, &wanted).await?,
+            None => None,
+        };
+        plan.aim = match plan.relief {
+            None if zero::is_aim(args, &wanted) => zero::relief(session, target, before, &wanted).await?,
+            relief => relief,
+        };
+        tells_more(session, target, plan, &wanted, enable).await?;
+        let waits = args.until.is_some() && motion.duration.is_some();
+        plan.details.extend(waits.then(begins_later));
+        plan.details.extend(wanted.start.as_ref().and_then(|start| start.note.clone()));
+        let needs_control = enable && !motion.take_control;
+        let mut check = Check { args, session, target, before };
+        let wanted = check.run(wanted, enable, needs_control).await?;
+        plan.announce = announce(&wanted, &target.family, enable);
+        plan.details.extend(wanted.told_keys(&target.family));
+        plan.keys = wanted.shown_keys();
+        Ok((wanted, plan.aim))
+    }
+
+    async fn work(&self, motor: &mut Motor<'_, '_>, (wanted, aim): (Wanted, Option<Relief>)) -> Result<(), Failure> {
+        match aim {
+            Some(_) => motor.relieve_setpoint(&wanted.mode, &wanted.param).await,
+            None => carry_out(motor, &wanted, (self.enable, self.args.until.is_some()), self.motion, self.panel).await,
+        }
+    }
 }
 
 /// Sets what the mode needs, enables, selects the mode, gives the setpoint, and waits or holds as asked.
@@ -361,53 +401,4 @@ async fn lead(motor: &mut Motor<'_, '_>, wanted: &Wanted, unit: &str, panel: &Pa
 /// What to do where a speed cannot be made a frequency.
 fn in_hertz() -> Text {
     both!("give the setpoint in Hz", "den Sollwert in Hz angeben")
-}
-
-/// What a run would send, in the order of [`carry_out`].
-fn dry_run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
-    let address = running::single_address(context)?;
-    if wanted.by_speed {
-        let message = both!(
-            "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive",
-            "eine Drehzahl braucht die Polpaarzahl des Antriebs (P.373), und ein Probelauf fragt keinen Antrieb"
-        );
-        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint(in_hertz()));
-    }
-    let enable = args.enable || args.jog.is_some();
-    let mut motion = args.motion.clone();
-    motion.hold |= args.jog.is_some();
-    let mut told = match zero::is_meant(args, wanted) {
-        true => Rehearsal::zeroing(context.settings, family, address, &wanted.param, wanted.mode.source.is_some()),
-        false => Rehearsal::new(context.settings, family, address),
-    };
-    told.bounds(&motion, enable)?;
-    wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
-    if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
-        told.write(&wanted.param, 0, 0);
-    }
-    if enable {
-        told.walk("operation-enabled");
-    }
-    if let (Some(value), Some(param)) = (wanted.mode.value, family.role("mode")) {
-        told.write(param, 0, value);
-        family.role("mode-active").into_iter().for_each(|param| told.read(param, 0));
-    }
-    wanted.mode.engage.iter().for_each(|preset| told.write(&family.param_or_unknown(preset.param), 0, preset.value));
-    wanted.denominator.iter().for_each(|(param, raw)| told.change(param, *raw));
-    if motion.hold && !wanted.mode.zero {
-        told.given_back(&wanted.param);
-    }
-    // What stays as it is, is given once.
-    let mut given = None;
-    wanted
-        .schedule
-        .values()
-        .filter(|&raw| given.replace(raw) != Some(raw))
-        .for_each(|raw| told.write(&wanted.param, 0, raw));
-    if let Some(start) = &wanted.start {
-        told.control(start.word);
-        told.command("enable");
-    }
-    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()));
-    Ok(told.told())
 }

@@ -25,6 +25,9 @@ use clap::{Args as ClapArgs, Subcommand};
 /// missing to run, and where each state leads. `disable`, `disable-voltage` and `quick-stop` only take motion away and act
 /// at once, on several drives too (-a 1-5); everything else can turn the shaft and asks first. An ACTIVE obeys the
 /// control word only with P.412 = 1 (--take-control) and with external enable and start contact given.
+///
+/// Exit code of a stop of several: 0 if every shaft is proven to stand, 9 if some are; if none is, that of the drive of which
+/// least is known. The page says it of each.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     #[command(subcommand)]
@@ -156,7 +159,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let unheld = aim.map(|_| motion.of_a_stop());
     let bounds = motion.hold.then(no_run).filter(|_| aim.is_some());
     let motion = unheld.as_ref().unwrap_or(motion);
-    if let (Some(act), Some(addresses)) = (aim, several::addresses(context.settings)) {
+    if let (Some(act), Some(addresses)) = (aim, running::several(context.settings)) {
         return several::stop(context, &addresses, act, (slug, command.text(), motion)).await;
     }
     if context.settings.dry_run {

@@ -25,6 +25,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 mod beside;
+mod keeping;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
 const SOUNDINGS: u8 = 2;
@@ -211,8 +212,9 @@ impl<'a> Session<'a> {
             }
             let tries = self.tries(limits.retries.saturating_sub(asked));
             let (question, limits) = (question.clone(), Limits { retries: tries, ..limits });
-            let put =
-                async |line: &mut OpenLine<'a>| line.put((station, question), limits, &self.interrupt, self.ends_at).await;
+            let put = async |line: &mut OpenLine<'a>| {
+                line.put((station, question), limits, &self.interrupt, self.ends_at).await
+            };
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             match outcome {
@@ -232,7 +234,11 @@ impl<'a> Session<'a> {
 
     /// Fails where two answers to one question differed: whatever is started there could be started twice.
     pub fn demand_one_drive(&self, station: u8) -> Result<(), AccessError> {
-        if self.line.borrow().master.differs(station) { Err(ExchangeError::TwoAnswers { station }.into()) } else { Ok(()) }
+        if self.line.borrow().master.differs(station) {
+            Err(ExchangeError::TwoAnswers { station }.into())
+        } else {
+            Ok(())
+        }
     }
 
     /// What a question ends with that has no time left: with what the line was like before.
@@ -304,31 +310,6 @@ impl<'a> Session<'a> {
         Ok(self.on_line(hear).await?)
     }
 
-    /// Waits for something that is not on the line, such as the answer to a question, and keeps the line meanwhile: what
-    /// comes is nobody's answer. Ends early with an error if somebody interrupts, also in the same moment, or if the port
-    /// is lost. The time of the bench stands still.
-    pub async fn during<T>(&mut self, wait: impl Future<Output = T>) -> Result<T, AccessError> {
-        let interrupt = self.interrupt.clone();
-        let virtual_time = self.bench().is_some();
-        let keep = async {
-            loop {
-                match virtual_time {
-                    true => interrupt.raised().await,
-                    false => self.rest(Span::from_secs(60)).await?,
-                }
-                if interrupt.is_raised() {
-                    return Err(AccessError::Interrupted);
-                }
-            }
-        };
-        let waited = tokio::select! {
-            biased;
-            waited = wait => waited,
-            failed = keep => failed?,
-        };
-        if self.interrupt.is_raised() { Err(AccessError::Interrupted) } else { Ok(waited) }
-    }
-
     /// From now on only these wishes end a question. Fresh ones are nobody's: for what must not be left half done.
     pub fn heed(&mut self, interrupt: Interrupt) {
         self.interrupt = interrupt;
@@ -343,21 +324,6 @@ impl<'a> Session<'a> {
     /// Whether somebody interrupts, of which no note was taken.
     pub fn is_interrupted(&self) -> bool {
         self.interrupt.is_raised()
-    }
-
-    /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what
-    /// was on its way to a lost question is nobody's answer.
-    pub async fn reopen(&mut self) -> Result<(), AccessError> {
-        let interrupt = self.interrupt.clone();
-        let reopen = async |line: &mut OpenLine<'a>| line.link.reopen().await;
-        tokio::select! {
-            reopened = self.on_line(reopen) => reopened?,
-            () = interrupt.raised() => return Err(AccessError::Interrupted),
-        }
-        if let Some(name) = self.line.borrow().link.name() {
-            name.clone_into(&mut self.port);
-        }
-        self.rest(self.limits().reply_timeout).await
     }
 
     /// Lets the time of the bench follow the wall clock from now on, for verbs that watch or hold.

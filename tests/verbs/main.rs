@@ -55,6 +55,7 @@ mod line {
 /// What turns a shaft, and above all what stops it.
 mod motion {
     mod asked_for;
+    mod beside;
     mod clock;
     mod coasting;
     mod counted;

@@ -1,7 +1,7 @@
 //! `-a 1-5 statemachine quick-stop`: what only takes motion away, of several drives.
 
 use super::rehearse;
-use crate::args::{Addresses, MotionArgs, Settings};
+use crate::args::MotionArgs;
 use crate::command::rehearse::Rehearsal;
 use crate::command::running::{self, Plan};
 use crate::command::{Context, offline_family};
@@ -11,14 +11,6 @@ use crate::failure::Failure;
 use crate::gate::Relief;
 use crate::outcome::Outcome;
 use crate::text::Text;
-
-/// The drives, where several were named.
-pub(super) fn addresses(settings: &Settings) -> Option<Vec<u8>> {
-    match &settings.addresses {
-        Addresses::Named(list) if list.len() > 1 => Some(list.clone()),
-        _ => None,
-    }
-}
 
 /// Stops them. What somebody would have to agree to is one drive's, and everybody is none.
 pub(super) async fn stop(
@@ -37,13 +29,7 @@ pub(super) async fn stop(
         return running::stop_each(context, addresses, act, plan, check, work).await;
     }
     let family = offline_family(context.settings, context.registry)?;
-    let mut told: Option<Rehearsal<'_>> = None;
-    for &address in addresses {
-        let next = rehearse(context.settings, &family, address, motion, true, Some(slug), |told| told.command(slug))?;
-        told = Some(match told {
-            None => next,
-            Some(told) => told.then(next),
-        });
-    }
-    Ok(told.map(Rehearsal::told).unwrap_or_default())
+    Rehearsal::of_each(addresses, |address| {
+        rehearse(context.settings, &family, address, motion, true, Some(slug), |told| told.command(slug))
+    })
 }

@@ -3,6 +3,7 @@
 use super::lacking::no_control;
 use super::look::working_raw;
 use super::still::STOPPED;
+use super::stop::QUICK_STOP;
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -192,7 +193,18 @@ impl Motor<'_, '_> {
     async fn state_and_mode(&mut self) -> Result<Situation, Failure> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status).slug;
-        let mode = working_raw(self.session, self.target, "control-mode").await?;
+        let mut mode = None;
+        if self.session.is_shared() && self.target.family.motion.stator.is_some() {
+            // Where others wait, a standstill under power may be over before the next look; and who is in a quick stop obeys.
+            self.shaft().await?;
+            if self.sight.must_look() {
+                self.status().await?;
+            }
+            mode = self.target.family.motion.control.filter(|_| state == QUICK_STOP).map(|control| control.obeys);
+        }
+        if mode.is_none() {
+            mode = working_raw(self.session, self.target, "control-mode").await?;
+        }
         Ok(Situation { status, state, mode, ..Situation::default() })
     }
 

@@ -59,6 +59,8 @@ const BRIEF: Span = Span::from_millis(450);
 const PAUSE: Span = Span::from_millis(10);
 /// How often the stop is said while nobody acknowledges it: replies of 900 ms (CM-485 manual 6.8 promises less) are in time.
 const TIMES: u8 = 5;
+/// How often others are kept waiting for an answer for a short time only.
+const EARLY: usize = 2;
 
 /// What went out first to a drive whose control word has more than one meaning.
 #[derive(Clone, Debug, Default)]
@@ -100,12 +102,13 @@ pub async fn shout_round<'m>(
 ) -> (Vec<Call<'m>>, bool) {
     let (mut calls, mut interrupted) = (Vec::new(), false);
     // Whose family is named is asked nothing before his word, so its answer could be the echo of the line.
-    let mut sounded = drives.iter().all(|meant| meant.family.is_none());
+    let mut sounded = command_of(act).is_none() || drives.iter().all(|meant| meant.family.is_none());
     for meant in drives {
         let mut call = Call { tell: if sounded { Tell::First } else { Tell::Unsounded }, ..Call::new(meant, act) };
         session.speaks_of(Some(meant.address));
         interrupted |= call.said(session, registry).await;
-        sounded = sounded || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
+        sounded =
+            sounded || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
         call.tell = Tell::Again;
         calls.push(call);
     }
@@ -142,7 +145,7 @@ pub struct Call<'m> {
     /// Those of them whose word is not known yet.
     untold: Vec<Rc<Family>>,
     /// What is said in turn.
-    words: VecDeque<Question>,
+    words: VecDeque<(Rc<Family>, Question)>,
     /// How often something was said.
     said: usize,
     first: FirstWord,
@@ -178,6 +181,10 @@ impl<'m> Call<'m> {
             interrupted |= self.said(session, registry).await;
             if interrupted && self.was_told() {
                 self.ended = Some(Err(AccessError::Interrupted));
+            }
+            if self.ended.is_none() && session.is_shared() {
+                // Whoever says no at once keeps nobody waiting.
+                interrupted |= session.rest(PAUSE).await.is_err();
             }
         }
         let kind = self.kind();
@@ -251,7 +258,8 @@ impl<'m> Call<'m> {
                 self.untold.push(family);
                 continue;
             };
-            self.words.extend(first.word.into_iter().flat_map(|word| telegrams(session, self.meant, &family, word)));
+            let words = first.word.into_iter().flat_map(|word| telegrams(session, self.meant, &family, word));
+            self.words.extend(words.map(|word| (family.clone(), word)));
             if family.motion.control.is_some() && !self.widened {
                 self.first = first;
             }
@@ -261,9 +269,13 @@ impl<'m> Call<'m> {
 
     /// Waits for the answer at least until `by`, where nothing was asked before it.
     async fn say(&mut self, session: &mut Session<'_>, by: Tick) -> Result<bool, AccessError> {
-        let Some(word) = self.words.pop_front() else { return Ok(false) };
-        let waits =
-            if self.tell == Tell::Unsounded { GLANCE } else { SHORT.longer(by.since(session.now())) };
+        let Some((family, word)) = self.words.pop_front() else { return Ok(false) };
+        let waits = match self.tell {
+            Tell::Unsounded => GLANCE,
+            // What comes later would come in the turn of another; but at first others are not kept waiting for that.
+            Tell::Again if self.said > EARLY * self.words.len() => TURN,
+            Tell::Alone | Tell::First | Tell::Again => SHORT.longer(by.since(session.now())),
+        };
         let limits = Limits { reply_timeout: waits, ..session.limits() };
         let address = self.meant.address;
         let said = async |session: &mut Session<'_>| insist(session, address, &word).await;
@@ -271,14 +283,19 @@ impl<'m> Call<'m> {
         self.said += 1;
         match answer {
             Ok(Answer::Reply { said, .. }) => match no(&said) {
-                None => self.ended = Some(Ok(())),
+                None => {
+                    self.ended = Some(Ok(()));
+                    if !self.widened {
+                        self.families = Some(vec![family.clone()]);
+                    }
+                }
                 // Who is busy may take it a moment later.
                 Some(no) => self.refused |= !no.passes(),
             },
             Err(error) if error.is_fatal() => return Err(error),
             _ => {}
         }
-        self.words.push_back(word);
+        self.words.push_back((family, word));
         Ok(pressed)
     }
 

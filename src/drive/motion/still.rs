@@ -167,7 +167,11 @@ impl Motor<'_, '_> {
     pub async fn stands_at_the_end(&mut self) -> Option<bool> {
         match self.still {
             Some(still) if self.is_off() && still != Some(false) => still,
-            _ => self.stands_now().await.ok().flatten(),
+            _ => match self.stands_now().await {
+                // What was seen to stand stands, also where a later answer is lost.
+                Err(_) if self.is_off() && !self.sight.by_setting => self.sight.standing().filter(|stands| *stands),
+                stands => stands.ok().flatten(),
+            },
         }
     }
 

@@ -1,0 +1,71 @@
+//! `sollwert --dry-run`: every telegram that would go out.
+
+use super::wanted::Wanted;
+use super::{Args, in_hertz, zero};
+use crate::command::rehearse::Rehearsal;
+use crate::command::{Context, running};
+use crate::failure::{Class, Failure};
+use crate::outcome::Outcome;
+use crate::profile::Family;
+use crate::text::both;
+
+/// What a run would send, in the order of [`carry_out`].
+pub(super) fn run(args: &Args, family: &Family, wanted: &Wanted, context: &Context<'_>) -> Result<Outcome, Failure> {
+    if wanted.by_speed {
+        let message = both!(
+            "a speed needs the drive's pole pairs (P.373), and a dry run asks no drive",
+            "eine Drehzahl braucht die Polpaarzahl des Antriebs (P.373), und ein Probelauf fragt keinen Antrieb"
+        );
+        return Err(Failure::new(Class::Usage, "usage.dry_run", message).hint(in_hertz()));
+    }
+    let addresses = match running::several(context.settings).filter(|_| zero::is_meant(args, wanted)) {
+        Some(addresses) if !addresses.contains(&0) => addresses,
+        _ => vec![running::single_address(context)?],
+    };
+    Rehearsal::of_each(&addresses, |address| one(args, family, wanted, (context, address)))
+}
+
+fn one<'r>(
+    args: &Args,
+    family: &'r Family,
+    wanted: &Wanted,
+    (context, address): (&Context<'_>, u8),
+) -> Result<Rehearsal<'r>, Failure> {
+    let enable = args.enable || args.jog.is_some();
+    let mut motion = args.motion.clone();
+    motion.hold |= args.jog.is_some();
+    let mut told = match zero::is_meant(args, wanted) {
+        true => Rehearsal::zeroing(context.settings, family, address, &wanted.param, wanted.mode.source.is_some()),
+        false => Rehearsal::new(context.settings, family, address),
+    };
+    told.bounds(&motion, enable)?;
+    wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));
+    if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
+        told.write(&wanted.param, 0, 0);
+    }
+    if enable {
+        told.walk("operation-enabled");
+    }
+    if let (Some(value), Some(param)) = (wanted.mode.value, family.role("mode")) {
+        told.write(param, 0, value);
+        family.role("mode-active").into_iter().for_each(|param| told.read(param, 0));
+    }
+    wanted.mode.engage.iter().for_each(|preset| told.write(&family.param_or_unknown(preset.param), 0, preset.value));
+    wanted.denominator.iter().for_each(|(param, raw)| told.change(param, *raw));
+    if motion.hold && !wanted.mode.zero {
+        told.given_back(&wanted.param);
+    }
+    // What stays as it is, is given once.
+    let mut given = None;
+    wanted
+        .schedule
+        .values()
+        .filter(|&raw| given.replace(raw) != Some(raw))
+        .for_each(|raw| told.write(&wanted.param, 0, raw));
+    if let Some(start) = &wanted.start {
+        told.control(start.word);
+        told.command("enable");
+    }
+    told.end(&motion, Some(&wanted.param).filter(|_| wanted.mode.zero_stops()));
+    Ok(told)
+}
