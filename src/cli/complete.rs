@@ -1,13 +1,20 @@
-//! `complete`: what could stand where somebody types. The completion scripts call it for values; what it knows nothing of is
-//! left to what they know by themselves. Nothing is opened, and whatever goes wrong is silence.
+//! `complete`: what could stand where somebody types. The completion scripts call it for values; options and verbs are
+//! left to what they know by themselves. Where a value stands it says so even if it has none to offer ([`FILES`],
+//! [`NOTHING`]), so that no shell adds of its own to what may be a number. Nothing is opened, and whatever goes wrong is silence.
 
 use super::page::{Page, Source};
 use super::values::{self, Place};
 use crate::failure::Failure;
-use clap::{Arg, ArgAction, Args, Command, ValueEnum};
+use clap::{Arg, ArgAction, Args, Command, ValueEnum, ValueHint};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::{self, Write};
+
+/// A value stands here, and a file can be it; no candidate, because it begins with a tabulator.
+const FILES: &str = "\tfiles";
+
+/// A value stands here, and nobody but who types knows it.
+const NOTHING: &str = "\tnothing";
 
 /// Prints what could be typed next, a candidate a line
 #[derive(Debug, Args)]
@@ -47,8 +54,14 @@ impl Page for Complete {
         }
         let arguments: Vec<OsString> = words.iter().map(OsString::from).collect();
         let (place, head) = place(&(source.mentioned)(&arguments), &words);
-        let head = if self.shell == Shell::Fish { "" } else { head };
-        for (value, about) in place.map(|place| values::fitting(&place, source.environment)).unwrap_or_default() {
+        // fish keeps `--port=` by itself, and `-p` not.
+        let head = if self.shell == Shell::Fish && head.starts_with("--") { "" } else { head };
+        let Some(place) = place else { return Ok(None) };
+        let found = values::fitting(&place, source.environment);
+        if found.is_empty() {
+            writeln!(out, "{}", if place.file { FILES } else { NOTHING })?;
+        }
+        for (value, about) in found {
             let about = about.replace(char::is_control, " ");
             match self.shell {
                 Shell::Bash => writeln!(out, "{head}{value}")?,
@@ -59,7 +72,7 @@ impl Page for Complete {
     }
 }
 
-/// Where the last word stands, and what of it is the option in front of its value (`--port=`).
+/// Where the last word stands, and what of it is the option in front of its value (`--port=`, `-p`).
 fn place<'w>(root: &Command, words: &'w [String]) -> (Option<Place<'w>>, &'w str) {
     let Some((word, before)) = words.split_last() else { return (None, "") };
     let mut path = vec![root];
@@ -73,7 +86,7 @@ fn place<'w>(root: &Command, words: &'w [String]) -> (Option<Place<'w>>, &'w str
         } else if let Some((flag, value)) = typed.split_once('=').filter(|(flag, _)| flag.starts_with('-')) {
             let arg = option(&path, flag);
             arg.into_iter().for_each(|arg| said.entry(arg.get_id().to_string()).or_default().push(value));
-        } else if typed.starts_with('-') {
+        } else if is_option(typed) {
             open = option(&path, typed).filter(|arg| takes_value(arg));
         } else if let Some(inner) = inner {
             path.push(inner);
@@ -89,6 +102,7 @@ fn place<'w>(root: &Command, words: &'w [String]) -> (Option<Place<'w>>, &'w str
         word,
         row,
         said: said.clone(),
+        file: is_file(arg, word),
     };
     if let Some(arg) = open {
         return (Some(at(arg, word, row)), "");
@@ -98,7 +112,12 @@ fn place<'w>(root: &Command, words: &'w [String]) -> (Option<Place<'w>>, &'w str
         let (head, value) = word.split_at(end + 1);
         return (option(&path, head.trim_end_matches('=')).map(|arg| at(arg, value, row)), head);
     }
-    let Some(command) = path.last().filter(|_| !word.starts_with('-')) else { return (None, "") };
+    if is_option(word) {
+        let value = word.char_indices().nth(2).map(|(at, _)| word.split_at(at));
+        let Some((head, value)) = value else { return (None, "") };
+        return (option(&path, head).filter(|arg| takes_value(arg)).map(|arg| at(arg, value, row)), head);
+    }
+    let Some(command) = path.last() else { return (None, "") };
     let positional = command.get_positionals().nth(row.len()).or_else(|| {
         let last = command.get_positionals().last();
         last.filter(|arg| matches!(arg.get_action(), ArgAction::Append))
@@ -114,6 +133,18 @@ fn option<'c>(path: &[&'c Command], flag: &str) -> Option<&'c Arg> {
         long.is_some_and(|long| arg.get_long() == Some(long)) || short.is_some() && arg.get_short() == short
     };
     path.iter().rev().find_map(|command| command.get_arguments().filter(|arg| !arg.is_hide_set()).find(named))
+}
+
+/// Whether this is no value: what is below zero is one.
+fn is_option(word: &str) -> bool {
+    word.strip_prefix('-')
+        .is_some_and(|rest| !rest.starts_with(|letter: char| letter.is_ascii_digit() || letter == '.'))
+}
+
+/// Whether a file can stand here: as such, or as what a port (`sim:FILE`) or a side of a comparison is.
+fn is_file(arg: &Arg, word: &str) -> bool {
+    let among_others = ["port", "a", "b"].contains(&arg.get_id().as_str()) && !word.contains("://");
+    among_others || matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath | ValueHint::DirPath)
 }
 
 fn takes_value(arg: &Arg) -> bool {

@@ -108,7 +108,11 @@ fn hooked(shell: clap_complete::Shell, script: &str) -> String {
     const POWERSHELL: &str = "param($wordToComplete, $commandAst, $cursorPosition)\n";
     match shell {
         Bash => format!("{script}{}", include_str!("hooks/antrieb.bash")),
-        Fish => format!("{script}{}", include_str!("hooks/antrieb.fish")),
+        // What has no words of its own has a value.
+        Fish => {
+            let asked = script.replace(" -r\n", " -x -a \"(__fish_antrieb_values)\"\n");
+            format!("{asked}{}", include_str!("hooks/antrieb.fish"))
+        }
         Zsh => {
             let asks = format!("{}{ZSH}    _antrieb_values && return 0\n", include_str!("hooks/antrieb.zsh"));
             script.replacen(ZSH, &asks, 1)

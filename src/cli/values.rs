@@ -23,6 +23,8 @@ pub(super) struct Place<'w> {
     pub(super) row: Vec<&'w str>,
     /// Options that were typed, by their names.
     pub(super) said: BTreeMap<String, Vec<&'w str>>,
+    /// Whether a file can stand there.
+    pub(super) file: bool,
 }
 
 /// A candidate, and what it is.
@@ -120,10 +122,11 @@ fn of_family(place: &Place<'_>, family: &Rc<Family>, lang: Lang) -> Vec<Candidat
         "mode" if place.verb == "sollwert" => family.modes.iter().map(|mode| bare(&mode.slug)).collect(),
         "params" => parameters(place.word, family, lang, &|param| param.access.reads()),
         "search" => parameters(place.word, family, lang, &|_| true),
-        "assignments" | "options" => match (place.word.split_once('='), place.row.last()) {
-            (Some((name, _)), _) => values(&format!("{name}="), name, family, lang),
+        "only" | "except" => listed(place.word, family, lang),
+        "assignments" | "options" => match (place.word.split_once('='), open(&place.row)) {
+            (Some((name, begun)), _) => values(&format!("{name}="), name, begun, family, lang),
             // The space form: the value behind its parameter.
-            (None, Some(name)) if !name.contains('=') && place.value == "assignments" => values("", name, family, lang),
+            (None, Some(name)) if place.value == "assignments" => values("", name, place.word, family, lang),
             (None, _) => {
                 let names = parameters(place.word, family, lang, &|param| param.access.writes());
                 let names = names.into_iter().filter(|(name, _)| !name.starts_with('@'));
@@ -132,6 +135,14 @@ fn of_family(place: &Place<'_>, family: &Rc<Family>, lang: Lang) -> Vec<Candidat
         },
         _ => Vec::new(),
     }
+}
+
+/// Groups and parameters; behind a comma another one.
+fn listed(word: &str, family: &Family, lang: Lang) -> Vec<Candidate> {
+    let (before, word) = word.rsplit_once(',').map_or(("", word), |(before, word)| (before, word));
+    let head = if before.is_empty() { String::new() } else { format!("{before},") };
+    let names = parameters(word, family, lang, &|param| param.access.writes());
+    names.into_iter().map(|(name, about)| (format!("{head}{}", name.trim_start_matches('@')), about)).collect()
 }
 
 /// Parameters by slug, short name or number; behind an `@` the data sets, or the groups.
@@ -143,22 +154,52 @@ fn parameters(word: &str, family: &Family, lang: Lang, fits: &dyn Fn(&Param) -> 
     }
     let params = || family.params.values().filter(|param| fits(param));
     if word.starts_with(|letter: char| letter.is_ascii_digit()) {
-        return params().map(|param| (param.id.to_string(), param.name(lang).to_owned())).collect();
+        let numbers = params().map(|param| (param.id.to_string(), param.name(lang).to_owned()));
+        return with_typed(word, numbers.collect());
     }
     let groups = family.group_names().map(|group| bare(&format!("@{group}")));
     let names = params().flat_map(|param| {
         let about = format!("{} {}", param.id, param.name(lang));
-        [Some(&param.slug), param.short.as_ref()].into_iter().flatten().map(move |name| (name.clone(), about.clone()))
+        let local = localized(param, word, family, lang);
+        let names = [Some(param.slug.clone()), param.short.clone(), local];
+        names.into_iter().flatten().map(move |name| (name, about.clone()))
     });
     groups.chain(names).collect()
 }
 
+/// What is typed of a number stands among those that begin with it, so that no shell makes another number of it.
+fn with_typed(word: &str, mut numbers: Vec<Candidate>) -> Vec<Candidate> {
+    numbers.retain(|(number, _)| number.starts_with(word));
+    if numbers.len() > 1 || numbers.iter().any(|(number, _)| number != word) {
+        numbers.insert(0, bare(word));
+    }
+    numbers
+}
+
+/// The name in the language of the person, where that begins as it is typed and means nothing else.
+fn localized(param: &Param, word: &str, family: &Family, lang: Lang) -> Option<String> {
+    let name = fold(param.name(lang)).replace(' ', "-");
+    let begun = lang != Lang::En && !word.is_empty() && name.starts_with(&word.to_lowercase());
+    (begun && family.find(&name).is_ok_and(|found| found.id == param.id)).then_some(name)
+}
+
 /// The named values of a parameter, as they can be typed.
-fn values(head: &str, name: &str, family: &Family, lang: Lang) -> Vec<Candidate> {
+fn values(head: &str, name: &str, begun: &str, family: &Family, lang: Lang) -> Vec<Candidate> {
     let name = name.rsplit_once('@').map_or(name, |(name, _)| name);
     let Some(param) = find(name, family) else { return Vec::new() };
-    let texts = family.choices(param).into_iter().map(|(raw, [en, de])| (raw, lang.pick(en, de).to_owned()));
-    texts.map(|(raw, text)| (format!("{head}{}", fold(&text).replace(' ', "-")), format!("{raw} = {text}"))).collect()
+    let choices = family.choices(param).into_iter().map(|(raw, [en, de])| (raw, lang.pick(en, de).to_owned()));
+    let choices: Vec<_> = choices.map(|(raw, text)| (raw, fold(&text).replace(' ', "-"), text)).collect();
+    let told = |value: &str, raw: i64, text: &str| (format!("{head}{value}"), format!("{raw} = {text}"));
+    let is_word = |name: &str| name.starts_with(|letter: char| letter.is_alphabetic());
+    let names = choices.iter().filter(|(_, name, _)| is_word(name)).map(|(raw, name, text)| told(name, *raw, text));
+    // Between names that begin alike a shell would type their beginning: a value that nobody chose.
+    let numbers = choices.iter().filter(|_| begun.is_empty()).map(|(raw, _, text)| told(&raw.to_string(), *raw, text));
+    names.chain(numbers).collect()
+}
+
+/// The parameter whose value comes next, where both are words of their own.
+fn open<'r>(row: &[&'r str]) -> Option<&'r str> {
+    row.iter().fold(None, |open, word| if open.is_some() || word.contains('=') { None } else { Some(word) })
 }
 
 fn find<'f>(name: &str, family: &'f Family) -> Option<&'f Param> {

@@ -5,6 +5,7 @@
 #![expect(clippy::disallowed_methods, reason = "processes and terminals have a time of their own")]
 
 mod adapters;
+mod completing;
 mod keypad;
 mod program;
 mod reconnect;

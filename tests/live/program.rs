@@ -241,6 +241,50 @@ impl AtTerminal {
     }
 }
 
+/// A shell at a terminal of its own, with the program on its path.
+pub(crate) struct Shell(AtTerminal);
+
+impl Shell {
+    /// `words` start it, `taught` is typed first and ends by printing `ready`.
+    pub(crate) fn start(words: &[&str], taught: &str, directory: &Path) -> Self {
+        let (keyboard, slave) = terminal();
+        resize(&keyboard, 200, 50);
+        let programs = Path::new(env!("CARGO_BIN_EXE_antrieb")).parent().unwrap().display();
+        let path = format!("{programs}:{}", std::env::var("PATH").unwrap());
+        let (program, arguments) = words.split_first().unwrap();
+        let mut command = Command::new(program);
+        command.args(arguments).current_dir(directory).env("HOME", directory).env("PATH", path);
+        command.env("TERM", "dumb").env("LC_ALL", "C").env("INPUTRC", "/dev/null").env("PS1", "$ ");
+        command.stdin(Stdio::from(slave.try_clone().unwrap())).stdout(Stdio::from(slave.try_clone().unwrap()));
+        let child = command.stderr(Stdio::from(slave)).spawn().unwrap();
+        drop(command);
+        let mut shell = Shell(AtTerminal::of(child, keyboard));
+        shell.0.types(taught);
+        shell.0.shows("\nready");
+        shell
+    }
+
+    /// What stands in the command line behind a Tab; the shell prints it between << and >> when it gets Ctrl-T.
+    #[track_caller]
+    pub(crate) fn completes(&mut self, typed: &str) -> String {
+        self.0.seen.clear();
+        // Ctrl-U empties the line.
+        self.0.types(&format!("\u{15}{typed}\t\u{14}"));
+        self.0.shows(">>");
+        let (_, behind) = self.0.seen.split_once("<<").unwrap();
+        let (line, _) = behind.split_once(">>").unwrap();
+        line.to_owned()
+    }
+}
+
+impl Drop for Shell {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _gone = self.0.child.kill();
+        let _code = self.0.child.wait();
+    }
+}
+
 /// The program in a pipe, without a terminal.
 pub(crate) struct Piped {
     child: Child,

@@ -1,9 +1,18 @@
 
-# Values come from the program itself.
-function __fish_antrieb_values
+# Values come from the program itself, and nothing is added to them by anybody else.
+function __fish_antrieb_asked
+    # In the middle of a word nobody knows what the rest of it shall be.
+    test (commandline -t | string collect -N) = (commandline -ct | string collect -N); or return
     set -l typed (commandline -opc)
     set -l program $typed[1]
     set -e typed[1]
     $program complete fish -- $typed (commandline -ct) 2>/dev/null
 end
-complete -c antrieb -n "string length -q -- (__fish_antrieb_values)" -f -a "(__fish_antrieb_values)"
+function __fish_antrieb_values
+    __fish_antrieb_asked | string match -rv '^\t'
+end
+function __fish_antrieb_files
+    __fish_antrieb_asked | string match -q \tfiles
+end
+complete -c antrieb -f -a "(__fish_antrieb_values)"
+complete -c antrieb -n __fish_antrieb_files -F

@@ -13,7 +13,7 @@ fn asked(typed: &str) -> Run {
 fn candidates(typed: &str) -> Vec<String> {
     let ended = asked(typed).exits(0);
     assert_eq!(ended.err, "", "{typed}");
-    ended.out.lines().map(str::to_owned).collect()
+    ended.out.lines().filter(|line| !line.starts_with('\t')).map(str::to_owned).collect()
 }
 
 #[test]
@@ -44,6 +44,12 @@ fn every_kind_of_value_is_completed() {
         ("--drive lx", "lxm05"),
         ("read --format nd", "ndjson"),
         ("line set --parity o", "odd"),
+        ("dataset load --only mo", "motor"),
+        ("dataset load --except ramps,mot", "ramps,motor"),
+        ("write 480 5 395 modbus-r", "modbus-rtu"),
+        ("write 480 5 rated-sp", "rated-speed="),
+        ("-psi", "-psim"),
+        ("--lang de read Bemessungsdreh", "bemessungsdrehzahl"),
     ] {
         assert!(candidates(typed).iter().any(|found| found == whole), "{typed}: {:?}", candidates(typed));
     }
@@ -79,4 +85,62 @@ fn what_cannot_be_completed_is_left_to_the_shell() {
     assert!(bare.starts_with("sim\t"), "fish keeps the option itself: {bare}");
     let next = antrieb("complete powershell --next -- read").exits(0).out;
     assert!(next.starts_with("@actual\t"), "{next}");
+}
+
+/// What a shell finds to be the beginning of everything that is offered it types: of a value that would be another value.
+#[test]
+fn no_character_is_added_to_a_value() {
+    for typed in [
+        "write 480=",
+        "write 372=",
+        "write rated-speed=",
+        "write 480@2=",
+        "write 376@4=",
+        "write 480=-",
+        "write 480 ''",
+        "write 480 -",
+        "write 395=",
+        "write 395=1",
+        "write 13",
+        "read 13",
+        "read 480@2",
+        "write 48@1",
+        "-a @",
+        "-a1",
+        "sollwert ''",
+        "sollwert -5",
+        "sollwert --duration ''",
+    ] {
+        let (next, words) = typed.strip_suffix(" ''").map_or(("", typed), |words| ("--next", words));
+        let typed_last = if next.is_empty() { words.rsplit(' ').next().unwrap_or_default() } else { "" };
+        let offered = antrieb(&format!("complete bash {next} -- {words}")).exits(0).out;
+        let mut offered: Vec<_> = offered.lines().filter(|line| !line.starts_with('\t')).collect();
+        offered.sort_unstable();
+        let (Some(first), Some(last)) = (offered.first(), offered.last()) else { continue };
+        let common: String = first.chars().zip(last.chars()).take_while(|(a, b)| a == b).map(|(a, _)| a).collect();
+        assert_eq!(common, typed_last, "{typed}: {offered:?}");
+    }
+}
+
+/// Where a value stands that the program cannot offer it says whether a file can be it; options and verbs know the scripts.
+#[test]
+fn a_shell_is_told_where_a_value_stands() {
+    for (typed, told) in [
+        ("write 480=", "\tnothing\n"),
+        ("-a @", "\tnothing\n"),
+        ("sollwert 5", "\tnothing\n"),
+        ("write 480 -5", "\tnothing\n"),
+        ("dataset load b", "\tfiles\n"),
+        ("dataset undo b", "\tfiles\n"),
+        ("dataset diff b", "\tfiles\n"),
+        ("plot b", "\tfiles\n"),
+        ("--trace=b", "\tfiles\n"),
+        ("--port=sim:b", "\tfiles\n"),
+        ("--port=tcp://h", "\tnothing\n"),
+        ("read --ba", ""),
+        ("datas", ""),
+    ] {
+        let ended = antrieb(&format!("complete zsh -- {typed}")).exits(0);
+        assert_eq!(ended.out, told, "{typed}");
+    }
 }
