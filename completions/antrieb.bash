@@ -43,6 +43,9 @@ _antrieb() {
             antrieb,line)
                 cmd="antrieb__subcmd__line"
                 ;;
+            antrieb,man)
+                cmd="antrieb__subcmd__man"
+                ;;
             antrieb,monitor)
                 cmd="antrieb__subcmd__monitor"
                 ;;
@@ -233,7 +236,7 @@ _antrieb() {
 
     case "${cmd}" in
         antrieb)
-            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot report protocol line params systembus decode profibus sniff simulate schema completions"
+            opts="-p -a -b -q -v -h --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --timeout --retries --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --yes --help scan identify read write dataset init plan apply check diag statemachine state sollwert setpoint monitor plot report protocol line params systembus decode profibus sniff simulate schema completions man"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -3030,6 +3033,24 @@ _antrieb() {
                     return 0
                     ;;
                 --config)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        antrieb__subcmd__man)
+            opts="-h --catalogue --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --catalogue)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -83,6 +83,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "sniff" -d 'Listens 
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "simulate" -d 'Serves simulated drives on a pseudo terminal or a TCP port'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "schema" -d 'Prints the JSON Schema of a verb\'s output, or of every verb\'s'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "completions" -d 'Prints a completion script: bash, zsh, fish, powershell'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "man" -d 'Prints a man page: of the program, or of a verb'
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l within -d 'End after this time, whatever is left: `90s`, `2m`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -l resume -d 'Go on where this result of `scan --json` ends' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand scan" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
@@ -2608,6 +2609,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -l catalogue -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand schema" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand man" -s h -l help -d 'Print help (see more with \'--help\')'
 
 # Values come from the program itself, and nothing is added to them by anybody else.
 function __fish_antrieb_asked

@@ -100,6 +100,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('simulate', 'simulate', [CompletionResultType]::ParameterValue, 'Serves simulated drives on a pseudo terminal or a TCP port')
             [CompletionResult]::new('schema', 'schema', [CompletionResultType]::ParameterValue, 'Prints the JSON Schema of a verb''s output, or of every verb''s')
             [CompletionResult]::new('completions', 'completions', [CompletionResultType]::ParameterValue, 'Prints a completion script: bash, zsh, fish, powershell')
+            [CompletionResult]::new('man', 'man', [CompletionResultType]::ParameterValue, 'Prints a man page: of the program, or of a verb')
             break
         }
         'antrieb;scan' {
@@ -3012,6 +3013,12 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             break
         }
         'antrieb;completions' {
+            [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
+            [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
+            break
+        }
+        'antrieb;man' {
             [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('-h', '-h', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')
             [CompletionResult]::new('--help', '--help', [CompletionResultType]::ParameterName, 'Print help (see more with ''--help'')')

@@ -78,7 +78,7 @@ fn every_man_page_lists_every_exit_code() {
 
 /// Every verb, and what is printed openly beside them.
 fn pages() -> impl Iterator<Item = &'static str> {
-    VERBS.iter().map(|verb| verb.name).chain(["schema", "completions"])
+    VERBS.iter().map(|verb| verb.name).chain(["schema", "completions", "man"])
 }
 
 /// The same with every verb within a verb: `statemachine enable`.

@@ -42,8 +42,16 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("simulate", "drives without any"),
         ],
     ),
-    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "who is on it, SJ2-PB"), ("decode", "a telegram, a word")]),
-    ("Scripts", &[("schema", "of the JSON"), ("completions", "for your shell")]),
+    ("Bus", &[("systembus", "CAN, as a plan"), ("profibus", "who is on it, SJ2-PB")]),
+    (
+        "Explain",
+        &[
+            ("decode", "a telegram, a word"),
+            ("man", "a page a command"),
+            ("schema", "of the JSON"),
+            ("completions", "for your shell"),
+        ],
+    ),
 ];
 
 /// Options that it tells; the rest stands in `--help`.

@@ -124,7 +124,6 @@ fn hooked(shell: clap_complete::Shell, script: &str) -> String {
 
 /// Prints a man page: of the program, or of a verb
 #[derive(Debug, Args)]
-#[command(hide = true)]
 struct Man {
     /// The verb, and a verb of its own behind it
     verb: Vec<String>,

@@ -222,6 +222,9 @@ impl Place {
         if let Some(how) = self.stop(error) {
             return how;
         }
+        if let Some((option, verbs)) = self.of_others(error) {
+            return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
+        }
         let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
         if let Some(near) = near.into_iter().find_map(|kind| nearest(error.get(kind)?)) {
             return both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'");
@@ -253,6 +256,24 @@ impl Place {
     fn stop(&self, error: &clap::Error) -> Option<Text> {
         let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand) else { return None };
         stop_meant(word).filter(|_| matches!(self.verb(), "" | "statemachine"))
+    }
+
+    /// An option that stands behind the wrong verb, and the verbs that have it.
+    fn of_others(&self, error: &clap::Error) -> Option<(String, String)> {
+        let option = error.get(Told::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument)?.to_string();
+        let long = option.strip_prefix("--")?;
+        let has = |command: &clap::Command| {
+            command
+                .get_arguments()
+                .any(|arg| arg.get_long() == Some(long) && !arg.is_global_set() && !arg.is_hide_set())
+        };
+        let verbs = self.root.get_subcommands().filter(|verb| !verb.is_hide_set()).flat_map(|verb| {
+            let inner = verb.get_subcommands().filter(|inner| has(inner));
+            let inner = inner.map(|inner| format!("`{} {}`", verb.get_name(), inner.get_name()));
+            has(verb).then(|| format!("`{}`", verb.get_name())).into_iter().chain(inner).collect::<Vec<_>>()
+        });
+        let verbs = verbs.collect::<Vec<_>>().join(", ");
+        (!verbs.is_empty()).then_some((option, verbs))
     }
 
     /// A number and its unit that were typed as two words, in one: `25 Hz`.

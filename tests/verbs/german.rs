@@ -5,7 +5,7 @@
 //! sentence has ([`ENGLISH`]); every [`Run`](crate::run::Run) with `--lang de` that ends as it must goes through it. Names of commands, options and
 //! slugs, what a user typed, telegrams and numbers are no words.
 
-use crate::run::antrieb;
+use crate::run::{Run, antrieb};
 use antrieb::command::VERBS;
 use std::collections::BTreeSet;
 
@@ -293,31 +293,36 @@ fn is_command(word: &str) -> bool {
     VERBS.iter().map(command).any(|verb| verb.get_name() == word || verb.find_subcommand(word).is_some())
 }
 
+/// All that does not work, in a language.
+pub(crate) fn wrong(lang: &str) -> impl Iterator<Item = Run> {
+    WRONG.iter().map(move |(_, line)| {
+        let files = [
+            ("file", "nonsense = [\n"),
+            ("strange.toml", "colour = 1\n"),
+            ("far.toml", "[drives.pump]\naddress = 999\n"),
+            ("bad.toml", "[family]\ndrive = \"act\"\n[[param]]\nid = \"x\"\n"),
+            ("ramp.csv", "time_s,frequency_hz\n0,1\n5,nonsense\n"),
+        ];
+        let run = antrieb(&format!("--lang {lang} {line}"));
+        files.iter().fold(run, |run, (name, text)| run.file(name, text))
+    })
+}
+
 #[test]
 fn what_does_not_work_is_told_in_german_without_an_english_word() {
-    let mut wrong = Vec::new();
-    for (code, line) in WRONG {
-        let [english, german] = ["en", "de"].map(|lang| {
-            let files = [
-                ("file", "nonsense = [\n"),
-                ("strange.toml", "colour = 1\n"),
-                ("far.toml", "[drives.pump]\naddress = 999\n"),
-                ("bad.toml", "[family]\ndrive = \"act\"\n[[param]]\nid = \"x\"\n"),
-                ("ramp.csv", "time_s,frequency_hz\n0,1\n5,nonsense\n"),
-            ];
-            let run = antrieb(&format!("--lang {lang} {line}"));
-            files.iter().fold(run, |run, (name, text)| run.file(name, text)).run()
-        });
+    let mut amiss = Vec::new();
+    for ((code, line), (english, german)) in WRONG.iter().zip(wrong("en").zip(wrong("de"))) {
+        let (english, german) = (english.run(), german.run());
         let told = |page: &str| page.lines().filter(|line| !line.contains("antrieb --")).collect::<Vec<_>>().join("\n");
         // Words of options and commands, of which a message lists those that would be right.
         let listed = |word: &String| NAMED.contains(&&**word) || is_command(word);
         let found: Vec<_> =
             alike(&told(&english.err), &told(&german.err)).into_iter().filter(|word| !listed(word)).collect();
         if (german.exit, found.is_empty()) != (*code, true) {
-            wrong.push(format!("{line}: exit {} {found:?}\n{}", german.exit, german.err));
+            amiss.push(format!("{line}: exit {} {found:?}\n{}", german.exit, german.err));
         }
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(amiss.is_empty(), "{}", amiss.join("\n"));
 }
 
 #[test]

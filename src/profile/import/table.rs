@@ -12,6 +12,11 @@ use crate::text::{Text, both};
 /// The registers that are printed with a 4 in front: 40001 is register 0, or so most makers mean it.
 const PRINTED: [std::ops::RangeInclusive<u32>; 2] = [40_001..=49_999, 400_001..=465_536];
 
+/// Lines of a list: a catalogue of 4 MB has room for fewer.
+const MOST_ROWS: usize = 50_000;
+/// Cells of a line.
+const MOST_COLUMNS: usize = 1_000;
+
 /// Reads a list.
 pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let (text, encoding) = sheet::text_of(bytes);
@@ -25,7 +30,9 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
             "angeben, was die Zellen trennt: --separator ';'"
         )));
     };
-    let records: Vec<Record> = sheet::records(&text, separator).filter(|record| !record.is_empty()).collect();
+    let records: Vec<Record> =
+        sheet::records(&text, separator).filter(|record| !record.is_empty()).take(MOST_ROWS + 1).collect();
+    check_size(&records)?;
     let head = heading::find(&records, wishes)?;
     if head.column("id").is_none() {
         let why = both!("no column has the numbers of parameters", "keine Spalte enthält die Nummern von Parametern");
@@ -54,6 +61,25 @@ pub fn table(bytes: &[u8], wishes: &Wishes) -> Result<Imported, ImportError> {
     let found = Imported { format, encoding, separator, head, columns, unused, drafts, left_out, notes, own };
     found.check_twins()?;
     Ok(found)
+}
+
+/// What is larger is no list of a drive; it would take minutes to look through, and be too much for a catalogue in the end.
+fn check_size(records: &[Record]) -> Result<(), ImportError> {
+    if let Some(wide) = records.iter().find(|record| record.cells.len() > MOST_COLUMNS) {
+        let why = both!(
+            "{cells} cells in a line; a list has at most {MOST_COLUMNS}",
+            "{cells} Zellen in einer Zeile; eine Liste hat höchstens {MOST_COLUMNS}",
+            cells = wide.cells.len()
+        );
+        return Err(ImportError::at(wide.line, why));
+    }
+    match records.get(MOST_ROWS) {
+        None => Ok(()),
+        Some(last) => {
+            let why = both!("a list has at most {MOST_ROWS} lines", "eine Liste hat höchstens {MOST_ROWS} Zeilen");
+            Err(ImportError::at(last.line, why))
+        }
+    }
 }
 
 /// A list while it is read.

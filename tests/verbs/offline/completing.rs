@@ -63,6 +63,51 @@ fn the_names_are_those_of_the_chosen_drive() {
     assert!(!candidates("read _p_a").is_empty() && !candidates("read rated-sp").is_empty());
 }
 
+/// No PowerShell runs here: its script is held to what it must do. It asks the program that was typed, with the words behind it
+/// as they stand, and says when a new word begins; what it asks is what is answered.
+#[test]
+fn the_script_for_powershell_asks_with_the_words_that_are_understood() {
+    let script = antrieb("completions powershell").exits(0).out;
+    let call = script.lines().map(str::trim).find(|line| line.contains("& $typed[0]")).unwrap();
+    assert_eq!(call, "$found = @(& $typed[0] complete powershell @next '--' @behind 2>$null)");
+    for line in [
+        "Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {",
+        "param($wordToComplete, $commandAst, $cursorPosition)",
+        "$next = @(if ($wordToComplete -eq '') { '--next' })",
+        "$value, $told = $_ -split \"`t\", 2",
+    ] {
+        assert_eq!(script.matches(line).count(), 1, "{line}");
+    }
+    let asks = script.find(call).unwrap();
+    assert!(asks < script.find("$completions = @(switch").unwrap(), "values come before the table of options");
+    // Every bracket that is opened is closed, outside of texts.
+    for (open, close) in [('{', '}'), ('(', ')'), ('[', ']')] {
+        let bare: String = script.lines().map(|line| outside_of_quotes(line.trim())).collect();
+        assert_eq!(bare.matches(open).count(), bare.matches(close).count(), "{open}{close}");
+    }
+    let asked = call.split("$typed[0] ").nth(1).unwrap().split(" 2>").next().unwrap();
+    for (next, behind, first) in [("", "read rated-sp", "rated-speed\t"), ("--next", "read", "@actual\t")] {
+        let line = asked.replace("@next", next).replace("'--'", "--").replace("@behind", behind);
+        let told = antrieb(&line).exits(0).out;
+        assert!(told.starts_with(first), "{line}: {told}");
+    }
+}
+
+/// A line of PowerShell without its texts and comments.
+fn outside_of_quotes(line: &str) -> String {
+    let (mut quote, mut bare) = (None, String::new());
+    for letter in line.chars() {
+        match quote {
+            None if letter == '#' => break,
+            None if matches!(letter, '\'' | '"') => quote = Some(letter),
+            None => bare.push(letter),
+            Some(open) if open == letter => quote = None,
+            Some(_) => {}
+        }
+    }
+    bare
+}
+
 /// A completion that has nothing to say, or cannot, is silent: it stands in somebody's command line.
 #[test]
 fn what_cannot_be_completed_is_left_to_the_shell() {

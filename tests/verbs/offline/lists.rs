@@ -235,3 +235,15 @@ fn export_is_csv_in_every_form() {
     antrieb("params -- import").exits(1);
     antrieb("params ramp").exits(0);
 }
+
+#[test]
+fn a_list_that_is_too_large_is_refused_before_it_is_looked_through() {
+    let rows: String = (0..50_001).map(|row| format!("{row};x\n")).collect();
+    for (text, told) in [
+        (format!("Nr;Name\n{rows}"), "a.csv:50001: a list has at most 50000 lines"),
+        (format!("Nr;Name\n{}\n", ";".repeat(1_000) + "x"), "a.csv:2: 1001 cells in a line; a list has at most 1000"),
+    ] {
+        let refused = antrieb("params import {dir}/a.csv").file("a.csv", &text).exits(7).err;
+        assert!(refused.contains(told), "{refused}");
+    }
+}

@@ -22,6 +22,19 @@ const MISTAKES: &[Mistake] = &[
         ["did you mean '--force'?", "gemeint ist vielleicht '--force'"],
     ),
     mistake(
+        "read --record x 372",
+        ["'--record' is not expected behind `read`", "'--record' wird hinter `read` nicht erwartet"],
+        ["`--record` is an option of `monitor`", "`--record` ist eine Option von `monitor`"],
+    ),
+    mistake(
+        "monitor --resume x",
+        ["'--resume' is not expected behind `monitor`", "'--resume' wird hinter `monitor` nicht erwartet"],
+        [
+            "`--resume` is an option of `scan`, `dataset save`, `init`",
+            "`--resume` ist eine Option von `scan`, `dataset save`, `init`",
+        ],
+    ),
+    mistake(
         "dataset save -x",
         ["'-x' is not expected behind `dataset save`", "'-x' wird hinter `dataset save` nicht erwartet"],
         [

@@ -1,5 +1,6 @@
 //! What is said to a technician at a terminal of 80 columns, in his language.
 
+use crate::german;
 use crate::run::antrieb;
 use unicode_width::UnicodeWidthStr;
 
@@ -30,6 +31,18 @@ fn on_a_terminal_prose_is_wrapped_between_words_and_in_a_pipe_it_is_not() {
     }
     let hint = antrieb("-p sim -a 9 scan").columns(80).answered("").exits(1).err;
     assert!(hint.lines().any(|line| line.contains("--baud auto --parity auto --protocol auto")), "{hint}");
+}
+
+/// More than a hundred ways to go wrong, in both languages: no line of prose is wider than the terminal; a word that is, a path, stays
+/// whole.
+#[test]
+fn whatever_goes_wrong_is_told_within_eighty_columns() {
+    for run in ["en", "de"].into_iter().flat_map(german::wrong) {
+        let ended = run.columns(80).answered("n\n").run();
+        let lines = ended.out.lines().chain(ended.err.lines());
+        let long: Vec<&str> = lines.filter(|line| line.width() > 80 && line.trim().contains(' ')).collect();
+        assert!(long.is_empty(), "{}: {long:#?}", ended.line);
+    }
 }
 
 #[test]

@@ -4,10 +4,10 @@ use super::past::Drive;
 use super::screen::Screen;
 use crate::render::clean;
 use crate::render::stream::cells::{GAP, find, long, short};
+use crate::render::wrap::wrap;
 use ratatui::Frame;
 use ratatui::layout::Rect;
-use ratatui::text::Line;
-use ratatui::widgets::{Paragraph, Wrap};
+use ratatui::widgets::Paragraph;
 
 impl Screen {
     pub(super) fn diagnosis(&self, frame: &mut Frame<'_>, area: Rect, drive: &Drive) {
@@ -32,10 +32,9 @@ impl Screen {
                 format!("{}  {}", short(column, Some(status), self.lang), set.join(", ")),
             ));
         }
-        let mut lines: Vec<Line<'_>> =
-            rows.into_iter().map(|(label, text)| Line::raw(clean(&format!(" {label}: {text}")))).collect();
-        lines.push(Line::default());
-        lines.extend(self.notes.iter().rev().map(|note| Line::raw(clean(&format!(" {note}")))));
-        frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: false }), area);
+        let rows = rows.into_iter().map(|(label, text)| format!(" {label}: {text}"));
+        let notes = self.notes.iter().rev().map(|note| format!(" {note}"));
+        let shown = rows.chain([String::new()]).chain(notes).map(|line| wrap(&clean(&line), Some(area.width)));
+        frame.render_widget(Paragraph::new(shown.collect::<Vec<_>>().join("\n")), area);
     }
 }
