@@ -160,6 +160,17 @@ pub fn may_be_written(path: &Path) -> Result<(), FileError> {
     }
 }
 
+/// Whether [`write_whole`] would take a path now: the folder is there and takes a new file, and the name is free or may be replaced.
+pub fn check(path: &Path, overwrite: bool) -> Result<(), FileError> {
+    may_be_written(path)?;
+    if !overwrite && found(path).is_some() {
+        return Err(FileError::Exists);
+    }
+    let (beside, file) = beside(path)?;
+    drop(file);
+    Ok(std::fs::remove_file(beside)?)
+}
+
 /// A new file beside the one that is to be. What an earlier crash has left there is nobody's, and stays.
 fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();

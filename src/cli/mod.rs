@@ -46,8 +46,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
         streams;
     let helped = typed::helped(arguments);
     let arguments = helped.as_deref().unwrap_or(arguments);
-    let (globals, what) = match typed::parse(arguments) {
-        Ok(typed::Line { globals, what }) => (globals, what),
+    let (globals, what, again) = match typed::parse(arguments) {
+        Ok((typed::Line { globals, what }, again)) => (globals, what, again),
         Err(error) => {
             return unfit::explain(&error, arguments, environment, out.as_mut(), (err, err_is_terminal, width));
         }
@@ -81,7 +81,7 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             let looks = Looks { stream, watch, terminal: err_is_terminal };
             work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), looks)
         });
-        outcome.unwrap_or_else(Outcome::from)
+        again.told(outcome.unwrap_or_else(Outcome::from))
     };
     let printed = match view {
         None => whole(carry_out(None), entry, format, manner, out.as_mut(), &console),

@@ -4,7 +4,7 @@ use super::page::FIRST_STEPS;
 use super::printed::{PRINTED, Printed};
 use super::short;
 use crate::args::{Globals, Settings, below_zero};
-use crate::command::{self, Entry, VERBS};
+use crate::command::{self, Again, Entry, VERBS};
 use crate::failure::{Class, Failure};
 use crate::text::both;
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -130,10 +130,13 @@ fn bare(command: &clap::Command, args: Vec<clap::Arg>, verbs: Vec<clap::Command>
 
 /// Only a verb that is mentioned can be meant. The whole tree, in which every verb has its copy of every global argument,
 /// is built where something is to be explained.
-pub(super) fn parse(arguments: &[OsString]) -> Result<Line, clap::Error> {
+pub(super) fn parse(arguments: &[OsString]) -> Result<(Line, Again), clap::Error> {
     let mentioned = mentioned(arguments);
     let arguments = below_zero::shielded(arguments, &mentioned);
-    let read = |tree: clap::Command| Line::from_arg_matches(&tree.try_get_matches_from(&arguments)?);
+    let read = |tree: clap::Command| {
+        let matches = tree.try_get_matches_from(&arguments)?;
+        Ok((Line::from_arg_matches(&matches)?, Again::of(&matches)))
+    };
     let told = || if arguments.iter().any(|word| word == "-h") { short::of(whole()) } else { whole() };
     read(mentioned).or_else(|_| read(told()))
 }

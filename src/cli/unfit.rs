@@ -4,7 +4,7 @@ use super::typed::whole;
 use super::{closed, overview};
 use crate::args::below_zero::SIGN;
 use crate::args::{Environment, Useless, language};
-use crate::command::stop_meant;
+use crate::command::{Again, meant, stop_meant, word};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::render::{self, Console, Format, Manner, Stream, View};
@@ -36,7 +36,7 @@ pub(super) fn explain(
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
     let place = Place::of(&words);
-    let failure = as_typed(place.failure(error), &words);
+    let failure = Again::guessed(arguments).hinted(as_typed(place.failure(error), &words));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));
         let _closed = if verb == "monitor" {
@@ -225,6 +225,9 @@ impl Place {
         if let Some((option, verbs)) = self.of_others(error) {
             return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
         }
+        if let Some(line) = self.meant(error) {
+            return both!("it is `{line}`", "es heißt `{line}`");
+        }
         let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
         if let Some(near) = near.into_iter().find_map(|kind| nearest(error.get(kind)?)) {
             return both!("did you mean '{near}'?", "gemeint ist vielleicht '{near}'");
@@ -274,6 +277,14 @@ impl Place {
         });
         let verbs = verbs.collect::<Vec<_>>().join(", ");
         (!verbs.is_empty()).then_some((option, verbs))
+    }
+
+    /// The command that another word for a verb means, with all that was typed.
+    fn meant(&self, error: &clap::Error) -> Option<String> {
+        let Some(ContextValue::String(said)) = error.get(Told::InvalidSubcommand) else { return None };
+        let command = meant(said).filter(|_| self.path.is_empty())?;
+        let words = self.words.iter().skip(1).map(|one| if one == said { command.to_owned() } else { word(one) });
+        Some(std::iter::once("antrieb".to_owned()).chain(words).collect::<Vec<_>>().join(" "))
     }
 
     /// A number and its unit that were typed as two words, in one: `25 Hz`.

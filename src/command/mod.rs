@@ -1,5 +1,6 @@
 //! One file per verb: its arguments and its `run`. Nothing here prints, nothing here knows bytes.
 
+mod again;
 mod asking;
 pub mod dataset;
 pub mod decode;
@@ -24,12 +25,15 @@ pub mod sniff;
 pub mod sollwert;
 pub mod statemachine;
 mod stopping;
+mod synonyms;
 pub mod systembus;
 mod verb;
 pub mod write;
 
+pub use again::{Again, word};
 pub use monitor::{keeper, recording};
 pub use stopping::stop_meant;
+pub use synonyms::meant;
 pub use verb::{EXAMPLES, Entry, Flow, Typed, Verb, Working, exemplified};
 
 /// Every verb, in the order of the help.

@@ -140,6 +140,7 @@ pub fn keeper(path: PathBuf) -> io::Result<impl FnMut(&str) -> io::Result<()>> {
         Err(error) if error.is_missing() => {}
         Err(error) => return Err(told(&path, error)),
     }
+    files::check(&path, true).map_err(|error| told(&path, error))?;
     Ok(move |text: &str| files::write_whole(&path, text, true).map_err(|error| told(&path, error)))
 }
 
@@ -161,7 +162,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         return plan(context, &family, &questions);
     }
     if let Some(path) = &args.record {
-        output::check(path, settings.force)?;
+        output::check_in_place(path, settings.force)?;
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     if !args.unpaced {

@@ -18,11 +18,18 @@ pub(super) fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure>
 /// # Errors
 /// As [`write`].
 pub(super) fn check(path: &Path, force: bool) -> Result<(), Failure> {
-    let free = files::may_be_written(path).and_then(|()| match files::found(path) {
-        Some(_) if !force => Err(FileError::Exists),
-        _ => Ok(()),
-    });
-    free.map_err(|error| unwritten(path, &error))
+    files::check(path, force).map_err(|error| unwritten(path, &error))
+}
+
+/// The same of a file that is not replaced as a whole, but written anew where it stands.
+///
+/// # Errors
+/// As [`write`].
+pub(super) fn check_in_place(path: &Path, force: bool) -> Result<(), Failure> {
+    match files::found(path) {
+        Some(_) if force => files::may_be_written(path).map_err(|error| unwritten(path, &error)),
+        _ => check(path, force),
+    }
 }
 
 /// Why a file was not written, and what to do about it.

@@ -121,8 +121,8 @@ pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
             "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
         ))
         .hint(both!(
-            "`statemachine quick-stop`, `disable`, `disable-voltage` and `sollwert 0` stop several",
-            "`statemachine quick-stop`, `disable`, `disable-voltage` und `sollwert 0` halten mehrere an"
+            "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` and `sollwert 0` stop several",
+            "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` und `sollwert 0` halten mehrere an"
         ))),
     }
 }
@@ -387,15 +387,15 @@ fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
                 "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt"
             ),
             both!(
-                "`statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
-                "`statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz"
+                "`antrieb statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
+                "`antrieb statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz"
             ),
         ),
         Relief::Zero => (
             both!("no setpoint was sent", "es wurde kein Sollwert gesendet"),
             both!(
-                "what a zero does must be asked from the drive first; `statemachine quick-stop` goes out at once",
-                "was eine Null bewirkt, muss der Antrieb erst sagen; `statemachine quick-stop` geht sofort hinaus"
+                "what a zero does must be asked from the drive first; `antrieb statemachine quick-stop` goes out at once",
+                "was eine Null bewirkt, muss der Antrieb erst sagen; `antrieb statemachine quick-stop` geht sofort hinaus"
             ),
         ),
         _ => (

@@ -174,8 +174,8 @@ fn is_a_stop(steps: &[Step], family: &Family) -> Option<Text> {
     steps.iter().find(|step| step.param.id == word.id && step.raw == 0)?;
     let label = word.label();
     Some(both!(
-        "{label} = 0 takes the power away: `statemachine disable-voltage` sends it at once, asks nobody, and looks what came of it",
-        "{label} = 0 nimmt die Spannung weg: `statemachine disable-voltage` sendet es sofort, fragt niemanden und sieht nach, was daraus wurde"
+        "{label} = 0 takes the power away: `antrieb statemachine disable-voltage` sends it at once, asks nobody, and looks what came of it",
+        "{label} = 0 nimmt die Spannung weg: `antrieb statemachine disable-voltage` sendet es sofort, fragt niemanden und sieht nach, was daraus wurde"
     ))
 }
 

@@ -70,9 +70,9 @@ fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
     }
     let unknown = match refusal.cause {
         None if refusal.unheard => both!(
-            "the answer that told the cause was lost, and reading clears it: try again, and `diag line` shows why answers \
+            "the answer that told the cause was lost, and reading clears it: try again, and `antrieb diag line` shows why answers \
              are lost",
-            "die Antwort mit der Ursache ging verloren, und Lesen löscht sie: noch einmal versuchen; `diag line` zeigt, warum \
+            "die Antwort mit der Ursache ging verloren, und Lesen löscht sie: noch einmal versuchen; `antrieb diag line` zeigt, warum \
              Antworten verloren gehen"
         ),
         None => both!(

@@ -254,6 +254,7 @@ const GERMAN: &[(&str, &str)] = &[
     // What became of a write.
     ("verified", "geprüft"),
     ("written", "geschrieben"),
+    ("to write", "zu schreiben"),
     ("unchanged", "unverändert"),
     ("planned", "geplant"),
     ("differs", "abweichend"),

@@ -27,7 +27,7 @@ mod parameters {
     mod loading;
     mod memory;
     mod own_family;
-    mod plant;
+    pub(crate) mod plant;
     mod reading;
     mod saving;
     mod transactions;
@@ -110,6 +110,7 @@ mod output {
     mod help;
     mod regressions;
     mod screens;
+    mod typeable;
     mod usage;
     mod wording;
     mod words;

@@ -1,10 +1,11 @@
 //! `dataset load`, `dataset undo`: parameter files into a drive, and back.
 
-use super::loaded::{applied, blank, dry_run, forbidden, nothing_to_write, undone_outcome, whole};
+use super::loaded::{applied, blank, dry_run, forbidden, nothing_to_write, nothing_written, undone_outcome, whole};
 use super::only_one;
 use super::opened::Opened;
 use super::scope::Scope;
 use crate::args::Settings;
+use crate::command::again::word;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
 use crate::drive::paramfile::head;
 use crate::drive::transaction::{self, Applied, Plan, UndoFile, fits};
@@ -75,6 +76,10 @@ async fn load_into(
     if context.settings.dry_run {
         return dry_run(context, report, &family, &steps, fits);
     }
+    match (&args.undo_file, args.files.first()) {
+        (Some(path), _) => UndoFile::may_be_left(path)?,
+        (None, file) => UndoFile::may_be_left_beside(file.map_or(Path::new("load"), PathBuf::as_path))?,
+    }
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
@@ -84,7 +89,7 @@ async fn load_into(
     plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
     report.node = session.node();
-    if let Some(failure) = forbidden(&mut plan) {
+    if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
@@ -135,7 +140,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let (forbidding, theirs): (Vec<Failure>, _) =
         std::mem::take(&mut plan.failures).into_iter().partition(|failure| failure.code == transaction::RUNNING);
     plan.failures = forbidding;
-    if let Some(failure) = forbidden(&mut plan) {
+    if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
@@ -213,7 +218,7 @@ pub(in crate::command) fn read_all(
             return Err(Failure::new(Class::Data, "data.is_undo_file", message).hint(both!(
                 "`antrieb dataset undo {shown}` takes it back, and looks who has changed something since",
                 "`antrieb dataset undo {shown}` nimmt es zurück und prüft, was seitdem jemand geändert hat",
-                shown = path.display()
+                shown = word(&path.display().to_string())
             )));
         }
         if !opened.file.head.saved.complete {

@@ -1,8 +1,9 @@
 //! What is told of a `dataset load` or `dataset undo`: how it ended, what is left to do.
 
+use crate::command::again::word;
 use crate::command::{Context, terms, write};
 use crate::drive::job::{self, Step};
-use crate::drive::transaction::{Applied, NOT_SHOWN, Plan, STORE, THEIRS, switch_off};
+use crate::drive::transaction::{Applied, NOT_SHOWN, Plan, SET, STORE, THEIRS, switch_off};
 use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
@@ -46,13 +47,22 @@ pub(in crate::command) fn blank(address: u8, drive: &str, files: Vec<String>, le
 }
 
 /// Why nothing may be begun, if so: the rows say which values are in the way.
-pub(in crate::command) fn forbidden(plan: &mut Plan) -> Option<Failure> {
-    let failures = std::mem::take(&mut plan.failures);
-    let failure = in_the_way(failures, &both!("nothing was written", "es wurde nichts geschrieben"))?;
+pub(in crate::command) fn forbidden(plan: &mut Plan, so: &Text) -> Option<Failure> {
+    let failure = in_the_way(std::mem::take(&mut plan.failures), so)?;
     for row in plan.job.rows.iter_mut().filter(|row| row.result == WriteResult::Planned) {
         row.result = WriteResult::Skipped;
     }
     Some(failure)
+}
+
+/// What comes of that where something was to be written.
+pub(in crate::command) fn nothing_written() -> Text {
+    both!("nothing was written", "es wurde nichts geschrieben")
+}
+
+/// The same where it is only looked at what would be.
+pub(in crate::command) fn nothing_to_come() -> Text {
+    both!("nothing would be written", "es würde nichts geschrieben")
 }
 
 /// The first of what is in the way, and how many more there are.
@@ -90,6 +100,10 @@ pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
         _ if is_none_a_setting => both!(
             "nothing is left to write: what the files hold are no settings",
             "es bleibt nichts zu schreiben: was die Dateien enthalten, sind keine Einstellungen"
+        ),
+        1 => both!(
+            "nothing is left to write: the one value of the files was not asked for",
+            "es bleibt nichts zu schreiben: der eine Wert der Dateien war nicht verlangt"
         ),
         _ => both!(
             "nothing is left to write: of the {held} values of the files none was asked for",
@@ -162,7 +176,7 @@ pub(in crate::command) fn describe_steps(
 
 /// Why nothing would be written, if so.
 pub(in crate::command) fn would_be_in_the_way(failures: Vec<Failure>) -> Option<Failure> {
-    in_the_way(failures, &both!("nothing would be written", "es würde nichts geschrieben"))
+    in_the_way(failures, &nothing_to_come())
 }
 
 /// The whole of it, with what takes effect later.
@@ -213,10 +227,16 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
         notes.into_iter().map(|message| Warning { code: "load.altered".to_owned(), message }).collect();
     let is_of_ram = plan.is_of_ram();
     let is_lost = failures.iter().any(|failure| !is_of_ram && failure.context.contains(&(STORE, "ram".to_owned())));
+    let places = places(failures.iter().skip(1));
     let kinds: Vec<String> = failures.iter().skip(1).map(|failure| failure.code.clone()).collect();
     let mut failures = failures.into_iter();
     let failure = failures.next().map(|first| {
         let why = first.message.clone();
+        let again = match first.class {
+            // Whoever ended it knows why.
+            Class::Interrupted => both!("loading it again begins anew", "noch einmal laden beginnt von vorn"),
+            _ => both!("mend that and load it again", "das beheben und noch einmal laden"),
+        };
         match ended {
             LoadEnd::Done | LoadEnd::Untouched => unchanged(first),
             LoadEnd::Stored => Failure { message: stored(&why, failures.len() + 1), ..first },
@@ -228,11 +248,9 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
                     "{why}; alles Geschriebene ist wie vorher",
                     why
                 ),
-                both!("mend that and load it again", "das beheben und noch einmal laden"),
+                again,
             ),
-            LoadEnd::Torn => {
-                partial(first, "partial.torn", unlike(&why, failures.len()), by_undo(left, &kinds, is_lost))
-            }
+            LoadEnd::Torn => partial(first, "partial.torn", unlike(&why, places), by_undo(left, &kinds, is_lost)),
         }
     });
     let more = failures.map(|failure| Warning { code: "load.not_put_back".to_owned(), message: failure.message });
@@ -242,7 +260,7 @@ pub(in crate::command) fn applied(mut report: Load, plan: Plan, applied: Applied
 
 /// What takes back what did not come back; an undo file knows only what is stored.
 fn by_undo(left: &Path, kinds: &[String], is_lost: bool) -> Text {
-    let file = left.display();
+    let file = word(&left.display().to_string());
     if !kinds.is_empty() && kinds.iter().all(|code| code == NOT_SHOWN) {
         return switch_off();
     }
@@ -291,12 +309,13 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
     let is_untouched = ended == LoadEnd::Untouched;
     report.ended = Some(if theirs.is_empty() || is_untouched { ended } else { LoadEnd::Torn });
     let (count, is_all) = (failures.len() + theirs.len(), theirs.is_empty());
+    let named = places(failures.iter().chain(&theirs));
     let mut failures = failures.into_iter().chain(theirs);
     let failure = failures.next().map(|first| match is_untouched {
         true => unchanged(first),
         false if ended == LoadEnd::Stored && is_all => Failure { message: stored(&first.message, count), ..first },
         false => {
-            let message = unlike(&first.message, count);
+            let message = unlike(&first.message, named);
             Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }
         }
     });
@@ -306,7 +325,7 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
 
 /// Why not everything is as it was.
 pub(in crate::command) fn not_all_back(failures: Vec<Failure>) -> Option<Failure> {
-    let count = failures.len();
+    let count = places(failures.iter());
     let first = failures.into_iter().next()?;
     let message = unlike(&first.message, count);
     Some(Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first })
@@ -315,6 +334,16 @@ pub(in crate::command) fn not_all_back(failures: Vec<Failure>) -> Option<Failure
 fn unchanged(failure: Failure) -> Failure {
     let why = failure.message;
     Failure { message: both!("{why}; nothing was changed", "{why}; es wurde nichts geändert", why), ..failure }
+}
+
+/// How many values failures are about: of one, what is stored and what is in force may each be named.
+fn places<'f>(failures: impl Iterator<Item = &'f Failure>) -> usize {
+    let fact = |failure: &Failure, name| failure.context.iter().find(|(key, _)| *key == name).map(|(_, it)| it.clone());
+    let of = |(nth, failure): (usize, &Failure)| match (fact(failure, "param"), fact(failure, SET)) {
+        (Some(param), Some(set)) => (param, set),
+        _ => (String::new(), nth.to_string()),
+    };
+    failures.enumerate().map(of).collect::<BTreeSet<_>>().len()
 }
 
 fn unlike(why: &Text, count: usize) -> Text {

@@ -1,6 +1,7 @@
 //! `dataset save`: a drive's settings into a file.
 
 use super::opened::Opened;
+use crate::command::again::word;
 use crate::command::output::{unwritten, write};
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, offline_family, plan, read_question, terms};
@@ -214,11 +215,12 @@ fn leave_factory(done: &mut Harvest, family: &Family) {
 
 /// Says where what was read is kept, and how it goes on.
 fn unfinished(failure: Failure, goal: &Goal) -> Failure {
-    let (file, part) = (goal.file.display().to_string(), goal.part.display().to_string());
+    let (file, part) = (word(&goal.file.display().to_string()), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message =
         both!("{message}; what was read stands in {part}", "{message}; was gelesen wurde, steht in {part}", message);
-    let hint = both!("`dataset save {file} --resume` goes on", "`dataset save {file} --resume` setzt fort");
+    let hint =
+        both!("`antrieb dataset save {file} --resume` goes on", "`antrieb dataset save {file} --resume` setzt fort");
     Failure { message, ..failure }.hint(hint)
 }
 
@@ -227,7 +229,7 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
     if files::found(&goal.part) != Some(false) {
         return failure;
     }
-    let (file, part) = (goal.file.display().to_string(), goal.part.display().to_string());
+    let (file, part) = (word(&goal.file.display().to_string()), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message = both!(
         "{message}; {part} stays, with what was kept on the way",
@@ -235,8 +237,8 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
         message
     );
     let hint = both!(
-        "make room there, then `dataset save {file} --resume` reads the rest anew",
-        "dort Platz schaffen, dann liest `dataset save {file} --resume` das Übrige neu"
+        "make room there, then `antrieb dataset save {file} --resume` reads the rest anew",
+        "dort Platz schaffen, dann liest `antrieb dataset save {file} --resume` das Übrige neu"
     );
     Failure { message, ..failure }.hint(hint)
 }
@@ -257,7 +259,7 @@ impl Options {
             return Err(Failure::new(Class::Data, "data.output", message));
         }
         for path in [&file, &part] {
-            files::may_be_written(path).map_err(|error| unwritten(path, &error))?;
+            files::check(path, true).map_err(|error| unwritten(path, &error))?;
         }
         if several && self.resume && exists(&file) && !exists(&part) {
             let done = Opened::read(&file, context.registry, settings.drive.as_deref())?;

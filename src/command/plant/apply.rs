@@ -1,12 +1,15 @@
 //! `apply`: the parameter files of a plant into its drives.
 
 use super::lines::{Wanted, on_lines, wanted};
+use super::told::{LEFT_OUT, UNLIKE};
 use super::{dry_run, look, must_choose, told};
 use crate::args::Takes;
+use crate::command::dataset::loaded::nothing_written;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, asking};
 use crate::drive::plant::{Line, Member, Together};
+use crate::drive::transaction::UndoFile;
 use crate::drive::{Upper, job};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
@@ -56,17 +59,18 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
+    wanted.iter().try_for_each(|one| UndoFile::may_be_left_beside(&one.beside()))?;
     let settings = context.settings;
     let together = Together { interrupt: context.interrupt.clone(), atomic: args.atomic, failed: Cell::new(false) };
     on_lines(context, &wanted, async |lines, ask| {
-        look(lines, Args::UPPER).await;
+        look(lines, Args::UPPER, &nothing_written()).await;
         if args.atomic {
             leave_all(lines);
         }
         if let Some(question) = question(&wanted, lines).filter(|_| !together.interrupt.is_raised()) {
             let permit = match asking::off_line(&together.interrupt, ask, &question).await {
                 Err(denied) if !ask.is_there() => {
-                    let told = told::plant(settings, &wanted, lines, false);
+                    let told = told::plant(settings, &wanted, lines, (false, LEFT_OUT));
                     return Ok(Outcome { failure: Some(denied), ..told });
                 }
                 permit => permit?,
@@ -80,7 +84,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
                 join_all(lines.iter_mut().map(|line| line.take_back(&permit))).await;
             }
         }
-        Ok(told::plant(settings, &wanted, lines, together.interrupt.is_raised()))
+        Ok(told::plant(settings, &wanted, lines, (together.interrupt.is_raised(), UNLIKE)))
     })
     .await?
 }

@@ -139,7 +139,10 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome 
         }
         drives.push(PlantComparison { called, port: one.port(), address: one.place.address, comparison });
     }
-    let failure = told::summary(failures, drives.len(), false).or_else(|| drift(&differing, values));
+    let failure = match (told::summary(failures, drives.len(), (false, told::UNCOMPARED)), drift(&differing, values)) {
+        (Some(failure), Some(drift)) => Some(told::beside(failure, &drift.message)),
+        (failure, drift) => failure.or(drift),
+    };
     Outcome { data: Some(Data::PlantCheck(PlantCheck { project, drives })), warnings, failure }
 }
 

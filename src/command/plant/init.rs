@@ -51,8 +51,8 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     let settings = searched(args, context.settings)?;
     let path = in_directory(&settings, &args.file);
     let overwrite = context.settings.force;
-    if !settings.dry_run && !overwrite && files::found(&path).is_some() {
-        return Err(unwritten(&path, &FileError::Exists));
+    if !settings.dry_run {
+        files::check(&path, overwrite).map_err(|error| unwritten(&path, &error))?;
     }
     let Context { registry, ask, observe, interrupt, sheet, .. } = context;
     let (interrupt, sheet) = (interrupt.clone(), *sheet);

@@ -16,6 +16,7 @@ use crate::profile::Registry;
 use crate::text::{Text, both};
 use futures_util::future::join_all;
 use std::cell::RefCell;
+use std::path::PathBuf;
 
 /// A drive of the project file, and what its parameter files want.
 #[derive(Debug)]
@@ -42,10 +43,15 @@ impl Wanted {
         self.opened.of_others((self.place.address, self.place.settings.node))
     }
 
-    fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {
-        let terms = terms(&self.place.settings, registry)?;
+    /// Beside this file its undo file is left.
+    pub(super) fn beside(&self) -> PathBuf {
         let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
         let plain: String = self.place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
+        project_path(&self.place.settings).with_file_name(format!("{plain}.toml"))
+    }
+
+    fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {
+        let terms = terms(&self.place.settings, registry)?;
         Ok(Member {
             name: self.place.name.clone(),
             address: self.place.address,
@@ -53,7 +59,7 @@ impl Wanted {
             product: self.place.product.clone(),
             terms,
             steps: self.steps.clone(),
-            beside: project_path(&self.place.settings).with_file_name(format!("{plain}.toml")),
+            beside: self.beside(),
             found: None,
             left: None,
             applied: None,

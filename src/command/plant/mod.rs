@@ -15,7 +15,7 @@ use crate::drive::plant::Line;
 use crate::drive::transaction::fits;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Outcome, Plant, PlantDrive, PlantState};
-use crate::text::both;
+use crate::text::{Text, both};
 use futures_util::future::join_all;
 use lines::Wanted;
 
@@ -32,7 +32,7 @@ fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure>
         failures.extend(failure.map(|failure| (called.clone(), failure)));
         drives.push(PlantDrive { called, port, state, load, error });
     }
-    let failure = told::summary(failures, drives.len(), false);
+    let failure = told::summary(failures, drives.len(), (false, told::LEFT_OUT));
     let mut outcome = Outcome::of(Data::Plant(Plant { project: project(context.settings), dry_run: true, drives }));
     (outcome.warnings, outcome.failure) = (vec![super::write::dry_run_reads()], failure);
     Ok(outcome)
@@ -54,10 +54,10 @@ fn must_choose(wanted: &[Wanted]) -> Result<(), Failure> {
 }
 
 /// Looks at every drive, the lines side by side, and leaves out those that may not be written to now.
-async fn look(lines: &mut [Line<'_>], upper: Upper) {
+async fn look(lines: &mut [Line<'_>], upper: Upper, so: &Text) {
     join_all(lines.iter_mut().map(|line| line.look(upper))).await;
     for member in lines.iter_mut().flat_map(|line| &mut line.members) {
-        if let Some(failure) = member.found.as_mut().and_then(|found| forbidden(&mut found.plan)) {
+        if let Some(failure) = member.found.as_mut().and_then(|found| forbidden(&mut found.plan, so)) {
             member.leave(failure);
         }
     }

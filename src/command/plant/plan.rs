@@ -1,9 +1,11 @@
 //! `plan`: what would be written to the drives of a plant.
 
 use super::lines::{on_lines, wanted};
+use super::told::LEFT_OUT;
 use super::{dry_run, look, must_choose, told};
 use crate::args::Takes;
 use crate::command::Context;
+use crate::command::dataset::loaded::nothing_to_come;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::drive::Upper;
@@ -46,8 +48,8 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     }
     let settings = context.settings;
     on_lines(context, &wanted, async |lines, _| {
-        look(lines, Args::UPPER).await;
-        told::plant(settings, &wanted, lines, false)
+        look(lines, Args::UPPER, &nothing_to_come()).await;
+        told::plant(settings, &wanted, lines, (false, LEFT_OUT))
     })
     .await
 }

@@ -3,6 +3,7 @@
 use super::lines::Wanted;
 use super::project;
 use crate::args::Settings;
+use crate::command::again::for_drive;
 use crate::command::dataset::loaded::{self, blank};
 use crate::drive::plant::{Done, Found, Line, Member};
 use crate::failure::{Class, Failure};
@@ -10,11 +11,17 @@ use crate::outcome::{Data, ErrorDoc, LoadEnd, Outcome, Plant, PlantDrive, PlantS
 use crate::text::{Text, both};
 
 /// What became of every drive.
-pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_>], is_over: bool) -> Outcome {
+pub(super) fn plant(
+    settings: &Settings,
+    wanted: &[Wanted],
+    lines: &mut [Line<'_>],
+    (is_over, rest): (bool, Are),
+) -> Outcome {
     let members = lines.iter_mut().flat_map(|line| line.members.drain(..));
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for (one, member) in wanted.iter().zip(members) {
-        let (state, told) = tell(one, member);
+        let (state, mut told) = tell(one, member);
+        told.failure = told.failure.map(|failure| hinted(one, failure));
         let told_of = one.of_others().into_iter().chain(told.warnings);
         warnings.extend(told_of.map(|warning| of(one, warning)));
         let (called, port, error) = (one.place.name.clone(), one.port(), told.failure.as_ref().map(ErrorDoc::from));
@@ -26,15 +33,13 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
     // A drive that failed itself says so of all that was written.
     let tells = |row: &PlantDrive| row.error.as_ref().is_some_and(|error| error.code == "partial.put_back");
     let adds = is_back && !drives.iter().any(tells);
-    let failure = summary(failures, drives.len(), is_torn || is_back).map(|failure| Failure {
+    let failure = summary(failures, drives.len(), (is_torn || is_back, rest)).map(|failure| Failure {
         message: if adds && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
         ..failure
     });
     let failure = failure.map(|failure| if is_over { interrupted(failure) } else { failure });
     let failure = match (failure, would_change(&drives)) {
-        (Some(failure), Some(some)) => {
-            Some(Failure { message: both!("{why}; {some}", "{why}; {some}", why = failure.message, some), ..failure })
-        }
+        (Some(failure), Some(some)) => Some(beside(failure, &some)),
         (None, Some(some)) => Some(not_yet(some)),
         (failure, None) => failure,
     };
@@ -44,7 +49,14 @@ pub(super) fn plant(settings: &Settings, wanted: &[Wanted], lines: &mut [Line<'_
 /// A warning with the drive that it is about.
 pub(super) fn of(one: &Wanted, warning: Warning) -> Warning {
     let Warning { code, message } = warning;
+    let message = for_drive(&message, &one.place.name, &one.port());
     Warning { code, message: both!("{name}: {message}", "{name}: {message}", name = one.place.name, message) }
+}
+
+/// A failure whose hint is for the drive that it is about.
+pub(super) fn hinted(one: &Wanted, failure: Failure) -> Failure {
+    let hint = failure.hint.as_deref().map(|hint| Box::new(for_drive(hint, &one.place.name, &one.port())));
+    Failure { hint, ..failure }
 }
 
 /// How a drive stands, and all that is told of it.
@@ -103,8 +115,49 @@ fn written_and_back(why: &Text, drives: &[PlantDrive]) -> Text {
     both!("{why}; written to and as before again: {names}", "{why}; beschrieben und wieder wie vorher: {names}", why)
 }
 
-/// Why not every drive is as it shall be: the names of those that are not, and the first reason.
-pub(super) fn summary(failures: Vec<(String, Failure)>, drives: usize, is_torn: bool) -> Option<Failure> {
+/// How some drives are: of one, and of several, in each language.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Are {
+    en: [&'static str; 2],
+    de: [&'static str; 2],
+}
+
+const SILENT: Are = Are { en: ["did not answer"; 2], de: ["antwortet nicht", "antworten nicht"] };
+const UNSEEN: Are =
+    Are { en: ["could not be looked at"; 2], de: ["ließ sich nicht ansehen", "ließen sich nicht ansehen"] };
+/// Behind an attempt to write.
+pub(super) const UNLIKE: Are = Are {
+    en: ["is not as it shall be", "are not as they shall be"],
+    de: ["ist nicht, wie er sein soll", "sind nicht, wie sie sein sollen"],
+};
+/// Before one: nobody knows how they are, or nothing may be written to them.
+pub(super) const LEFT_OUT: Are =
+    Are { en: ["would be left out"; 2], de: ["würde ausgelassen", "würden ausgelassen"] };
+/// Held against their files.
+pub(super) const UNCOMPARED: Are = Are {
+    en: ["could not be compared whole"; 2],
+    de: ["ließ sich nicht ganz vergleichen", "ließen sich nicht ganz vergleichen"],
+};
+
+impl Are {
+    fn text(&self, count: usize) -> Text {
+        let nth = usize::from(count != 1);
+        let [en, de] = [self.en, self.de].map(|said| said.get(nth).copied().unwrap_or_default());
+        Text::new(en, de)
+    }
+}
+
+/// A failure, and what is to be said beside it.
+pub(super) fn beside(failure: Failure, some: &Text) -> Failure {
+    Failure { message: both!("{why}; {some}", "{why}; {some}", why = failure.message, some), ..failure }
+}
+
+/// Why not every drive is as it shall be: the names of those that are not, how they are, and the first reason.
+pub(super) fn summary(
+    failures: Vec<(String, Failure)>,
+    drives: usize,
+    (is_torn, rest): (bool, Are),
+) -> Option<Failure> {
     let count = failures.len();
     let names: Vec<&str> = failures.iter().map(|(name, _)| name.as_str()).collect();
     let names = names.join(", ");
@@ -114,10 +167,11 @@ pub(super) fn summary(failures: Vec<(String, Failure)>, drives: usize, is_torn: 
     let others = ["data.unknown_drive", "data.other_family", "data.other_drive"];
     let is_another = |failure: &Failure| is_silent(failure) || others.contains(&failure.code.as_str());
     let are = match (all(&is_silent), all(&is_another)) {
-        (true, _) => Text::new("did not answer", "antworten nicht"),
-        (_, true) => Text::new("could not be looked at", "ließen sich nicht ansehen"),
-        _ => Text::new("are not as they shall be", "sind nicht, wie sie sein sollen"),
+        (true, _) => SILENT,
+        (_, true) => UNSEEN,
+        _ => rest,
     };
+    let are = are.text(count);
     let end = failures.iter().position(|(_, failure)| failure.class == Class::Interrupted);
     // What was left out only because of another one is no reason.
     let is_cause = |failure: &Failure| !["forbidden.atomic", "partial.taken_back"].contains(&failure.code.as_str());

@@ -299,12 +299,12 @@ fn still_running(family: &Family) -> Failure {
 fn how_to_stop(family: &Family) -> Text {
     match family.motion.control {
         Some(control) => both!(
-            "its start contact or enable input stops it, and `statemachine quick-stop` where {label} = {obeys}",
-            "ihn hält sein Startkontakt oder seine Freigabe an, und `statemachine quick-stop` bei {label} = {obeys}",
+            "its start contact or enable input stops it, and `antrieb statemachine quick-stop` where {label} = {obeys}",
+            "ihn hält sein Startkontakt oder seine Freigabe an, und `antrieb statemachine quick-stop` bei {label} = {obeys}",
             label = family.role_label("control-mode"),
             obeys = control.obeys
         ),
-        None => both!("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an"),
+        None => both!("`antrieb statemachine quick-stop` stops it", "`antrieb statemachine quick-stop` hält ihn an"),
     }
 }
 
@@ -314,5 +314,5 @@ fn unknown() -> Failure {
         "alles ist getan, aber der Antrieb sagt nicht, in welchem Zustand er jetzt ist",
     );
     Failure::new(Class::Silence, "silence.final_state", text)
-        .hint(both!("`statemachine show` asks again", "`statemachine show` fragt noch einmal"))
+        .hint(both!("`antrieb statemachine show` asks again", "`antrieb statemachine show` fragt noch einmal"))
 }

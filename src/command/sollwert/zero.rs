@@ -83,8 +83,10 @@ pub(super) async fn present_mode(session: &mut Session<'_>, target: &mut Target)
                 "in dieser Betriebsart hält ein Sollwert 0 den Antrieb nicht an: {mode}",
                 mode = mode.text()
             );
-            Err(Failure::new(Class::Forbidden, "forbidden.mode", text)
-                .hint(both!("`statemachine quick-stop` stops it", "`statemachine quick-stop` hält ihn an")))
+            Err(Failure::new(Class::Forbidden, "forbidden.mode", text).hint(both!(
+                "`antrieb statemachine quick-stop` stops it",
+                "`antrieb statemachine quick-stop` hält ihn an"
+            )))
         }
         mode => Ok(mode),
     }

@@ -168,7 +168,10 @@ pub async fn may_change_mode(
         present = present.unwrap_or_else(|| Text::name("?")),
         wanted = mode.text()
     );
-    let hint = both!("`statemachine quick-stop` stops it first", "`statemachine quick-stop` hält sie vorher an");
+    let hint = both!(
+        "`antrieb statemachine quick-stop` stops it first",
+        "`antrieb statemachine quick-stop` hält sie vorher an"
+    );
     Err(Failure::new(Class::Forbidden, "forbidden.turning", text).hint(hint))
 }
 

@@ -76,8 +76,10 @@ pub fn broken(fault: &FileFault) -> Failure {
     match fault.newer {
         true => Failure::new(Class::Data, "data.newer_format", fault.text())
             .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
-        false => Failure::new(Class::Data, "data.parameter_file", fault.text())
-            .hint(both!("docs/parameter-files.md tells the format", "docs/parameter-files.md beschreibt das Format")),
+        false => Failure::new(Class::Data, "data.parameter_file", fault.text()).hint(both!(
+            "`antrieb params` lists the names; `antrieb dataset save` writes a file as it has to be",
+            "`antrieb params` zeigt die Namen; `antrieb dataset save` schreibt eine Datei, wie sie sein muss"
+        )),
     }
 }
 

@@ -27,6 +27,8 @@ const PAUSE: Span = Span::from_millis(500);
 const LOOKS: usize = 3;
 /// In what is known of a failure: which memory it is about.
 pub const STORE: &str = "store";
+/// In what is known of a failure: of which data set it is.
+pub const SET: &str = "data_set";
 
 /// Puts back what was touched and says what could not be: a failure for each.
 pub(super) async fn put_back(
@@ -354,6 +356,7 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
         in_ram && step.param.id == kept.param.id && is_behind(kept.set, step.set)
     };
     let Job { steps, rows, .. } = &mut plan.job;
+    let is_own = steps.iter().any(is_its);
     let own = steps.iter().position(is_its).or_else(|| steps.iter().position(is_over_it));
     let row = own.and_then(|index| rows.get_mut(index));
     match (result, row) {
@@ -379,8 +382,13 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
                 ),
                 ..failure
             };
-            let failure = failure.with(STORE, memory);
-            if let Some(row) = row {
+            let failure = failure.with(STORE, memory).with(SET, kept.set % DataSets::RAM_OFFSET);
+            // A row is of what is stored, where that did not come back either: its own error stays.
+            let is_said = |row: &&mut Written| {
+                let torn = row.result == WriteResult::Unrestored && row.error.is_some();
+                !(torn && in_ram && !is_own)
+            };
+            if let Some(row) = row.filter(is_said) {
                 let is_told = |error: &ErrorDoc| error.code == THEIRS && failure.code == THEIRS;
                 if row.error.as_ref().is_some_and(is_told) {
                     return None;

@@ -20,7 +20,7 @@ mod undo_file;
 mod weigh;
 
 pub use apply::apply;
-pub use back::{NOT_SHOWN, STORE, not_shown, switch_off, take_back, undo};
+pub use back::{NOT_SHOWN, SET, STORE, not_shown, switch_off, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
 pub use meanwhile::{THEIRS, still_may};

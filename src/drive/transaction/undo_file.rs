@@ -26,6 +26,23 @@ pub struct UndoFile {
 const MOST_NAMES: u32 = 999;
 
 impl UndoFile {
+    /// Refuses what cannot come: told before a drive is asked for anything.
+    ///
+    /// # Errors
+    /// As [`UndoFile::leave`].
+    pub fn may_be_left(path: &Path) -> Result<(), Failure> {
+        files::check(path, false).map_err(|error| unwritten(path, &error))
+    }
+
+    /// The same of one beside a parameter file, which finds a free name.
+    ///
+    /// # Errors
+    /// As [`UndoFile::leave`].
+    pub fn may_be_left_beside(file: &Path) -> Result<(), Failure> {
+        let path = named_beside(file);
+        files::check(&path, true).map_err(|error| unwritten(&path, &error))
+    }
+
     /// Where it stands.
     pub fn path(&self) -> &Path {
         &self.path
@@ -56,7 +73,7 @@ impl UndoFile {
     pub fn leave_beside(file: &Path, head: &Head, plan: &Plan) -> Result<Self, Failure> {
         let text = text(head, plan);
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        let mut path = file.with_file_name(format!("{stem}.undo.toml"));
+        let mut path = named_beside(file);
         for count in 2..=MOST_NAMES {
             match files::write_whole(&path, &text, false) {
                 Ok(()) => return Ok(UndoFile { path }),
@@ -66,6 +83,11 @@ impl UndoFile {
         }
         Err(unwritten(&path, &FileError::Exists))
     }
+}
+
+/// The first name that is tried: `base.undo.toml`.
+fn named_beside(file: &Path) -> PathBuf {
+    file.with_file_name(format!("{}.undo.toml", file.file_stem().unwrap_or_default().to_string_lossy()))
 }
 
 fn unwritten(path: &Path, error: &FileError) -> Failure {

@@ -3,9 +3,10 @@
 use super::file::{Line, ParamFile};
 use super::parse::FileFault;
 use super::settings::{Setting, Settings};
+use crate::profile::LookupError;
 use crate::profile::family::Family;
 use crate::profile::param::{Param, Type};
-use crate::profile::select::{DataSets, Selector, Store};
+use crate::profile::select::{DataSets, SelectError, Selector, Store};
 use crate::profile::value::{self, ValueError};
 use crate::text::{Text, both};
 
@@ -51,7 +52,7 @@ impl ParamFile {
     /// The parameter and data set that a line is about.
     fn place(&self, line: &Line, family: &Family) -> Result<(Param, u8), FileFault> {
         let fault = |why: Text| FileFault::new(line.at.clone(), why);
-        let selector: Selector = line.key.parse().map_err(|error: crate::profile::SelectError| fault(error.text()))?;
+        let selector: Selector = line.key.parse().map_err(|error: SelectError| fault(error.text()))?;
         let set = match selector.sets() {
             DataSets::Unnamed | DataSets::All(Store::Eeprom) => 0,
             DataSets::One(set, Store::Eeprom) => set,
@@ -63,7 +64,7 @@ impl ParamFile {
                 )));
             }
         };
-        let found = selector.resolve(family).map_err(|error| fault(error.text()))?;
+        let found = selector.resolve(family).map_err(|error| fault(unknown(&error)))?;
         let param = match <[_; 1]>::try_from(found) {
             Ok([one]) if !one.of_group => one.param,
             _ => {
@@ -87,6 +88,20 @@ impl ParamFile {
             return Err(fault(both!("this family has no data sets", "diese Familie hat keine Datensätze")));
         }
         Ok((param, set))
+    }
+}
+
+/// Why nothing of that name can be had, and what was perhaps meant.
+fn unknown(error: &SelectError) -> Text {
+    let why = error.text();
+    match error {
+        SelectError::Lookup(LookupError::Unknown { near, .. }) if !near.is_empty() => both!(
+            "{why}; did you mean {near}?",
+            "{why}; gemeint ist vielleicht {near}",
+            why,
+            near = Text::join(near, ", ")
+        ),
+        _ => why,
     }
 }
 

@@ -68,6 +68,9 @@ fn of_drive(called: &str, port: &str, rows: Rows) -> Rows {
 impl Page {
     /// First every drive in a line, then those in which something changes or went wrong.
     fn plant(self, plant: &Plant) -> String {
+        // Before something is written it is told how much would be, behind that how much was.
+        let is_over = plant.drives.iter().any(|drive| has_begun(drive.state));
+        let due = |result: WriteResult| if is_over { was_written(result) } else { result != WriteResult::Unchanged };
         let rows = plant.drives.iter().map(|drive| {
             let load = &drive.load;
             let count =
@@ -77,11 +80,12 @@ impl Page {
                 load.address.to_string(),
                 self.family(&load.drive).to_owned(),
                 self.word(state(drive.state)).to_owned(),
-                count(&|result| result != WriteResult::Unchanged).to_string(),
+                count(&due).to_string(),
                 count(&|result| result == WriteResult::Unchanged).to_string(),
             ]
         });
-        let head = ["name", ">addr", "drive", "state", ">different", ">equal"];
+        let written = if is_over { ">written" } else { ">to write" };
+        let head = ["name", ">addr", "drive", "state", written, ">equal"];
         let ports: Vec<&str> = plant.drives.iter().map(|drive| drive.port.as_str()).collect();
         let mut text = self.overview(&plant.project, &ports, &head, rows.collect());
         let is_told = |drive: &&PlantDrive| self.full || drive.state != PlantState::Same;
@@ -165,6 +169,18 @@ impl Page {
         }
         text
     }
+}
+
+/// Whether something was written to a drive, whatever became of it.
+fn has_begun(state: PlantState) -> bool {
+    use PlantState::{Back, Done, Stored, Torn};
+    matches!(state, Done | Stored | Back | Torn)
+}
+
+/// Whether a value went into the drive, and perhaps back.
+fn was_written(result: WriteResult) -> bool {
+    use WriteResult::{Differs, Restored, Stored, Unknown, Unrestored, Verified, Written};
+    matches!(result, Verified | Written | Stored | Unknown | Differs | Restored | Unrestored)
 }
 
 fn state(state: PlantState) -> &'static str {

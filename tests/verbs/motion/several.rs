@@ -55,7 +55,7 @@ fn who_does_not_hear_is_named_and_the_others_stand() {
 fn what_asks_and_everybody_are_one_drive_s() {
     for more in ["quick-stop --take-control", "disable --watchdog 2s", "enable", "goto switched-on"] {
         let run = antrieb(&format!("-a 1-3 statemachine {more} --yes")).on(&line("")).exits(2);
-        assert!(run.sent().is_empty() && run.err.contains("`statemachine quick-stop`"), "{}", run.err);
+        assert!(run.sent().is_empty() && run.err.contains(" -a 1-3 statemachine quick-stop`"), "{}", run.err);
     }
     antrieb("-a 0,1 statemachine quick-stop").on(&line("")).exits(2);
 }

@@ -232,3 +232,17 @@ fn a_file_that_names_another_address_is_told_before_and_behind_the_question() {
     let planned = antrieb("plan").on(&two).file("f.toml", &of_two).file("antrieb.toml", project).json().exits(1);
     assert_eq!(planned.warnings(), ["load.other_address"], "{:#}", planned.value);
 }
+
+/// What can be known before the first byte is told before a drive is asked for anything.
+#[test]
+fn an_undo_file_that_cannot_be_left_is_told_before_a_drive_is_asked() {
+    let values = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"480@2\" = \"20 Hz\"\n";
+    for (place, why) in [("old.toml", "exists already"), ("none/where.toml", "No such file"), ("", "directory")] {
+        let line = format!("-v -a 1 dataset load {{dir}}/new.toml --yes --undo-file {{dir}}/{place}");
+        let run = antrieb(&line).on("[[drive]]\nmodel = \"act\"\naddress = 1\n").file("new.toml", values);
+        let refused = run.file("old.toml", "").exits(7);
+        assert!(refused.sent().is_empty() && refused.err.contains(why), "{place}: {}", refused.err);
+    }
+    let run = antrieb("-v -a 1-3 init {dir}/none/plant.toml").on("[[drive]]\nmodel = \"act\"\naddress = 1\n").exits(7);
+    assert!(run.sent().is_empty(), "{}", run.err);
+}

@@ -81,7 +81,7 @@ fn what_the_ram_may_have_taken_is_named_where_the_drive_does_not_show_it() {
     // `write` proves nothing of the RAM, and says so.
     let keys = "eeprom = { \"480@2\" = \"refuses\" }";
     let ended = antrieb("-a 1 --yes write 480@2=7").on(&bench(keys)).exits(6);
-    assert!(ended.err.contains("`antrieb read 480@2ram` tells"), "{}", ended.err);
+    assert!(ended.err.contains(" -a 1 read 480@2ram` tells"), "{}", ended.err);
 }
 
 #[test]

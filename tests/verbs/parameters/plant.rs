@@ -49,8 +49,8 @@ files = [\"servo.toml\"]
 ones = [\"a1\", \"b1\"]
 ";
 
-pub(super) const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
-pub(super) const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
+pub(crate) const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
+pub(crate) const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
 
 fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
     let config = config.replace("{dir}", &run.directory().display().to_string());
@@ -67,7 +67,7 @@ fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
 }
 
 /// The plant, with these benches.
-pub(super) fn plant(line: &str, benches: [&str; 3]) -> Run {
+pub(crate) fn plant(line: &str, benches: [&str; 3]) -> Run {
     with(antrieb(line), PLANT, benches)
 }
 
