@@ -4578,7 +4578,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__sniff)
-            opts="-p -a -b -q -v -h --for --duration --count --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --for --duration --count --pcap --filter --trigger --pre --post --once --statistics --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -4593,6 +4593,30 @@ _antrieb() {
                     return 0
                     ;;
                 --count)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --pcap)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --filter)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --trigger)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --pre)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --post)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --statistics)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -1,6 +1,7 @@
 //! The program: dispatch over the list of verbs, the forms of their output, the exit code.
 
 mod complete;
+mod forms;
 mod manual;
 mod overview;
 mod page;
@@ -12,16 +13,17 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
-use crate::command::{Context, Entry, Flow, Typed, keeper, recording};
+use crate::command::{Context, Entry, Flow, Typed};
 use crate::drive::Interrupt;
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
 use crate::outcome::{Event, Outcome};
 use crate::profile::Registry;
-use crate::render::{self, Console, Format, Keep, Manner, Patience, Place, Stream, Streams, Terminal, View};
+use crate::render::{self, Console, Format, Manner, Patience, Stream, Streams, Terminal, View};
 use crate::text::both;
 use anyhow::Context as _;
 use clap::ArgMatches;
+use forms::{fits, kept, recorded, view};
 use page::Source;
 use printed::Printed;
 use signals::{Signals, obey_keys, raise_on_closed_output};
@@ -249,72 +251,6 @@ struct Looks<'s, 'o> {
     watch: Option<Watch>,
     /// stderr is a terminal.
     terminal: bool,
-}
-
-/// The form of a stream; `None` where everything is printed at the end.
-fn view(
-    flow: &Flow,
-    format: Format,
-    sends: bool,
-    environment: &Environment,
-    (out_is_terminal, at_terminal): (bool, bool),
-) -> Option<View> {
-    let is_dumb = environment.variables.get("TERM").is_some_and(|term| term == "dumb");
-    match (flow, format) {
-        (Flow::Run { .. }, _) if !sends => None,
-        (Flow::Run { view: true }, _) if at_terminal && !is_dumb && Stream::has_terminal() => Some(View::Live),
-        (Flow::Run { view: true }, _) => None,
-        (Flow::Search, Format::Ndjson) if sends => Some(View::Ndjson),
-        (Flow::Search, _) => None,
-        (_, Format::Ndjson) => Some(View::Ndjson),
-        // Without an end to wait for there is no document: its JSON is one object a line.
-        (Flow::Samples { .. }, Format::Json) => Some(View::Ndjson),
-        _ if !sends => None,
-        (Flow::Samples { .. }, Format::Csv) => Some(View::Csv),
-        (Flow::Samples { .. }, Format::Influx) => Some(View::Influx),
-        (Flow::Samples { .. }, Format::OpenMetrics) => Some(View::OpenMetrics),
-        (Flow::Samples { line: true, .. }, Format::Table) if out_is_terminal => Some(View::Ticker),
-        (Flow::Samples { .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
-        (Flow::Samples { .. }, Format::Table) => Some(View::Lines),
-        (Flow::Telegrams, Format::Table) => Some(View::Telegrams),
-        _ => None,
-    }
-}
-
-/// Why a form cannot be had of what a verb tells.
-fn fits(format: Format, flow: Option<&Flow>) -> Option<Failure> {
-    if !format.is_for_samples() || matches!(flow, Some(Flow::Samples { .. })) {
-        return None;
-    }
-    let text = both!(
-        "--format influx and openmetrics are forms of samples that come again and again",
-        "--format influx und openmetrics sind Formen von Messpunkten, die immer wieder kommen"
-    );
-    let hint = both!("`monitor` has them; else json, ndjson or csv", "`monitor` hat sie; sonst json, ndjson oder csv");
-    Some(Failure::new(Class::Usage, "usage.format", text).hint(hint))
-}
-
-/// The file that a stream keeps beside it.
-fn kept(flow: Option<&Flow>) -> io::Result<Option<Keep>> {
-    match flow {
-        Some(Flow::Samples { textfile: Some(path), .. }) => {
-            keeper(path.clone()).map(|keep| Some(Box::new(keep) as Keep))
-        }
-        _ => Ok(None),
-    }
-}
-
-/// The file that keeps a stream, and in which form.
-fn recorded(flow: Option<Flow>, format: Format, force: bool) -> Option<(View, Place)> {
-    let Some(Flow::Samples { record: Some(path), .. }) = flow else { return None };
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    let view = match ending.as_deref() {
-        Some("csv") => View::Csv,
-        Some("ndjson") => View::Ndjson,
-        _ if format == Format::Csv => View::Csv,
-        _ => View::Ndjson,
-    };
-    Some((view, Box::new(move || Ok(Box::new(recording(&path, force)?) as Box<dyn Write>))))
 }
 
 /// Whether colours may go to stdout: `--color` before NO_COLOR (no-color.org), CLICOLOR and TERM.

@@ -1,14 +1,16 @@
 //! `sniff`: listens to what others say on a line. Never sends.
 
 use super::verb::{Flow, Verb, Working};
-use super::{Context, connect, offline_family, telegram_reader};
+use super::{Context, connect, offline_family, output, telegram_reader};
 use crate::args::{Takes, parse_span};
-use crate::drive::{Listening, Port, sniff};
+use crate::drive::{Filter, Listening, Port, sniff};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff};
 use crate::text::both;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 /// Listens on a line and tells every telegram. Never sends.
 ///
@@ -16,6 +18,9 @@ use clap::Args as ClapArgs;
 /// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`. Parameters are named as in the
 /// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
 /// record; --json and CSV tell all at the end.
+///
+/// At the end, and with --statistics on the way, stands what was counted of each station: requests, replies, no answer, refusals, how often
+/// it was asked again, reply times, disturbed telegrams, pauses that were too short; and how full the line is.
 ///
 /// Times are milliseconds since the port was opened. `>` is a request, `<` a reply, `?` could be either, `!` is
 /// disturbed.
@@ -31,8 +36,47 @@ pub struct Args {
     /// End after this many telegrams
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub count: Option<u64>,
+
+    /// Keep a capture for Wireshark; - is stdout
+    ///
+    /// Classic pcap of link type 250 (RTAC Serial); `-d rtacser.data,mbrtu` takes its payload apart as Modbus RTU. A file that is there
+    /// is left alone without --force.
+    #[arg(long, value_name = "FILE")]
+    pub pcap: Option<PathBuf>,
+
+    /// Tell only such telegrams: 'address=3 !reply'
+    ///
+    /// Words that must all be true: request, reply, refused, disturbed, address=1,5-9, function=3,6, hex=4178 (bytes within it); a !
+    /// before a word turns it around. With several --filter any of them will do. The statistics count everything.
+    #[arg(long, value_name = "WORDS", value_parser = Filter::from_str)]
+    pub filter: Vec<Filter>,
+
+    /// Wait for such a telegram, tell what is near
+    ///
+    /// Words as of --filter. Nothing is told but what lies within --pre before it and --post behind it.
+    #[arg(long, value_name = "WORDS", value_parser = Filter::from_str)]
+    pub trigger: Vec<Filter>,
+
+    /// So long before a trigger is told [default: 2s]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "trigger", hide_short_help = true)]
+    pub pre: Option<Span>,
+
+    /// So long behind a trigger is told [default: 5s]
+    #[arg(long, value_name = "TIME", value_parser = parse_span, requires = "trigger", hide_short_help = true)]
+    pub post: Option<Span>,
+
+    /// End behind the first trigger
+    #[arg(long, requires = "trigger")]
+    pub once: bool,
+
+    /// Tell the statistics so often, not only at the end
+    #[arg(long, value_name = "TIME", value_parser = parse_span)]
+    pub statistics: Option<Span>,
 }
 
+/// What lies so near to a trigger is told.
+const PRE: Span = Span::from_secs(2);
+const POST: Span = Span::from_secs(5);
 /// Where time is virtual, silence would never be cut short by anybody.
 const QUIET: Span = Span::from_secs(10);
 
@@ -42,11 +86,12 @@ impl Verb for Args {
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port /dev/ttyUSB0 --baud 19200 sniff --duration 1m",
         "antrieb --port tape:line.txt sniff --drive act --format ndjson",
+        "antrieb -p /dev/ttyUSB0 sniff --pcap line.pcap --filter 'address=3'",
     ];
     type Prints = Document<OrPlan<Sniff>>;
 
     fn streams(&self) -> Option<Flow> {
-        Some(Flow::Telegrams)
+        Some(Flow::Telegrams { capture: self.pcap.clone() })
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -64,12 +109,21 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if matches!(settings.port, Some(Port::Mbtcp(_))) {
         return Err(no_line());
     }
+    if let Some(path) = args.pcap.as_deref().filter(|path| *path != Path::new("-")) {
+        output::check(path, settings.force)?;
+    }
     let is_virtual = matches!(settings.port, Some(Port::Sim(_) | Port::Tape(_)));
     let plan = Listening {
         duration: args.duration,
         quiet: (is_virtual && args.duration.is_none()).then_some(QUIET),
         count: args.count,
         keep: settings.tells_at_the_end(),
+        statistics: args.statistics,
+        filters: args.filter.clone(),
+        triggers: args.trigger.clone(),
+        pre: args.pre.unwrap_or(PRE),
+        post: args.post.unwrap_or(POST),
+        once: args.once,
     };
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
@@ -80,8 +134,8 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 /// Why it was of no use to listen.
 fn unheard(sniff: &Sniff) -> Option<Failure> {
     let summary = &sniff.summary;
-    let (line, protocol, heard) = (&summary.line, summary.protocol, summary.heard);
-    let failure = match (heard, heard - summary.garbled) {
+    let (line, protocol, heard) = (&summary.line, summary.protocol, summary.count.heard);
+    let failure = match (heard, heard - summary.count.garbled) {
         (0, _) => Failure::new(
             Class::Silence,
             "silence.nothing_heard",

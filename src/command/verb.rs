@@ -58,7 +58,10 @@ pub enum Flow {
         record: Option<PathBuf>,
     },
     /// Telegrams.
-    Telegrams,
+    Telegrams {
+        /// A file that keeps them as a capture; `-` is stdout, in the place of anything else.
+        capture: Option<PathBuf>,
+    },
     /// How far a search is, and a document at its end.
     Search,
     /// A run that is held, and a document at its end.

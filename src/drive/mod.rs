@@ -55,7 +55,7 @@ pub use scan::{
     scan,
 };
 pub use session::Session;
-pub use sniff::{Listening, sniff};
+pub use sniff::{Filter, Listening, sniff};
 pub use tally::{is_over, summary};
 pub use target::Target;
 pub use terms::{Recognised, Terms, who};

@@ -1,111 +1,199 @@
 //! Listens on a line without ever sending: what comes is cut into telegrams, and they are told in words.
 
+mod census;
+mod filter;
+
+pub use filter::Filter;
+
 use super::access::AccessError;
 use super::decode::Reader;
 use super::session::Session;
 use crate::exchange::Cutter;
-use crate::outcome::{Decimal, Event, Record, Sniff, SniffSummary, TelegramDoc};
+use crate::outcome::{Event, Record, Sniff, SniffSummary, TelegramDoc};
+use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use crate::transport::Wake;
+use census::{Came, Census, Terms};
 use std::collections::VecDeque;
 use std::iter::repeat_n;
 
-/// How long to listen, and what to keep.
-#[derive(Clone, Copy, Debug)]
+/// How long to listen, to what, and what to keep.
+#[derive(Clone, Debug, Default)]
 pub struct Listening {
     /// End after this time.
     pub duration: Option<Span>,
     /// End when nothing came for so long.
     pub quiet: Option<Span>,
-    /// End after so many telegrams, disturbed ones among them.
+    /// End after so many telegrams that were told, disturbed ones among them.
     pub count: Option<u64>,
     /// Whether the telegrams are part of the result, beside the records on the way.
     pub keep: bool,
+    /// Tell what was counted so often.
+    pub statistics: Option<Span>,
+    /// Only what one of these lets through is told; everything if there are none.
+    pub filters: Vec<Filter>,
+    /// Nothing is told but what lies around a telegram that one of these lets through.
+    pub triggers: Vec<Filter>,
+    /// So long before it.
+    pub pre: Span,
+    /// And so long behind it.
+    pub post: Span,
+    /// End behind the first one.
+    pub once: bool,
 }
 
 /// Tells every telegram as a record until the time or the count is over, or somebody interrupts, which is the normal end;
 /// an error only if the port is lost. Never sends.
 pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<AccessError>) {
     let begin = session.now();
-    let cutter = Cutter::new(reader.protocol, session.line());
-    let mut ear = Ear::new(*reader, cutter, session.limits().reply_timeout);
-    let mut log = Log { plan, heard: 0, garbled: 0, kept: Vec::new() };
-    let mut last = begin;
-    let (because, error) = loop {
+    let (mut ear, mut log) = (Ear::of(session, *reader), Log::new(plan));
+    let (because, error) = listen(session, &mut ear, &mut log, begin).await;
+    // What was begun is told as it is.
+    log.tell(session, ear.silence());
+    let summary = summary(session, &ear, because);
+    (Sniff { summary, telegrams: log.kept }, error)
+}
+
+/// Until it is over; why.
+async fn listen(
+    session: &mut Session<'_>,
+    ear: &mut Ear<'_>,
+    log: &mut Log,
+    begin: Tick,
+) -> (&'static str, Option<AccessError>) {
+    let mut last = session.now();
+    let mut told = last;
+    loop {
+        let plan = &log.plan;
         let ends = [
             (plan.duration.map(|span| begin + span), Some("duration")),
             (plan.quiet.map(|span| last + span), Some("quiet")),
+            (log.until.filter(|_| plan.once), Some("trigger")),
+            (plan.statistics.map(|span| told + span), None),
             (ear.ends(last), None),
         ];
         let next = ends.into_iter().filter_map(|(at, because)| Some((at?, because))).min_by_key(|(at, _)| *at);
         let (until, because) = next.unwrap_or((session.now() + Span::from_secs(1), None));
-        let telegrams = match session.hear(until).await {
+        let heard = session.hear(until).await;
+        let now = session.now();
+        let telegrams = match heard {
             Ok(Wake::Bytes(bytes)) => {
-                last = session.now();
-                let telegrams = ear.feed(last, &bytes);
-                // Bytes that come all the time do not prolong it.
-                if plan.duration.is_some_and(|span| last >= begin + span) {
-                    log.tell(session, telegrams);
-                    break ("duration", None);
-                }
-                telegrams
+                last = now;
+                ear.feed(last, &bytes)
             }
-            Ok(Wake::Silence) => match because {
-                Some(because) => break (because, None),
-                None => ear.silence(),
-            },
-            Err(AccessError::Interrupted) => break ("interrupted", None),
-            Err(error) => break ("lost", Some(error)),
+            Ok(Wake::Silence) if because.is_some() => return (because.unwrap_or_default(), None),
+            Ok(Wake::Silence) if ear.ends(last).is_some_and(|at| now >= at) => ear.silence(),
+            Ok(Wake::Silence) => Vec::new(),
+            Err(AccessError::Interrupted) => return ("interrupted", None),
+            Err(error) => return ("lost", Some(error)),
         };
         if log.tell(session, telegrams) {
-            break ("count", None);
+            return ("count", None);
         }
-    };
-    // What was begun is told as it is.
-    log.tell(session, ear.silence());
-    let summary = SniffSummary {
+        if log.plan.statistics.is_some_and(|span| now >= told + span) {
+            told = now;
+            session.tell(Event::Record(Box::new(Record::Statistics(ear.census.count(now)))));
+        }
+        // Bytes that come all the time do not prolong it.
+        let is_over = |at: Option<Tick>| at.is_some_and(|at| now >= at);
+        if is_over(log.plan.duration.map(|span| begin + span)) {
+            return ("duration", None);
+        }
+        if log.plan.once && is_over(log.until) {
+            return ("trigger", None);
+        }
+    }
+}
+
+fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> SniffSummary {
+    SniffSummary {
         because,
-        t: seconds(session.now().since(begin)),
         port: session.port().to_owned(),
         line: session.line().to_string(),
         protocol: session.protocol().name(),
-        heard: log.heard,
-        garbled: log.garbled,
-    };
-    (Sniff { summary, telegrams: log.kept }, error)
+        count: ear.census.count(session.now()),
+        unseen: unseen(),
+    }
 }
 
-fn seconds(span: Span) -> Decimal {
-    Decimal { raw: i64::try_from(span.as_micros()).unwrap_or(i64::MAX), decimals: 6 }
+/// What a census must know of the line.
+fn terms(session: &Session<'_>) -> Terms {
+    let line = session.line();
+    // Only in RTU silences part the telegrams.
+    let pause = (session.protocol().name() == "rtu").then(|| line.t35());
+    Terms { thousand: line.chars(1_000), pause, patience: session.limits().reply_timeout }
+}
+
+/// What a serial adapter does not tell.
+fn unseen() -> Text {
+    both!(
+        "a serial adapter tells characters, no levels and no reflections: what a cable without termination or bias does to the \
+         edges takes an oscilloscope; pauses and times are those of its driver",
+        "ein serieller Adapter zeigt Zeichen, keine Pegel und keine Reflexionen: was eine Leitung ohne Abschluss oder Ruhepegel mit \
+         den Flanken macht, zeigt ein Oszilloskop; Pausen und Zeiten sind die seines Treibers"
+    )
 }
 
 /// What was told so far.
 struct Log {
     plan: Listening,
-    heard: u64,
-    garbled: u64,
+    told: u64,
     kept: Vec<TelegramDoc>,
+    /// What came last and may have to be told, while something is waited for.
+    past: VecDeque<TelegramDoc>,
+    /// Until then everything is told.
+    until: Option<Tick>,
 }
 
 impl Log {
+    fn new(plan: Listening) -> Self {
+        Log { plan, told: 0, kept: Vec::new(), past: VecDeque::new(), until: None }
+    }
+
     /// Tells telegrams up to the count; `true` if that is reached.
     fn tell(&mut self, session: &mut Session<'_>, telegrams: Vec<TelegramDoc>) -> bool {
         for telegram in telegrams {
-            if self.is_full() {
-                break;
+            for telegram in self.wanted(telegram) {
+                if self.is_full() {
+                    break;
+                }
+                self.told += 1;
+                if self.plan.keep {
+                    self.kept.push(telegram.clone());
+                }
+                session.tell(Event::Record(Box::new(Record::Telegram(telegram))));
             }
-            self.heard += 1;
-            self.garbled += u64::from(!telegram.check_ok);
-            if self.plan.keep {
-                self.kept.push(telegram.clone());
-            }
-            session.tell(Event::Record(Box::new(Record::Telegram(telegram))));
         }
         self.is_full()
     }
 
+    /// What is to be told now that this came.
+    fn wanted(&mut self, telegram: TelegramDoc) -> Vec<TelegramDoc> {
+        let Listening { filters, triggers, pre, post, once, .. } = &self.plan;
+        let at = Tick::from_micros(telegram.at_us.unwrap_or(0));
+        let lets = |filters: &[Filter]| filters.iter().any(|filter| filter.lets(&telegram));
+        let is_old = |past: &TelegramDoc| past.at_us.is_some_and(|then| at.since(Tick::from_micros(then)) > *pre);
+        while self.past.front().is_some_and(is_old) {
+            self.past.pop_front();
+        }
+        let mut wanted = Vec::new();
+        if lets(triggers) && !(*once && self.until.is_some()) {
+            wanted.extend(self.past.drain(..));
+            self.until = Some(at + *post);
+        }
+        if !filters.is_empty() && !lets(filters) {
+            return wanted;
+        }
+        if triggers.is_empty() || self.until.is_some_and(|until| at <= until) {
+            wanted.push(telegram);
+            return wanted;
+        }
+        self.past.push_back(telegram);
+        wanted
+    }
+
     fn is_full(&self) -> bool {
-        self.plan.count.is_some_and(|count| self.heard >= count)
+        self.plan.count.is_some_and(|count| self.told >= count)
     }
 }
 
@@ -121,11 +209,25 @@ struct Ear<'r> {
     asked: Option<(Tick, Option<u8>, Option<u8>)>,
     /// Something was heard before.
     is_in: bool,
+    census: Census,
+    /// What the clock of the line must be put forward by, to be that of the day.
+    since_1970: Option<Span>,
 }
 
 impl<'r> Ear<'r> {
-    fn new(reader: Reader<'r>, cutter: Cutter, patience: Span) -> Self {
-        Ear { reader, cutter, arrivals: VecDeque::new(), patience, asked: None, is_in: false }
+    /// On the line of a session.
+    fn of(session: &Session<'_>, reader: Reader<'r>) -> Self {
+        let cutter = Cutter::new(reader.protocol, session.line());
+        let census = Census::new(terms(session), session.now());
+        let since_1970 = session
+            .since_1970()
+            .map(|span| Span::from_micros(span.as_micros().saturating_sub(session.now().as_micros())));
+        Ear { since_1970, ..Ear::new(reader, cutter, session.limits().reply_timeout, census) }
+    }
+
+    fn new(reader: Reader<'r>, cutter: Cutter, patience: Span, census: Census) -> Self {
+        let (arrivals, asked) = (VecDeque::new(), None);
+        Ear { reader, cutter, arrivals, patience, asked, is_in: false, census, since_1970: None }
     }
 
     /// When what is open will stay so, if the last byte came at `last`.
@@ -160,6 +262,10 @@ impl<'r> Ear<'r> {
             doc = self.reader.telegram(bytes, Some(!self.asked.is_some_and(same)));
         }
         doc.at_us = Some(at.as_micros());
+        doc.since_1970_us = self.since_1970.map(|span| span.as_micros() + at.as_micros());
+        let piece = came.iter().filter(|then| **then == at).count() as u64;
+        let last = came.last().copied().unwrap_or(at);
+        self.census.note(&doc, Came { first: at, piece, last, bytes: bytes.len() as u64 });
         self.is_in = true;
         self.asked = (doc.check_ok && doc.direction != Some("reply")).then_some((at, doc.address, doc.function));
         doc
@@ -178,7 +284,9 @@ mod tests {
 
     fn ear(protocol: Protocol) -> Ear<'static> {
         let reader = Reader { protocol, node: 0, family: None, order: None };
-        Ear::new(reader, Cutter::new(protocol, LINE), Span::from_millis(500))
+        let terms = Terms { thousand: LINE.chars(1_000), pause: None, patience: Span::from_millis(500) };
+        let census = Census::new(terms, Tick::from_micros(0));
+        Ear::new(reader, Cutter::new(protocol, LINE), Span::from_millis(500), census)
     }
 
     fn rtu() -> Ear<'static> {

@@ -40,8 +40,9 @@ pub use profibus::{BasicModule, LiveList, LiveStation};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{
-    Before, Column, LineNews, Monitor, PortChange, Record, RunKeys, RunNews, Sample, SampleValue, Sniff, SniffSummary,
-    StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits, WatchedDrive,
+    Before, Column, LineNews, Monitor, PortChange, Record, Repeats, RunKeys, RunNews, Sample, SampleValue, Sniff,
+    SniffCount, SniffSummary, SniffedStation, StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits,
+    WatchedDrive,
 };
 pub use systembus::{
     BusCharge, BusDrive, BusLink, BusLoad, BusPlan, BusRate, BusReceiver, BusRelation, BusRemark, BusSetting, BusTotal,

@@ -125,6 +125,12 @@ pub struct TelegramDoc {
     /// Of a frame of CAN.
     #[serde(flatten)]
     pub can: Option<CanDoc>,
+    /// It is a reply that refuses what was asked.
+    #[serde(skip)]
+    pub refuses: bool,
+    /// When it came, in microseconds since the beginning of 1970, where the line has a time of day.
+    #[serde(skip)]
+    pub since_1970_us: Option<u64>,
 }
 
 impl TelegramDoc {
@@ -141,6 +147,8 @@ impl TelegramDoc {
             meaning: Text::default(),
             fields: Vec::new(),
             can: None,
+            refuses: false,
+            since_1970_us: None,
         }
     }
 }

@@ -25,6 +25,8 @@ pub enum Record {
     Reopened(PortChange),
     /// What `sniff` heard, or what would be sent, under `--dry-run`.
     Telegram(TelegramDoc),
+    /// What `sniff` has counted so far.
+    Statistics(SniffCount),
     /// How far a search for settings has come; what it found stands in the rows behind.
     Search(SearchNews),
     /// How it ended; the last line.
@@ -307,18 +309,68 @@ pub struct Sniff {
 /// What `sniff` heard, in numbers.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SniffSummary {
-    /// Why it ended: `count`, `duration`, `quiet`, `interrupted`, `lost`.
+    /// Why it ended: `count`, `duration`, `quiet`, `trigger` (--once), `interrupted`, `lost`.
     pub because: &'static str,
-    /// Seconds from the start to the end.
-    pub t: Decimal,
     /// Port.
     pub port: String,
     /// Line setting.
     pub line: String,
     /// Protocol.
     pub protocol: &'static str,
+    /// What was counted.
+    #[serde(flatten)]
+    pub count: SniffCount,
+    /// What a serial adapter does not tell of a line.
+    pub unseen: Text,
+}
+
+/// What `sniff` has counted so far, whether it was told or not.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SniffCount {
+    /// Seconds since it began to listen.
+    pub t: Decimal,
     /// Telegrams, disturbed ones among them.
     pub heard: u64,
     /// Of these, disturbed or no telegrams at all.
     pub garbled: u64,
+    /// Share of the time in which characters were on the line, in percent.
+    pub load_percent: Decimal,
+    /// One entry a station that was asked or answered.
+    pub stations: Vec<SniffedStation>,
+}
+
+/// What was heard of a station. Times are those of the adapter; what it handed over in one piece has none.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SniffedStation {
+    /// Address; 0 is everybody.
+    pub address: u8,
+    /// Requests, repeats among them.
+    pub requests: u64,
+    /// Replies, refusals among them.
+    pub replies: u64,
+    /// Requests that nobody answered before the next one, or in time.
+    pub unanswered: u64,
+    /// Replies that refuse.
+    pub exceptions: u64,
+    /// How many questions were asked again how often.
+    pub repeats: Vec<Repeats>,
+    /// Shortest time from the end of a request to the beginning of its reply.
+    pub fastest_us: Option<u64>,
+    /// Half of the replies were faster, to 0.1 ms.
+    pub median_us: Option<u64>,
+    /// Longest time.
+    pub slowest_us: Option<u64>,
+    /// How often something disturbed came behind a request to it.
+    pub check_errors: u64,
+    /// Telegrams from it or to it behind less than half the pause that must lie before them (RTU).
+    pub short_pauses: u64,
+}
+
+/// So many questions were asked again so often.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Repeats {
+    /// How often again: 1 is once.
+    pub times: u64,
+    /// Questions.
+    pub questions: u64,
 }

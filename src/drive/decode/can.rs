@@ -194,13 +194,8 @@ fn damaged(word: &str, error: &FrameError) -> TelegramDoc {
 /// A document of what was told.
 fn document(told: Told, identifier: Option<Identifier>, hex: String) -> TelegramDoc {
     TelegramDoc {
-        at_us: None,
-        protocol: "can",
         direction: told.direction,
         address: told.node,
-        function: None,
-        check_ok: told.is_right,
-        hex,
         meaning: told.meaning,
         fields: told.fields,
         can: Some(CanDoc {
@@ -212,6 +207,7 @@ fn document(told: Told, identifier: Option<Identifier>, hex: String) -> Telegram
             data_set: told.data_set,
             raw: told.raw,
         }),
+        ..TelegramDoc::blank("can", hex, told.is_right)
     }
 }
 

@@ -22,6 +22,7 @@ impl Reader<'_> {
         };
         doc.address = Some(adu.station);
         doc.function = adu.pdu.first().map(|function| function & !pdu::EXCEPTION_BIT);
+        doc.refuses = adu.pdu.first().is_some_and(|function| function & pdu::EXCEPTION_BIT != 0);
         let (direction, (meaning, fields)) = self.pdu(&adu.pdu, is_request);
         doc.direction = direction;
         doc.meaning = Text::join([&addressed(adu.station), &meaning], ": ");

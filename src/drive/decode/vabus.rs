@@ -68,6 +68,7 @@ impl Reader<'_> {
                 ("reply", *address, both!("done (ACK)", "ausgeführt (ACK)"))
             }
             Telegram::Reply(Reply::Nak { address }) => {
+                doc.refuses = true;
                 doc.fields = vec![addressed(*address), control("15", "NAK", both!("refused", "abgelehnt"))];
                 let meaning = both!("refused (NAK); P.11 tells why", "abgelehnt (NAK); P.11 nennt den Grund");
                 ("reply", *address, meaning)

@@ -1,8 +1,8 @@
 //! Telegrams: of `sniff`, and of `--dry-run`.
 
-use super::page::Page;
+use super::page::{Page, shown};
 use super::{Finding, Rows};
-use crate::outcome::{Plan, Sniff, TelegramDoc};
+use crate::outcome::{Plan, Sniff, SniffCount, SniffedStation, TelegramDoc};
 use crate::profile::value::format_decimal;
 
 impl Finding for Plan {
@@ -17,7 +17,7 @@ impl Finding for Plan {
 
 impl Finding for Sniff {
     fn table(&self, page: Page) -> String {
-        page.telegrams(&self.telegrams)
+        page.telegrams(&self.telegrams) + "\n" + &page.sniffed(&self.summary.count)
     }
 
     fn rows(&self) -> Rows {
@@ -26,6 +26,31 @@ impl Finding for Sniff {
 }
 
 impl Page {
+    /// What was counted of each station, and of the line.
+    pub(in crate::render) fn sniffed(self, count: &SniffCount) -> String {
+        let millis =
+            |us: Option<u64>| us.map_or_else(|| "-".to_owned(), |us| format_decimal(us.div_ceil(100) as i64, 1));
+        let counted = count.stations.iter().map(|station| {
+            let again = station.repeats.iter().map(|row| format!("{}x: {}", row.times, row.questions));
+            let again = again.collect::<Vec<_>>().join(", ");
+            let SniffedStation { address, requests, replies, unanswered, exceptions, .. } = station;
+            let counts = [u64::from(*address), *requests, *replies, *unanswered, *exceptions];
+            let again = if again.is_empty() { "-".to_owned() } else { again };
+            counts.map(|count| count.to_string()).into_iter().chain([again]).collect()
+        });
+        let timed = count.stations.iter().map(|station| {
+            let times = [station.fastest_us, station.median_us, station.slowest_us].map(millis);
+            let bad = [station.check_errors, station.short_pauses].map(|count| count.to_string());
+            [station.address.to_string()].into_iter().chain(times).chain(bad).collect()
+        });
+        // On a screen of 80 columns all of it has no room side by side.
+        let counted = self.table(&[">addr", ">asked", ">replies", ">silent", ">refused", "again"], counted.collect());
+        let head = [">addr", ">min ms", ">median ms", ">max ms", ">garbled", ">short pauses"];
+        let timed = self.table(&head, timed.collect());
+        let load = format!("{} %", shown(count.load_percent, false));
+        counted + "\n" + &timed + "\n" + &self.pairs(vec![("bus load", load)])
+    }
+
     fn plan(self, plan: &Plan) -> String {
         let notes: String = plan.notes.iter().map(|note| self.prose(&format!("- {}", note.get(self.lang)))).collect();
         let gap = if notes.is_empty() { "" } else { "\n" };

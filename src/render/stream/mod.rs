@@ -11,6 +11,7 @@ mod live;
 mod metrics;
 mod ndjson;
 mod openmetrics;
+mod pcap;
 mod recorder;
 mod telegrams;
 mod ticker;
@@ -21,7 +22,8 @@ pub use recorder::Place;
 
 use super::{Console, Outlet};
 use crate::outcome::{
-    Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, SniffSummary, StreamEnd, StreamSummary,
+    Data, Decimal, ErrorDoc, Event, Monitor, Outcome, Record, SCHEMA_VERSION, SniffCount, SniffSummary, StreamEnd,
+    StreamSummary,
 };
 use crate::text::{Lang, Text, both};
 use std::io::{self, Write};
@@ -41,6 +43,8 @@ pub enum View {
     Lines,
     /// One line a telegram, for people.
     Telegrams,
+    /// Telegrams as a capture.
+    Pcap,
     /// One line that is refreshed.
     Ticker,
     /// The whole terminal: a chart and a table.
@@ -122,7 +126,8 @@ impl<'a> Stream<'a> {
             View::Influx => Box::new(influx::Influx::new(out)),
             View::OpenMetrics => Box::new(openmetrics::OpenMetrics::new(out)),
             View::Lines => Box::new(lines::Lines::new(out, manner.lang)),
-            View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner.lang)),
+            View::Telegrams => Box::new(telegrams::Telegrams::new(out, manner)),
+            View::Pcap => Box::new(pcap::Pcap::new(Box::new(out))?),
             View::Ticker => Box::new(ticker::Ticker::new(out, manner)),
             View::Live => {
                 let (keys, ear) = Keys::new();
@@ -283,7 +288,7 @@ impl<'a> Stream<'a> {
 fn end(outcome: &Outcome, command: &'static str, summary: Option<StreamSummary>) -> StreamEnd {
     let t = summary.as_ref().map(|summary| match summary {
         StreamSummary::Monitor(monitor) => monitor.t,
-        StreamSummary::Sniff(sniff) => sniff.t,
+        StreamSummary::Sniff(sniff) => sniff.count.t,
     });
     StreamEnd {
         t: t.unwrap_or(Decimal { raw: 0, decimals: 6 }),
@@ -307,7 +312,7 @@ fn told(summary: &StreamSummary) -> Text {
             gaps = Text::count(*gaps, ["of them a gap", "of them gaps"], ["Lücke davon", "Lücken davon"]),
             t = cells::seconds(*t)
         ),
-        StreamSummary::Sniff(SniffSummary { heard, garbled, t, .. }) => both!(
+        StreamSummary::Sniff(SniffSummary { count: SniffCount { heard, garbled, t, .. }, .. }) => both!(
             "{heard} in {t} s, {garbled} of them disturbed",
             "{heard} in {t} s, davon {garbled} gestört",
             heard = Text::count(*heard, ["telegram", "telegrams"], ["Telegramm", "Telegramme"]),

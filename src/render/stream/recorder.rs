@@ -2,6 +2,7 @@
 
 use super::csv::Csv;
 use super::ndjson::Ndjson;
+use super::pcap::Pcap;
 use super::{Form, Manner, View};
 use crate::outcome::{Decimal, Record};
 use std::collections::VecDeque;
@@ -33,12 +34,11 @@ impl Recorder {
         match record {
             Record::Start(start) => {
                 self.window = start.waits.as_ref().map(|waits| (seconds(waits.pre), seconds(waits.post)));
-                let Some(place) = self.place.take() else { return Ok(()) };
-                let out = place()?;
-                self.form = Some(match self.view {
-                    View::Csv => Box::new(Csv::new(out)),
-                    _ => Box::new(Ndjson::new(out, self.manner.lang)),
-                });
+                self.open()?;
+                self.keep(record)
+            }
+            Record::Telegram(_) => {
+                self.open()?;
                 self.keep(record)
             }
             Record::Trigger(news) => {
@@ -51,7 +51,13 @@ impl Recorder {
                 self.until = Some(t + behind);
                 self.keep(record)
             }
-            Record::End(_) => self.keep(record),
+            Record::End(end) => {
+                // A capture of a line on which nobody spoke is an empty one.
+                if self.view == View::Pcap && end.summary.is_some() {
+                    self.open()?;
+                }
+                self.keep(record)
+            }
             _ if self.window.is_none() || time(record).zip(self.until).is_some_and(|(t, until)| t <= until) => {
                 self.keep(record)
             }
@@ -60,6 +66,18 @@ impl Recorder {
                 Ok(())
             }
         }
+    }
+
+    /// There is something to keep.
+    fn open(&mut self) -> io::Result<()> {
+        let Some(place) = self.place.take() else { return Ok(()) };
+        let out = place()?;
+        self.form = Some(match self.view {
+            View::Csv => Box::new(Csv::new(out)),
+            View::Pcap => Box::new(Pcap::new(out)?),
+            _ => Box::new(Ndjson::new(out, self.manner.lang)),
+        });
+        Ok(())
     }
 
     fn remember(&mut self, record: &Record) {

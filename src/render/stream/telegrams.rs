@@ -1,11 +1,11 @@
 //! One line a telegram as it comes, for people.
 
-use super::Form;
-use crate::outcome::{Record, TelegramDoc};
+use super::{Form, Manner};
+use crate::outcome::{Record, SniffCount, StreamEnd, StreamSummary, TelegramDoc};
 use crate::profile::value::format_decimal;
 use crate::render::clean;
-use crate::render::finding::direction;
-use crate::text::Lang;
+use crate::render::finding::{Page, direction};
+use crate::render::wrap::wrap;
 use std::io::{self, Write};
 
 /// Milliseconds of a day, with three places.
@@ -15,17 +15,27 @@ const BYTES: usize = 23;
 
 pub(super) struct Telegrams<'a> {
     out: &'a mut dyn Write,
-    lang: Lang,
+    manner: Manner,
 }
 
 impl<'a> Telegrams<'a> {
-    pub(super) fn new(out: &'a mut dyn Write, lang: Lang) -> Self {
-        Telegrams { out, lang }
+    pub(super) fn new(out: &'a mut dyn Write, manner: Manner) -> Self {
+        Telegrams { out, manner }
+    }
+
+    /// What was counted, between empty lines.
+    fn count(&mut self, count: &SniffCount) -> io::Result<()> {
+        if count.stations.is_empty() {
+            return Ok(());
+        }
+        let Manner { lang, width, .. } = self.manner;
+        writeln!(self.out, "\n{}", Page { lang, width, full: false }.sniffed(count))?;
+        self.out.flush()
     }
 
     fn line(&mut self, doc: &TelegramDoc) -> io::Result<()> {
         let at = doc.at_us.map_or_else(String::new, |us| format_decimal(us as i64, 3));
-        let (sign, meaning) = (direction(doc), clean(doc.meaning.get(self.lang)));
+        let (sign, meaning) = (direction(doc), clean(doc.meaning.get(self.manner.lang)));
         writeln!(self.out, "{at:>TIME$}  {sign}  {:<BYTES$}  {meaning}", doc.hex)?;
         self.out.flush()
     }
@@ -35,6 +45,14 @@ impl Form for Telegrams<'_> {
     fn record(&mut self, record: &Record) -> io::Result<()> {
         match record {
             Record::Telegram(telegram) => self.line(telegram),
+            Record::Statistics(count) => self.count(count),
+            Record::End(StreamEnd { summary: Some(StreamSummary::Sniff(sniff)), .. }) => {
+                self.count(&sniff.count)?;
+                match sniff.count.stations.is_empty() {
+                    true => Ok(()),
+                    false => writeln!(self.out, "{}", wrap(sniff.unseen.get(self.manner.lang), self.manner.width)),
+                }
+            }
             _ => Ok(()),
         }
     }

@@ -27,7 +27,7 @@ const TOLD: &str = "       1.000  >  01 03 21 74 00 01 CE 2C  address 1: read P.
 fn every_telegram_is_a_line_with_time_direction_bytes_and_words() {
     let line = "-p tape:{dir}/t sniff --protocol rtu";
     let output = antrieb(line).file("t", RTU).exits(0);
-    assert_eq!(output.out, TOLD);
+    assert!(output.out.starts_with(TOLD), "{}", output.out);
     assert!(output.err.contains("7 telegrams in"), "{}", output.err);
     let german = antrieb(&format!("--lang de {line}")).file("t", RTU).exits(0);
     assert!(german.out.contains("Adresse 1: Wert 1390") && german.err.contains("7 Telegramme in"), "{}", german.out);
@@ -97,4 +97,79 @@ fn what_was_heard_can_be_recorded_and_heard_again() {
     let again = std::fs::read_to_string(first.directory().join("again")).unwrap();
     assert!(again.lines().skip(1).all(|line| line.contains('<')), "{again}");
     assert_eq!(antrieb("-p tape:{dir}/t sniff --protocol rtu").file("t", &again).exits(0).out, first.out);
+}
+
+/// Asked twice, answered; refused; everybody; asked and never answered; noise behind it.
+const BUSY: &str = "# antrieb trace 1, 19200 8E1, rtu
+1000000 < 01 03 21 74 00 01 CE 2C
+1500000 < 01 03 21 74 00 01 CE 2C
+1520000 < 01 03 02 05 6E 3A F8
+1600000 < 01 03 21 74 00 01 CE 2C
+1610000 < 01 83 02 C0 F1
+1700000 < 03 06 41 78 00 0F 5C 09
+1750000 < 55 AA
+4000000 < 01 03 21 74 00 01 CE 2C
+4012000 < 01 03 02 05 6E 3A F8
+";
+
+#[test]
+fn what_became_of_every_question_is_counted_station_by_station() {
+    let line = "-p tape:{dir}/t sniff --protocol rtu";
+    let told = antrieb(line).file("t", BUSY).json().exits(0);
+    let [one, three] = &told.data("/stations").as_array().unwrap()[..] else { panic!("{:#}", told.value) };
+    let counts = |station: &Value| {
+        ["address", "requests", "replies", "unanswered", "exceptions", "check_errors"]
+            .map(|name| station[name].as_u64().unwrap())
+    };
+    assert_eq!((counts(one), counts(three)), ([1, 4, 3, 1, 1, 0], [3, 1, 0, 1, 0, 1]));
+    assert_eq!(one["repeats"], json!([{ "times": 1, "questions": 1 }]));
+    // The first byte of a reply came so long before it was handed over as its bytes take: 5 of 7 at 11 bits and 19200 baud.
+    let times = ["fastest_us", "median_us", "slowest_us"].map(|name| one[name].as_u64().unwrap());
+    assert!(
+        (7_000..8_100).contains(&times[0]) && times[1] <= times[2] && (15_900..16_100).contains(&times[2]),
+        "{times:?}"
+    );
+    assert!(told.data("/load_percent").as_f64().unwrap() > 0.1 && told.data("/garbled") == 1, "{:#}", told.value);
+    for (lang, words) in
+        [("en", ["bus load", "1x: 1", "no reflections"]), ("de", ["Buslast", "1x: 1", "keine Reflexionen"])]
+    {
+        let page = antrieb(&format!("--lang {lang} {line}")).file("t", BUSY).exits(0).out;
+        words.iter().for_each(|word| assert!(page.contains(word), "{word}: {page}"));
+    }
+    let live = antrieb(&format!("{line} --statistics 1s --format ndjson")).file("t", BUSY).exits(0).out;
+    let heard: Vec<Value> = live.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let counts: Vec<_> =
+        heard.iter().filter(|record| record["type"] == "statistics").map(|record| &record["heard"]).collect();
+    assert!(counts.len() > 3 && counts.contains(&&json!(1)) && counts.contains(&&json!(9)), "{counts:?}");
+}
+
+#[test]
+fn only_what_is_wanted_is_told_and_everything_is_counted() {
+    let told = |more: &str| {
+        let run = antrieb(&format!("-p tape:{{dir}}/t sniff --protocol rtu {more}")).file("t", BUSY).json().exits(0);
+        let at = |telegram: &Value| telegram["at_us"].as_u64().unwrap() / 1_000;
+        (run.data("/telegrams").as_array().unwrap().iter().map(at).collect::<Vec<_>>(), run.data("/heard").clone())
+    };
+    assert_eq!(told("--filter 'address=3'"), (vec![1_700], json!(9)));
+    assert_eq!(told("--filter refused --filter disturbed"), (vec![1_610, 1_750], json!(9)));
+    assert_eq!(told("--trigger refused --pre 100ms --post 100ms"), (vec![1_520, 1_600, 1_610, 1_700], json!(9)));
+    let (once, heard) = told("--trigger refused --pre 100ms --post 100ms --once --filter '!reply'");
+    assert_eq!((once, heard.as_u64().unwrap() < 9), (vec![1_600, 1_700], true));
+    assert!(antrieb("-p sim sniff --filter 'adress=3'").exits(2).err.contains("address=1,5-9"));
+}
+
+#[test]
+fn a_capture_holds_what_was_told_and_stdout_can_be_one() {
+    let line = "-p tape:{dir}/t sniff --protocol rtu --pcap {dir}/heard.pcap";
+    let run = antrieb(line).file("t", RTU).exits(0);
+    assert!(run.out.starts_with(TOLD), "{}", run.out);
+    let capture = std::fs::read(run.directory().join("heard.pcap")).unwrap();
+    assert_eq!(capture[..4], [0xD4, 0xC3, 0xB2, 0xA1]);
+    // A head of 24 bytes, and 28 before the bytes of each of seven telegrams.
+    assert_eq!(capture.len(), 24 + 7 * 28 + 8 + 7 + 8 + 8 + 8 + 5 + 2);
+    let kept = antrieb(line).file("t", RTU).file("heard.pcap", "precious").exits(7);
+    assert_eq!(kept.text_of("heard.pcap"), "precious");
+    let empty = antrieb("-p sim sniff --duration 1s --pcap {dir}/none.pcap").exits(4);
+    assert_eq!(std::fs::read(empty.directory().join("none.pcap")).unwrap().len(), 24);
+    assert!(antrieb("-p sim --json sniff --pcap {dir}/x").exits(2).out.contains("usage.format"));
 }

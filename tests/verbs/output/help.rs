@@ -135,6 +135,7 @@ fn every_example_works() {
         let line = line.replace("list.csv", "{dir}/list.csv").replace("save pump.toml", "save new.toml");
         let line = line.replace("pump.toml", "{dir}/pump.toml").replace("new.toml", "{dir}/new.toml");
         let line = line.replace("'drive-", "'{dir}/drive-");
+        let line = line.replace("line.pcap", "{dir}/line.pcap");
         let line = line.replace("pump.html", "{dir}/pump.html");
         let line = line.replace("plant.html", "{dir}/plant.html").replace("plant.md", "{dir}/plant.md");
         let line = line.replace("run.csv", "{dir}/run.csv");

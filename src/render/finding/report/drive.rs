@@ -5,9 +5,6 @@ use crate::outcome::{Diagnosis, Identity, ReportedDrive, Value};
 use crate::render::finding::page::{Page, number, unit};
 use crate::text::both;
 
-/// Data sets of a drive that has some.
-const SETS: usize = 4;
-
 impl Page {
     pub(super) fn drive_part(self, drive: &ReportedDrive, changed_only: bool) -> Vec<Block> {
         let called = drive.called.as_ref().map_or_else(String::new, |called| format!(" · {called}"));
@@ -110,10 +107,17 @@ impl Page {
     fn settings_part(self, drive: &ReportedDrive, changed_only: bool) -> Vec<Block> {
         let heading = both!("Settings, as stored", "Einstellungen, wie gespeichert");
         let mut blocks = vec![Block::Heading(2, self.say(&heading))];
-        let all = both!(
-            "One value stands for all four data sets. What differs from the factory setting is bold.",
-            "Ein Wert allein gilt für alle vier Datensätze. Was von der Werkseinstellung abweicht, ist fett."
-        );
+        let has_sets = drive.values.iter().any(|value| value.data_set > 0);
+        let bold =
+            both!("What differs from the factory setting is bold.", "Was von der Werkseinstellung abweicht, ist fett.");
+        let all = match has_sets {
+            true => both!(
+                "One value alone stands for all four data sets. {bold}",
+                "Ein Wert allein gilt für alle vier Datensätze. {bold}",
+                bold
+            ),
+            false => bold,
+        };
         let few = both!(
             "Listed is what differs from the factory setting, or from data set to data set.",
             "Aufgeführt ist, was von der Werkseinstellung oder von Datensatz zu Datensatz abweicht."
@@ -122,21 +126,17 @@ impl Page {
         if !drive.in_force.is_empty() {
             blocks.push(Block::List(drive.in_force.iter().map(|note| self.say(note)).collect()));
         }
-        let rows = drive.values.chunk_by(|one, other| one.param == other.param).map(|sets| self.sets_row(drive, sets));
-        let head = [
-            (">param", true),
-            ("name", false),
-            (">1", true),
-            (">2", true),
-            (">3", true),
-            (">4", true),
-            ("unit", false),
-        ];
-        let named = head.map(|(name, is_right)| {
-            let name = name.trim_start_matches('>');
-            (if name.parse::<u8>().is_ok() { name.to_owned() } else { self.word(name).to_owned() }, is_right)
-        });
-        blocks.push(Block::Table(Table { head: named.to_vec(), rows: rows.collect() }));
+        let columns: &[&str] = if has_sets { &["1", "2", "3", "4"] } else { &["value"] };
+        let rows = drive.values.chunk_by(|one, other| one.param == other.param);
+        let rows = rows.map(|sets| self.sets_row(drive, sets, columns.len()));
+        let column = |name: &&str| {
+            let is_set = name.parse::<u8>().is_ok();
+            (if is_set { (*name).to_owned() } else { self.word(name).to_owned() }, true)
+        };
+        let mut head = vec![(self.word("param").to_owned(), true), (self.word("name").to_owned(), false)];
+        head.extend(columns.iter().map(column));
+        head.push((self.word("unit").to_owned(), false));
+        blocks.push(Block::Table(Table { head, rows: rows.collect() }));
         let left =
             drive.not_held.iter().map(|row| vec![row.count.to_string(), self.say(&row.text), row.params.clone()]);
         if !drive.not_held.is_empty() {
@@ -150,7 +150,7 @@ impl Page {
     }
 
     /// A parameter with its data sets.
-    fn sets_row(self, drive: &ReportedDrive, sets: &[Value]) -> Vec<Cell> {
+    fn sets_row(self, drive: &ReportedDrive, sets: &[Value], columns: usize) -> Vec<Cell> {
         let Some(first) = sets.first() else { return Vec::new() };
         let is_marked = |value: &Value| {
             let is_it = |set: u8| [0, value.data_set].contains(&set) || value.data_set == 0;
@@ -163,8 +163,8 @@ impl Page {
         };
         let mut row = vec![Cell::from(first.param.to_string()), Cell::from(self.say(&first.name))];
         match sets {
-            [one] if one.data_set == 0 => row.push(cell(one, SETS)),
-            _ => row.extend((1..=SETS).map(|set| {
+            [one] if one.data_set == 0 => row.push(cell(one, columns)),
+            _ => row.extend((1..=columns).map(|set| {
                 let held = sets.iter().find(|value| usize::from(value.data_set) == set);
                 held.map_or_else(|| Cell::from(String::new()), |value| cell(value, 1))
             })),

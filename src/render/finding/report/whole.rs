@@ -28,6 +28,11 @@ impl Page {
             blocks.extend(self.record_part(plot, picture));
         }
         blocks.extend(self.signing());
+        for block in &mut blocks {
+            if let Block::Heading(_, text) = block {
+                *text = capital(text);
+            }
+        }
         let lang = self.lang.pick("en", "de");
         Paper { lang, title: self.say(&title), logo: report.logo.clone(), blocks, foot: self.say(&foot) }
     }
@@ -152,4 +157,10 @@ impl Page {
             Block::Lines(vec![line("commissioned by"), line("accepted by")]),
         ]
     }
+}
+
+/// As a heading is written.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
