@@ -143,6 +143,23 @@ fn who_asks_besides_is_heard_before_and_between_our_questions() {
     }
 }
 
+#[test]
+fn a_question_that_was_left_alone_has_its_time_before_the_next() {
+    let mut bus = Bus::new(19_200, "");
+    for micros in (0..12_000).step_by(500) {
+        bus.fdl.ask(3, Asked::service(Service::SlaveDiag, Vec::new()), None, bus.now);
+        let until = bus.now + Span::from_micros(micros);
+        while bus.now < until {
+            if let Step::Send(bytes) = bus.fdl.step(bus.now) {
+                bus.bus.master_sends(bus.now, bus.line, &bytes);
+            }
+            bus.now += Span::from_micros(100);
+        }
+        assert_eq!(bus.service(Service::GetCfg), Ok(vec![0xF3, 0xF1]));
+    }
+    assert_eq!(bus.bus.remarks(), [] as [String; 0]);
+}
+
 proptest! {
     /// Whatever comes, a question ends, within the time of its tries, and is believed only where an answer came.
     #[test]

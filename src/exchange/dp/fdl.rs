@@ -203,8 +203,16 @@ impl Fdl {
         std::mem::take(&mut self.records)
     }
 
-    /// Puts a question to a station; what was asked before is forgotten. `retries` in place of the usual number.
+    /// A question that nobody waits for any more may still be answered: not into that, and whether it was counted nobody knows.
+    fn leave_alone(&mut self) {
+        let Some(open) = self.open.take().filter(|open| open.sent.is_some()) else { return };
+        self.ready = self.ready.max(open.until + syn(self.line));
+        self.counts.remove(&open.station);
+    }
+
+    /// Puts a question to a station; what was asked before is forgotten, once its answer has had its time. `retries` in place of the usual number.
     pub fn ask(&mut self, station: u8, asked: Asked, retries: Option<u8>, now: Tick) {
+        self.leave_alone();
         let count = match (asked.is_counted(station), self.counts.get(&station)) {
             (false, _) => Count::Unused,
             (true, None) => Count::First,
