@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// it differs from the factory settings, their signature, and pictures of records; with room for signatures. A page of HTML
 /// (.html) has everything in it and prints on A4; the same goes into Markdown (.md). Nothing in a drive is changed.
 ///
-/// For whom it is says `antrieb.toml`: [report] with customer, plant, and logo (PNG, JPEG or SVG, from where the file stands).
+/// For whom it is says `antrieb.toml`: `[report]` with customer, plant, and logo (PNG, JPEG or SVG, from where the file stands).
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Args {
     /// Where it goes: .html, .md, or one of each
