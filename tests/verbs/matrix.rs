@@ -49,7 +49,7 @@ fn case(name: &str, code: u8, line: &str) {
     whole.as_object_mut().unwrap().remove("data");
     let mut told = end.clone();
     told.as_object_mut().unwrap().remove("type");
-    assert_eq!(told, whole, "the last line is the document without its data");
+    assert_eq!(nowhere(&told), nowhere(&whole), "the last line is the document without its data");
     check_document(&with_data(end, document["data"].clone()), code);
     let lines: Vec<Map<String, Value>> = lines.into_iter().map(untagged).map(anywhere).collect();
     assert_eq!(lines, rows, "NDJSON has the rows of the document");
@@ -191,6 +191,14 @@ fn anywhere(mut row: Map<String, Value>) -> Map<String, Value> {
         }
     }
     row
+}
+
+/// A document without the name of its temporary directory, which hints give back as a port.
+fn nowhere(document: &Value) -> String {
+    let text = document.to_string();
+    let (first, rest) = text.split_once(".tmp").unwrap_or((&text, ""));
+    let rest = rest.split(".tmp").map(|part| part.get(6..).unwrap_or_default());
+    std::iter::once(first).chain(rest).collect::<Vec<_>>().join(".tmp")
 }
 
 fn with_data(mut end: Value, data: Value) -> Value {
