@@ -3,7 +3,7 @@
 use super::{Context, addresses_to_write, asking, connect, named_family, target};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
+    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_once, shout_zero, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -366,7 +366,7 @@ async fn stop_harder(
     session.note_interrupts();
     let act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
     for drive in meant(settings, registry, &[address])? {
-        let said = shout(session, registry, &drive, act).await;
+        let said = shout_once(session, registry, &drive, act).await;
         said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
     }
     session.insist(true);

@@ -1,9 +1,9 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use super::{Around, Plan, Said, meant, on_drive, said_of, unstopped};
+use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unstopped};
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
-use crate::drive::{Session, Target, is_there, summary};
+use crate::drive::{AccessError, Session, Target, is_there, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::{Answer, Ask, Question, Relief, Reply};
 use crate::outcome::{Data, ErrorDoc, Outcome, Stopped, Stops};
@@ -66,8 +66,16 @@ async fn stop_one<'p, C>(
     let first_word = match call.filter(|_| plan.zero.is_none()) {
         Some(call) => {
             plan.said = true;
-            let said = call.go_on(session, around.registry).await;
-            said.map_err(|error| unstopped(error.failure(drive.address, None), act, true))?
+            match call.go_on(session, around.registry).await {
+                Ok(first_word) => first_word,
+                Err(error) => {
+                    if matches!(error, AccessError::Interrupted) {
+                        // Who does not answer may hear: the stronger word goes out to him, too.
+                        stop_harder(session, (around.settings, around.registry), drive.address, Some(act)).await?;
+                    }
+                    return Err(unstopped(error.failure(drive.address, None), act, true));
+                }
+            }
         }
         None => said_of(session, around.registry, drive, act, &mut plan).await?,
     };

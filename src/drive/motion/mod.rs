@@ -28,7 +28,7 @@ pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
 pub use relief::{PROOF, may_turn};
-pub use shout::{Call, FirstWord, shout, shout_round, shout_zero};
+pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
 pub use walk::no_fault;

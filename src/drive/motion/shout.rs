@@ -91,6 +91,16 @@ pub async fn shout(
     Call { tell: Tell::Alone, ..Call::new(meant, act) }.go_on(session, registry).await
 }
 
+/// The same, each word once: for who did not answer before.
+pub async fn shout_once(
+    session: &mut Session<'_>,
+    registry: &Registry,
+    meant: &Meant,
+    act: Relief,
+) -> Result<FirstWord, AccessError> {
+    Call { tell: Tell::Alone, times: 1, ..Call::new(meant, act) }.go_on(session, registry).await
+}
+
 /// Tells several drives to stop: whoever is silent is spoken to again only when everybody else had his turn, which is no longer than
 /// one reply may take. So the drives behind a cabinet that is switched off hear their stop in time. What is said to each goes on
 /// with [`Call::go_on`]. Returns it with whether somebody interrupted.
@@ -140,6 +150,8 @@ pub struct Call<'m> {
     meant: &'m Meant,
     act: Relief,
     tell: Tell,
+    /// How often each word is said.
+    times: u8,
     /// The families that it may be, once that was asked.
     families: Option<Vec<Rc<Family>>>,
     /// Those of them whose word is not known yet.
@@ -163,6 +175,7 @@ impl<'m> Call<'m> {
             meant,
             act,
             tell: Tell::First,
+            times: TIMES,
             families: None,
             untold: Vec::new(),
             words: VecDeque::new(),
@@ -237,7 +250,7 @@ impl<'m> Call<'m> {
         let is_late = tell.is_first() && !self.untold.is_empty() && session.now() >= by;
         let by = if tell.is_first() { by } else { session.now() };
         let pressed = if is_late { false } else { self.say(session, by).await? };
-        let often = self.said >= usize::from(TIMES) * self.words.len() && self.untold.is_empty();
+        let often = self.said >= usize::from(self.times) * self.words.len() && self.untold.is_empty();
         let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
         if self.goes_on() && often && !widens {
             self.ended = Some(Ok(()));

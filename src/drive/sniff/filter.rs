@@ -95,7 +95,8 @@ fn ranges(text: &str) -> Option<Vec<(u8, u8)>> {
 
 /// Digits in pairs, as telegrams are told: `4178` is `41 78`.
 fn hex(text: &str) -> Option<String> {
-    let is_hex = text.len().is_multiple_of(2) && !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_hexdigit());
+    let is_hex =
+        text.len().is_multiple_of(2) && !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_hexdigit());
     let upper = is_hex.then(|| text.to_ascii_uppercase())?;
     let pairs: Vec<&str> = (0..upper.len()).step_by(2).filter_map(|at| upper.get(at..at + 2)).collect();
     Some(pairs.join(" "))
