@@ -91,25 +91,21 @@ fn bash_completes_values_and_options() {
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("script"), script).unwrap();
     std::fs::write(directory.path().join("antrieb.toml"), "[drives.pump]\naddress = 1\n").unwrap();
-    // As readline parts a line: `=` and `@` are words of their own.
-    for (line, words, completed) in [
-        ("antrieb read rated-sp", "antrieb read rated-sp", "rated-speed"),
-        ("antrieb read 372@al", "antrieb read 372 @ al", "all allram"),
-        (
-            "antrieb write 395=",
-            "antrieb write 395 =",
-            "vcb-bus-vabus p-bus-special-applications modbus-rtu modbus-ascii",
-        ),
-        ("antrieb -a pu", "antrieb -a pu", "pump"),
-        ("antrieb diag --link", "antrieb diag --link", "--link-test"),
-        ("antrieb sni", "antrieb sni", "sniff"),
+    let program = env!("CARGO_BIN_EXE_antrieb");
+    // As readline parts a line: `=` and `@` are words of their own, and behind `=` nothing is typed yet.
+    for (words, typed, completed) in [
+        ("read rated-sp", "rated-sp", "rated-speed"),
+        ("read 372 @ al", "al", "all allram"),
+        ("write 395 =", "", "vcb-bus-vabus p-bus-special-applications modbus-rtu modbus-ascii 0 1 2 3"),
+        ("-a pu", "pu", "pump"),
+        ("diag --link", "--link", "--link-test"),
+        ("sni", "sni", "sniff"),
     ] {
+        let line = words.replace(" @ ", "@").replace(" =", "=");
         let ask = format!(
-            "source ./script; COMP_LINE='{line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({}); \
-             COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); cur=${{COMP_WORDS[COMP_CWORD]}}; \
-             _antrieb_values '{}' \"$cur\" \"${{COMP_WORDS[COMP_CWORD-1]}}\" 2>/dev/null; echo \"${{COMPREPLY[*]}}\"",
-            words.replacen("antrieb", env!("CARGO_BIN_EXE_antrieb"), 1),
-            env!("CARGO_BIN_EXE_antrieb")
+            "source ./script; COMP_LINE='{program} {line}'; COMP_POINT=${{#COMP_LINE}}; COMP_WORDS=({program} {words}); \
+             COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); _antrieb_values {program} '{typed}' \
+             \"${{COMP_WORDS[COMP_CWORD-1]}}\" 2>/dev/null; echo \"${{COMPREPLY[*]}}\""
         );
         let Ok(told) = Command::new("bash").args(["--norc", "-c", &ask]).current_dir(&directory).output() else {
             return;
