@@ -77,8 +77,8 @@ pub fn broken(fault: &FileFault) -> Failure {
         true => Failure::new(Class::Data, "data.newer_format", fault.text())
             .hint(both!("a newer antrieb reads it", "ein neueres antrieb liest sie")),
         false => Failure::new(Class::Data, "data.parameter_file", fault.text()).hint(both!(
-            "`antrieb params` lists the names; `antrieb dataset save` writes a file as it has to be",
-            "`antrieb params` zeigt die Namen; `antrieb dataset save` schreibt eine Datei, wie sie sein muss"
+            "`antrieb params` lists the names; `antrieb dataset save FILE` writes a file as it has to be",
+            "`antrieb params` zeigt die Namen; `antrieb dataset save DATEI` schreibt eine Datei, wie sie sein muss"
         )),
     }
 }
