@@ -110,7 +110,7 @@ fn a_family_that_is_only_half_said_is_refused_with_what_is_missing() {
         (
             "[link]\nroute = \"registers\"\n",
             "",
-            "unknown family 'hydra' (expected: active, hitachi, lexium05; one that is new says in [link]",
+            "unknown family 'hydra' (expected: active, hitachi, lexium05; one that is new says in `[link]`",
         ),
         ("id = \"hydra3\"", "id = \"acu\"", "the id of a drive, 'acu', is taken"),
         ("id = \"hydra3\"", "id = \"auto\"", "the id of a drive, 'auto', is taken"),
