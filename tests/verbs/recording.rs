@@ -147,7 +147,7 @@ fn nobody_elses_file_is_replaced() {
     let replaced = antrieb(line).and("--force").file("old.ndjson", "precious\n").exits(0);
     assert_eq!(replaced.text_of("old.ndjson"), replaced.out);
     antrieb("-p sim -a 1 monitor 210 --count 2 --unpaced --record {dir}").exits(7);
-    antrieb("-p sim -a 1 monitor 210 --count 2 --unpaced --record {dir}/none/where.csv").exits(3);
+    antrieb("-p sim -a 1 monitor 210 --count 2 --unpaced --record {dir}/none/where.csv").exits(7);
     let dry = antrieb("-p sim -a 1 monitor 210 --dry-run --record {dir}/dry.csv").exits(0);
     assert!(!dry.directory().join("dry.csv").exists());
 }
