@@ -23,4 +23,4 @@ pub use plant::{
 };
 pub use project::{Letterhead, Template};
 pub use settings::{Settings, Unknown, language, user_config_directory};
-pub use takes::{Takes, Useless};
+pub use takes::{SETTINGS, Takes, Useless};

@@ -52,13 +52,13 @@ impl Takes {
     pub const EXPLAINS: Takes = Takes {
         first: &["protocol", "drive", "word_order", "format", "lang", "catalogue"],
         silent: &["address", "dry_run", "yes"],
-        refused: &[OF_A_LINE],
+        refused: &[SETTINGS, OVER_A_LINE],
     };
     /// Knows drives, and no line.
     pub const BROWSES: Takes = Takes {
         first: &["drive", "format", "lang", "catalogue"],
         silent: &["dry_run", "yes"],
-        refused: &[OF_A_LINE, &["address", "protocol", "word_order"]],
+        refused: &[SETTINGS, OVER_A_LINE, &["address", "protocol", "word_order"]],
     };
     /// Looks at a PROFIBUS line, which has one format and times of its own, or knows of it without one.
     pub const PROFIBUS: Takes = Takes {
@@ -70,16 +70,19 @@ impl Takes {
     pub const DRAWS: Takes = Takes {
         first: &["address", "format", "lang"],
         silent: &["drive", "dry_run", "yes"],
-        refused: &[OF_A_LINE, &["protocol", "word_order"]],
+        refused: &[SETTINGS, OVER_A_LINE, &["protocol", "word_order"]],
     };
     /// Is a line itself.
-    pub const SERVES: Takes =
-        Takes { first: &["format", "lang", "quiet", "catalogue"], silent: &["yes"], refused: &[OF_A_LINE, OF_A_DRIVE] };
+    pub const SERVES: Takes = Takes {
+        first: &["format", "lang", "quiet", "catalogue"],
+        silent: &["yes"],
+        refused: &[SETTINGS, OVER_A_LINE, OF_A_DRIVE],
+    };
     /// Tells of the program itself.
     pub const TELLS: Takes = Takes {
         first: &[],
         silent: &["format", "json", "lang", "quiet", "verbose", "color", "no_progress", "config", "no_config", "yes"],
-        refused: &[OF_A_LINE, OF_A_DRIVE],
+        refused: &[SETTINGS, OVER_A_LINE, OF_A_DRIVE],
     };
 
     /// The command with these options, as this verb takes them.
@@ -118,20 +121,11 @@ impl Takes {
     }
 }
 
-/// How a line is reached, set and heard.
-const OF_A_LINE: &[&str] = &[
-    "port",
-    "baud",
-    "parity",
-    "stop_bits",
-    "data_bits",
-    "rs485",
-    "rs485_before",
-    "rs485_after",
-    "timeout",
-    "retries",
-    "trace",
-];
+/// How a line is reached and set.
+pub const SETTINGS: &[&str] =
+    &["port", "baud", "parity", "stop_bits", "data_bits", "rs485", "rs485_before", "rs485_after"];
+/// How long an answer is waited for on it, how often it is asked for, and what is kept of all that.
+const OVER_A_LINE: &[&str] = &["timeout", "retries", "trace"];
 /// Whom is talked to on it, how, and what is done there.
 const OF_A_DRIVE: &[&str] = &["address", "protocol", "drive", "word_order", "force", "dry_run"];
 

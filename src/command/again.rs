@@ -1,7 +1,7 @@
 //! The command line of this run with another verb: what a hint tells to type must work as it stands there.
 
 use super::{Entry, VERBS};
-use crate::args::Globals;
+use crate::args::{Globals, SETTINGS};
 use crate::failure::Failure;
 use crate::outcome::{Outcome, Warning};
 use crate::text::{Lang, Text};
@@ -10,24 +10,10 @@ use clap::{ArgMatches, Args as _, Command};
 use std::ffi::OsString;
 
 /// What says where something is done, and how it is reached; how it is told and what is agreed to is said anew each time.
-const CARRIED: &[&str] = &[
-    "config",
-    "no_config",
-    "catalogue",
-    "port",
-    "baud",
-    "parity",
-    "stop_bits",
-    "data_bits",
-    "rs485",
-    "rs485_before",
-    "rs485_after",
-    "protocol",
-    "timeout",
-    "retries",
-    "address",
-    "drive",
-    "word_order",
+const CARRIED: [&[&str]; 3] = [
+    &["config", "no_config", "catalogue"],
+    SETTINGS,
+    &["protocol", "timeout", "retries", "address", "drive", "word_order"],
 ];
 /// Before and behind a command in a text, where it stands alone.
 const MARK: char = '`';
@@ -52,7 +38,7 @@ impl Again {
     /// Of a command line that was understood.
     pub fn of(matches: &ArgMatches) -> Self {
         let globals = Globals::augment_args(Command::new("antrieb"));
-        let given = CARRIED.iter().filter_map(|&id| {
+        let given = CARRIED.into_iter().flatten().filter_map(|&id| {
             let arg = globals.get_arguments().find(|arg| arg.get_id() == id)?;
             let raw = matches.try_get_raw(id).ok().flatten()?;
             if matches.value_source(id) != Some(ValueSource::CommandLine) {
