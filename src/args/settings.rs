@@ -152,6 +152,11 @@ impl Settings {
         self.origins.get(name).cloned().unwrap_or_default()
     }
 
+    /// The family that was typed: whoever types it knows better than the drive. What a file states is asked.
+    pub fn named_drive(&self) -> Option<&str> {
+        self.drive.as_deref().filter(|_| self.origin("drive") == Origin::Flag)
+    }
+
     /// The settings of the line with where each comes from, for `-v`.
     pub fn told(&self) -> Text {
         let auto = || AUTO.to_owned();

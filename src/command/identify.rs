@@ -1,9 +1,9 @@
 //! `identify`: what is at an address, and how does it want to be talked to?
 
 use super::verb::{Verb, Working};
-use super::{Context, Reader, Row, each_drive, finish, plan, role_questions};
+use super::{Context, Reader, Row, each_drive, finish, plan, role_questions, terms};
 use crate::args::{Settings, Takes};
-use crate::drive::{AccessError, Inquiry, Recognised, Session, Target, Upper, introduce, recognise};
+use crate::drive::{AccessError, Finding, Inquiry, Recognised, Session, Terms, Upper, introduce};
 use crate::failure::Failure;
 use crate::outcome::{Data, Document, ErrorDoc, Evidence, Identify, Identity, Module, OrPlan, Outcome};
 use crate::profile::{DataSets, Family, Registry, Role};
@@ -84,40 +84,39 @@ async fn identify(
     registry: &Registry,
     address: u8,
 ) -> Result<Row<Identity>, Failure> {
-    let failed = |error: AccessError| error.failure(address, None);
-    let (target, evidence, product) = match &settings.drive {
-        Some(name) => {
-            let given = Evidence {
-                asked: Text::name("--drive"),
-                answered: Text::name(name),
-                tells: both!("as given", "so angegeben"),
-            };
-            let target =
-                Target::new(address, super::named_family(settings, registry, name)?).in_word_order(settings.word_order);
-            let told = introduce(session, registry, &target).await.map_err(failed)?.unwrap_or_default();
-            (Some(target), [vec![given], told.evidence].concat(), told.product)
-        }
-        None => {
-            let finding = recognise(session, registry, address, false).await.map_err(failed)?;
-            let target = finding.target(address, registry);
-            (target.map(|target| target.in_word_order(settings.word_order)), finding.evidence, finding.product)
-        }
+    let terms = terms(settings, registry)?;
+    let known = match &terms.named {
+        Some(_) => Ok(as_named(session, &terms, address).await?),
+        None => terms.inquired(session, address, false).await?,
     };
-    let Some(target) = target else {
-        let title = both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb");
-        let identity = Identity {
-            address,
-            drive: "unknown".to_owned(),
-            title,
-            product,
-            evidence,
-            modules: Vec::new(),
-            values: Vec::new(),
-            error: None,
-        };
-        return Ok((identity, Vec::new(), 1));
+    let mut known = match known {
+        Ok(known) => known,
+        Err(Finding { evidence, product, .. }) => return Ok((stranger(address, evidence, product), Vec::new(), 1)),
     };
-    told(session, registry, &mut Recognised { target, evidence, product }).await
+    told(session, registry, &mut known).await
+}
+
+/// A drive whose family was typed, with what it tells of itself.
+async fn as_named(session: &mut Session<'_>, terms: &Terms<'_>, address: u8) -> Result<Recognised, Failure> {
+    let Recognised { target, mut evidence, .. } = terms.recognised(session, address, false).await?;
+    let told = introduce(session, terms.registry, &target).await.map_err(|error| error.failure(address, None))?;
+    let Finding { evidence: more, product, .. } = told.unwrap_or_default();
+    evidence.extend(more);
+    Ok(Recognised { target, evidence, product })
+}
+
+/// Somebody answers, and it is no drive that we know.
+fn stranger(address: u8, evidence: Vec<Evidence>, product: Option<String>) -> Identity {
+    Identity {
+        address,
+        drive: "unknown".to_owned(),
+        title: both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"),
+        product,
+        evidence,
+        modules: Vec::new(),
+        values: Vec::new(),
+        error: None,
+    }
 }
 
 /// What a drive tells of itself whose family is known.

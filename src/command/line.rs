@@ -2,7 +2,7 @@
 
 use super::asking::denied;
 use super::verb::{Verb, Working};
-use super::{Context, addresses_to_write, connect, offline_family, plan, read, target};
+use super::{Context, addresses_to_write, connect, offline_family, plan, read, target_to_change};
 use crate::args::Takes;
 use crate::drive::Upper;
 use crate::drive::relocate::{self, Course, Wish};
@@ -139,7 +139,7 @@ pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     gate::somebody(*ask).map_err(denied)?;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let mut target = target(&mut session, settings, registry, address, false).await?;
+    let mut target = target_to_change(&mut session, settings, registry, address).await?;
     let course = relocate::course(&mut session, &mut target, &wish).await?;
     if course.is_done() {
         return Ok(Outcome::of(Data::Relocation(course.told(&target))));

@@ -23,6 +23,7 @@ pub mod scan;
 pub mod simulate;
 pub mod sniff;
 pub mod sollwert;
+mod stated;
 pub mod statemachine;
 mod stopping;
 mod synonyms;
@@ -63,17 +64,17 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<simulate::Args>(),
 ];
 
-use crate::args::{Addresses, Origin, Settings};
+use crate::args::{Addresses, Settings};
 use crate::drive::decode::Reader as Speech;
 use crate::drive::{
-    Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, Target, Terms, is_over, open_port,
-    summary, who,
+    Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, is_over, open_port, summary, who,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
 use crate::outcome::{Data, Event, Form, Outcome, Plan, Report, Warning};
 use crate::profile::{DataSets, Family, Param, Registry, Selector, Type};
 use crate::text::{Lang, Text, both};
+use stated::{named_family, target, target_to_change, terms};
 use std::rc::Rc;
 
 /// What every verb works with.
@@ -190,50 +191,6 @@ fn addresses_to_write(settings: &Settings) -> Result<Vec<u8>, Failure> {
 
 fn name_one() -> Text {
     both!("name one drive, such as -a 1", "einen Antrieb nennen, etwa -a 1")
-}
-
-/// What the settings say of the line and its drives.
-fn terms<'a>(settings: &Settings, registry: &'a Registry) -> Result<Terms<'a>, Failure> {
-    let named = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
-    let (word_order, line) = (settings.word_order, settings.line);
-    Ok(Terms { registry, named, word_order, line, speech: speech(settings) })
-}
-
-/// The drive at an address. `shows_register`: see [`Terms::target`].
-async fn target(
-    session: &mut Session<'_>,
-    settings: &Settings,
-    registry: &Registry,
-    address: u8,
-    shows_register: bool,
-) -> Result<Target, Failure> {
-    terms(settings, registry)?.target(session, address, shows_register).await
-}
-
-/// The family that `--drive` names.
-fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> {
-    registry.family(name).ok_or_else(|| {
-        let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
-        let whence = match settings.origin("drive") {
-            Origin::File { path, .. } => format!("{}: ", path.display()),
-            _ => String::new(),
-        };
-        let message = both!(
-            "{whence}unknown drive '{name}' (expected: auto, {known})",
-            "{whence}unbekannter Antrieb '{name}' (erwartet: auto, {known})",
-            known = known.join(", ")
-        );
-        let titles = registry
-            .drives()
-            .into_iter()
-            .map(|drive| both!("{id} = {title}", "{id} = {title}", id = drive.id, title = drive.title));
-        let titles = Text::join(&titles.collect::<Vec<_>>(), ", ");
-        Failure::new(Class::Usage, "usage.drive", message).hint(both!(
-            "{titles}; auto, or no --drive, asks the drive what it is",
-            "{titles}; auto oder kein --drive fragt den Antrieb, was er ist",
-            titles
-        ))
-    })
 }
 
 /// Refuses a family that is reached over PROFIBUS alone, which no verb speaks yet.

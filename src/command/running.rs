@@ -1,9 +1,9 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
-use super::{Context, addresses_to_write, asking, connect, named_family, target};
+use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_once, shout_zero, watchdog_raw,
+    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -18,11 +18,13 @@ mod question;
 mod report;
 mod several;
 mod verdict;
+mod whom;
 
 use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::stop_each;
+use whom::{meant, stop_harder, whom};
 
 /// The modes of a family in which something is meant.
 pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
@@ -212,10 +214,13 @@ async fn on_drive<'p, C>(
     }
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
-    let passing = first_word.passing().filter(|_| session.is_shared() && settings.drive.is_none());
+    let passing = first_word.passing().filter(|_| session.is_shared() && settings.named_drive().is_none());
     let mut target = match &passing {
         Some(kind) => Target::new(address, kind.clone()),
-        None => whom(session, (settings, registry), address, act, &mut pressed).await.map_err(unstopped)?,
+        None => {
+            let stops = goes_first.is_some();
+            whom(session, (settings, registry), address, (act, stops), &mut pressed).await.map_err(unstopped)?
+        }
     };
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
@@ -265,24 +270,6 @@ async fn on_drive<'p, C>(
     Ok(report(&plan, &target, seen, done, ended))
 }
 
-/// The drive, asked who it is. Its word went out, so whoever interrupts that gets a stronger one.
-async fn whom(
-    session: &mut Session<'_>,
-    (settings, registry): (&Settings, &Registry),
-    address: u8,
-    act: Option<Relief>,
-    pressed: &mut bool,
-) -> Result<Target, Failure> {
-    match target(session, settings, registry, address, false).await {
-        Err(failure) if failure.class == Class::Interrupted && is_command(act) => {
-            *pressed = true;
-            stop_harder(session, (settings, registry), address, act).await?;
-            target(session, settings, registry, address, false).await
-        }
-        recognised => recognised,
-    }
-}
-
 /// Nobody agreed to the rest.
 fn but_said(mut failure: Failure) -> Failure {
     if !["forbidden.not_confirmed", "forbidden.no_terminal"].contains(&failure.code.as_str()) {
@@ -326,13 +313,6 @@ async fn agreed(
     asking::on_line(session, ask, &question(plan, target, node, before)).await
 }
 
-/// Whom the first words are for.
-fn meant(settings: &Settings, registry: &Registry, addresses: &[u8]) -> Result<Vec<Meant>, Failure> {
-    let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
-    let one = |&address: &u8| Meant { address, family: family.clone(), order: settings.word_order };
-    Ok(addresses.iter().map(one).collect())
-}
-
 /// Sends what stops the drive, before anything is asked that it does not need, and notes in the plan whether something went out.
 async fn said_of(
     session: &mut Session<'_>,
@@ -354,24 +334,6 @@ async fn said_of(
 /// Whether an act is a word that is said at once.
 fn is_command(act: Option<Relief>) -> bool {
     act.is_some_and(|act| act != Relief::Zero)
-}
-
-/// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is.
-async fn stop_harder(
-    session: &mut Session<'_>,
-    (settings, registry): (&Settings, &Registry),
-    address: u8,
-    act: Option<Relief>,
-) -> Result<(), Failure> {
-    session.note_interrupts();
-    let act = if act == Some(Relief::Disable) { Relief::QuickStop } else { Relief::DisableVoltage };
-    for drive in meant(settings, registry, &[address])? {
-        let said = shout_once(session, registry, &drive, act).await;
-        said.map_err(|error| unstopped(error.failure(address, None), act, true))?;
-    }
-    session.insist(true);
-    session.end_at(Some(session.now() + PROOF));
-    Ok(())
 }
 
 /// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.

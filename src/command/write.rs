@@ -2,7 +2,7 @@
 
 use super::read::select_failure;
 use super::verb::{Verb, Working};
-use super::{Context, addresses_to_write, asking, connect, offline, target, terms};
+use super::{Context, addresses_to_write, asking, connect, offline, target_to_change, terms};
 use crate::args::{Takes, below_zero};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, Upper, describe};
@@ -80,7 +80,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     for address in addresses {
         let mut target = match address {
             0 => Target::new(0, family.clone()).in_word_order(settings.word_order),
-            _ => target(&mut session, settings, registry, address, false).await?,
+            _ => target_to_change(&mut session, settings, registry, address).await?,
         };
         let steps = steps(args, &target.family)?;
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
@@ -293,7 +293,7 @@ pub(super) fn plan_only(
     }
     let mut outcome = Outcome::of(Data::Write(Write { dry_run: true, values }));
     outcome.warnings.push(dry_run_reads());
-    if terms.named.is_none() {
+    if terms.said().is_none() {
         outcome.warnings.push(Warning {
             code: "dry_run.family".to_owned(),
             message: both!(

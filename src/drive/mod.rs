@@ -58,7 +58,7 @@ pub use session::Session;
 pub use sniff::{Filter, Listening, sniff};
 pub use tally::{is_over, summary};
 pub use target::Target;
-pub use terms::{Recognised, Terms, who};
+pub use terms::{Recognised, Stated, Terms, who};
 pub use transfer::Reading;
 pub use upper::{Price, Upper};
 pub use watch::{Chosen, Compare, Condition, Item, Rounds, Select, Signal, Test, Window, watch};

@@ -1,8 +1,8 @@
 //! What is known of a line and its drives without asking, because somebody said it.
 
-use super::{Session, Target, decode, introduce, recognise};
+use super::{Finding, Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
-use crate::outcome::Evidence;
+use crate::outcome::{Event, Evidence};
 use crate::profile::{Family, Registry};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -14,14 +14,27 @@ use std::rc::Rc;
 pub struct Terms<'a> {
     /// Catalogues.
     pub registry: &'a Registry,
-    /// The family of the drives; `None` to ask them.
+    /// The family of the drives by who types it (`--drive`), and so knows; `None` to ask them.
     pub named: Option<Rc<Family>>,
+    /// What a file says of it: asked all the same, because another drive may stand there by now.
+    pub stated: Option<Stated>,
     /// Which half of a value in two registers goes first; `None` to ask the drive.
     pub word_order: Option<WordOrder>,
     /// Speed and format of the line.
     pub line: LineSetting,
     /// What is spoken.
     pub speech: decode::Reader<'static>,
+}
+
+/// A family that a file states.
+#[derive(Clone, Debug)]
+pub struct Stated {
+    /// The family.
+    pub family: Rc<Family>,
+    /// Where that stands.
+    pub whence: Text,
+    /// A drive of another family is refused, because it is to be written to or moved; otherwise it is told.
+    pub refuses: bool,
 }
 
 /// A drive, and what told that it is this one.
@@ -41,16 +54,21 @@ impl Terms<'_> {
         decode::Reader { family: Some(family), ..self.speech }
     }
 
-    /// The family that was named, or the presumed one.
+    /// The family that somebody said.
+    pub fn said(&self) -> Option<Rc<Family>> {
+        self.named.clone().or_else(|| Some(self.stated.as_ref()?.family.clone()))
+    }
+
+    /// The same, or the presumed one.
     pub fn usual(&self) -> Option<Rc<Family>> {
-        self.named.clone().or_else(|| self.registry.presumed())
+        self.said().or_else(|| self.registry.presumed())
     }
 
     /// The drive at an address: of the family that was named, or asked. `shows_register`: the error register is going to be
     /// read, so asking must not lose it.
     ///
     /// # Errors
-    /// Nobody answers, or who answers is no drive that we know.
+    /// Nobody answers, who answers is no drive that we know, or it is to be written to and of another family than stated.
     pub async fn target(
         &self,
         session: &mut Session<'_>,
@@ -58,7 +76,7 @@ impl Terms<'_> {
         shows_register: bool,
     ) -> Result<Target, Failure> {
         if let Some(family) = &self.named {
-            return Ok(Target::new(address, family.clone()).in_word_order(self.word_order));
+            return Ok(self.given(address, family));
         }
         Ok(self.recognised(session, address, shows_register).await?.target)
     }
@@ -74,36 +92,56 @@ impl Terms<'_> {
         shows_register: bool,
     ) -> Result<Recognised, Failure> {
         if let Some(family) = &self.named {
-            let target = Target::new(address, family.clone()).in_word_order(self.word_order);
-            let given = Evidence {
-                asked: Text::name("--drive"),
-                answered: Text::name(&family.drive),
-                tells: both!("as given", "so angegeben"),
-            };
-            return Ok(Recognised { target, evidence: vec![given], product: None });
+            let given = evidence(Text::name("--drive"), family, both!("as given", "so angegeben"));
+            return Ok(Recognised { target: self.given(address, family), evidence: vec![given], product: None });
         }
+        let told = self.inquired(session, address, shows_register).await?;
+        told.map_err(|finding| unknown(address, &finding))
+    }
+
+    /// What a drive is by what it answers, whoever has named it; what it said instead if that is no drive that we know.
+    ///
+    /// # Errors
+    /// As [`Terms::target`], but for drives that we do not know.
+    pub async fn inquired(
+        &self,
+        session: &mut Session<'_>,
+        address: u8,
+        shows_register: bool,
+    ) -> Result<Result<Recognised, Finding>, Failure> {
         let presumed = self.registry.presumed();
-        let finding = recognise(session, self.registry, address, shows_register)
+        let mut finding = recognise(session, self.registry, address, shows_register)
             .await
             .map_err(|error| error.failure(address, presumed.as_deref()))?;
-        let target = finding.target(address, self.registry);
-        let evidence = finding.evidence.clone();
-        let recognised = |target: Target| {
-            let (target, product) = (target.in_word_order(self.word_order), finding.product.clone());
-            Recognised { target, evidence, product }
+        let target = match (finding.target(address, self.registry), &self.stated) {
+            (Some(target), stated) => {
+                let other = stated.as_ref().filter(|stated| stated.family.drive != target.family.drive);
+                other.map_or(Ok(()), |stated| stated.is_contradicted(session, &target))?;
+                target
+            }
+            (None, Some(stated)) if finding.busy || self.tells_nothing(&stated.family) => {
+                let tells =
+                    both!("as it stands there; nothing it answers tells", "so steht es dort; keine Antwort sagt es");
+                finding.evidence.push(evidence(stated.whence.clone(), &stated.family, tells));
+                Target::new(address, stated.family.clone())
+            }
+            (None, _) => return Ok(Err(finding)),
         };
-        target.map(recognised).ok_or_else(|| {
-            let row = |row: &Evidence| {
-                let Evidence { asked, answered, tells } = row;
-                both!("{asked}: {answered} ({tells})", "{asked}: {answered} ({tells})", asked, answered, tells)
-            };
-            let told: Vec<Text> = finding.evidence.iter().map(row).collect();
-            unknown(address, finding.busy, &Text::join(&told, "; "))
-        })
+        let Finding { evidence, product, .. } = finding;
+        Ok(Ok(Recognised { target: target.in_word_order(self.word_order), evidence, product }))
     }
-}
 
-impl Terms<'_> {
+    /// A drive that nobody asks what it is.
+    fn given(&self, address: u8, family: &Rc<Family>) -> Target {
+        Target::new(address, family.clone()).in_word_order(self.word_order)
+    }
+
+    /// Whether no question tells a drive of this family.
+    fn tells_nothing(&self, family: &Family) -> bool {
+        let usual = self.registry.presumed();
+        family.link.product.is_none() && usual.is_none_or(|usual| usual.family != family.family)
+    }
+
     /// The drive at an address, asked also where its family was named: a number means another thing in another family, so nobody's
     /// word brings the values of one into a drive that says that it is another. A family that no question can tell is believed,
     /// and so is `--drive` of a drive that tells nothing.
@@ -117,27 +155,62 @@ impl Terms<'_> {
         family: &Rc<Family>,
     ) -> Result<Recognised, Failure> {
         let asking = Terms { named: None, ..self.clone() };
-        let usual = self.registry.presumed();
-        let tells_nothing =
-            family.link.product.is_none() && usual.as_ref().is_none_or(|usual| usual.family != family.family);
         let is_believed = |failure: &Failure| match failure.code.as_str() {
-            "data.unknown_drive" => tells_nothing || self.named.is_some(),
+            "data.unknown_drive" => self.tells_nothing(family) || self.named.is_some(),
             "refused.busy" => self.named.is_some(),
             _ => false,
         };
         match asking.recognised(session, address, false).await {
             Err(failure) if is_believed(&failure) => {
-                let target = Target::new(address, family.clone()).in_word_order(self.word_order);
-                Ok(Recognised { target, evidence: Vec::new(), product: None })
+                Ok(Recognised { target: self.given(address, family), evidence: Vec::new(), product: None })
             }
             told => told,
         }
     }
 }
 
+impl Stated {
+    /// Another drive answers than the one of which the file tells.
+    fn is_contradicted(&self, session: &mut Session<'_>, found: &Target) -> Result<(), Failure> {
+        let Stated { family, whence, refuses } = self;
+        let (address, of, found) = (found.address, &family.drive, &found.family.drive);
+        if !refuses {
+            session.tell(Event::Note(both!(
+                "{whence} says that drive {address} is of the family '{of}'; it answers as '{found}', which is taken",
+                "{whence} nennt für Antrieb {address} die Familie '{of}'; er antwortet als '{found}', und so wird er genommen",
+                whence
+            )));
+            return Ok(());
+        }
+        let message = both!(
+            "{whence}: expected a drive of the family '{of}', address {address} is of the family '{found}'; nothing was \
+             changed",
+            "{whence}: erwartet wird ein Antrieb der Familie '{of}', Adresse {address} ist von der Familie '{found}'; \
+             geändert wurde nichts",
+            whence
+        );
+        let hint = both!(
+            "if this drive is meant: --drive {found}, and put it into the file; else look for the right one with `antrieb scan`",
+            "ist dieser Antrieb gemeint: --drive {found}, und ihn so in die Datei schreiben; sonst den richtigen mit \
+             `antrieb scan` suchen"
+        );
+        Err(Failure::new(Class::Data, "data.other_family", message).hint(hint).with("address", address))
+    }
+}
+
+/// What tells a family without an answer of the drive.
+fn evidence(asked: Text, family: &Family, tells: Text) -> Evidence {
+    Evidence { asked, answered: Text::name(&family.drive), tells }
+}
+
 /// Who answers is no drive that we know, or has no time to say so.
-fn unknown(address: u8, busy: bool, told: &Text) -> Failure {
-    let failure = match busy {
+fn unknown(address: u8, finding: &Finding) -> Failure {
+    let row = |row: &Evidence| {
+        let Evidence { asked, answered, tells } = row;
+        both!("{asked}: {answered} ({tells})", "{asked}: {answered} ({tells})", asked, answered, tells)
+    };
+    let told = Text::join(&finding.evidence.iter().map(row).collect::<Vec<_>>(), "; ");
+    let failure = match finding.busy {
         true => {
             let text = both!(
                 "address {address} answers, but is too busy to say what it is",

@@ -30,6 +30,7 @@ mod parameters {
     pub(crate) mod plant;
     mod reading;
     mod saving;
+    mod stated;
     mod transactions;
     mod truth;
     mod worked;

@@ -26,7 +26,7 @@ pub(super) struct Options {
 
 pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let addresses = addresses_to_read(context.settings, context.observe)?;
-    let named = context.settings.drive.as_deref();
+    let named = context.settings.named_drive();
     let open = |address: &u8| {
         let path = options.file.to_string_lossy().replace(super::save::ADDRESS, &address.to_string());
         let mut file = Opened::read(path.as_ref(), context.registry, named)?;

@@ -49,7 +49,7 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         let message = both!("expected two different sides", "erwartet: zwei verschiedene Seiten");
         return Err(Failure::new(Class::Usage, "usage.sides", message));
     }
-    let named = context.settings.drive.as_deref();
+    let named = context.settings.named_drive();
     let mut files = Vec::new();
     for which in sides {
         files.push(match which {

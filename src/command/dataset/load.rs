@@ -119,7 +119,7 @@ async fn load_into(
 /// Takes a load back.
 pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let address = only_one(&addresses_to_write(context.settings)?)?;
-    let opened = Opened::read(&args.file, context.registry, context.settings.drive.as_deref())?;
+    let opened = Opened::read(&args.file, context.registry, context.settings.named_drive())?;
     let Opened { file, family, .. } = opened;
     same_address(&file, (address, context.settings.node), context.settings.force)?;
     let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
@@ -208,7 +208,7 @@ pub(in crate::command) fn read_all(
 ) -> Result<Opened, Failure> {
     let mut laid: Option<Opened> = None;
     for path in paths {
-        let opened = Opened::read(path, registry, settings.drive.as_deref())?;
+        let opened = Opened::read(path, registry, settings.named_drive())?;
         if opened.file.undo.is_some() {
             let message = both!(
                 "{path}: this file takes a load back; it is no parameter file to be written",

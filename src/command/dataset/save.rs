@@ -262,7 +262,7 @@ impl Options {
             files::check(path, true).map_err(|error| unwritten(path, &error))?;
         }
         if several && self.resume && exists(&file) && !exists(&part) {
-            let done = Opened::read(&file, context.registry, settings.drive.as_deref())?;
+            let done = Opened::read(&file, context.registry, settings.named_drive())?;
             if done.file.head.drive.address == Some(address) && done.file.head.saved.complete {
                 return Ok(Goal { address, file, part, before: None, done: Some(done) });
             }
@@ -271,7 +271,7 @@ impl Options {
             return Err(unwritten(&file, &FileError::Exists));
         }
         if self.resume && exists(&part) {
-            let before = Opened::read(&part, context.registry, settings.drive.as_deref())?;
+            let before = Opened::read(&part, context.registry, settings.named_drive())?;
             self.same_scope(&before)?;
             return Ok(Goal { address, file, part, before: Some(before), done: None });
         }

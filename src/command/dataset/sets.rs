@@ -5,7 +5,7 @@ use crate::command::read::select_failure;
 use crate::command::write::permit;
 use crate::command::{
     Context, Reader, addresses_to_read, addresses_to_write, check_sets, connect, offline_family, plan, read_question,
-    role_questions, summary, target, terms,
+    role_questions, summary, target, target_to_change, terms,
 };
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms};
@@ -73,10 +73,11 @@ pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Ou
             .params(params)?;
     }
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let mut work = Work {
-        target: target(&mut session, settings, registry, address, false).await?,
-        terms: terms(settings, registry)?,
+    let target = match writes {
+        true => target_to_change(&mut session, settings, registry, address).await?,
+        false => target(&mut session, settings, registry, address, false).await?,
     };
+    let mut work = Work { target, terms: terms(settings, registry)? };
     check_sets(&work.target.family, DataSets::All(Store::Eeprom))?;
     let session = &mut session;
     match action {

@@ -1,6 +1,6 @@
 //! From the project file to open lines with their drives.
 
-use crate::args::{Origin, Place, Settings, places, project_path, typed_ports};
+use crate::args::{Place, Settings, places, project_path, typed_ports};
 use crate::command::dataset::load::read_all;
 use crate::command::dataset::opened::Opened;
 use crate::command::scan::of_port;
@@ -69,7 +69,7 @@ impl Wanted {
 
 /// What is known of a drive without asking. What the project file says of its family is asked all the same: it may be another drive.
 pub(super) fn terms<'a>(settings: &Settings, registry: &'a Registry) -> Result<Terms<'a>, Failure> {
-    let drive = settings.drive.clone().filter(|_| settings.origin("drive") == Origin::Flag);
+    let drive = settings.named_drive().map(ToOwned::to_owned);
     crate::command::terms(&Settings { drive, ..settings.clone() }, registry)
 }
 
