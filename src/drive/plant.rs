@@ -7,7 +7,7 @@
 
 use super::job::Step;
 use super::paramfile::head;
-use super::transaction::{self, Applied, Plan, UndoFile};
+use super::transaction::{self, Applied, Plan, UndoPlace};
 use super::{Interrupt, Recognised, Session, Terms, Upper, is_over};
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
@@ -34,8 +34,8 @@ pub struct Member<'a> {
     pub terms: Terms<'a>,
     /// The values that it shall have, in their order; the plan has them once it was looked at.
     pub steps: Vec<Step>,
-    /// Beside this file the undo file is left.
-    pub beside: PathBuf,
+    /// Where its undo file is left.
+    pub undo: UndoPlace,
     /// What there is to do, once it was looked at.
     pub found: Option<Found>,
     /// Why nothing was begun with it.
@@ -167,10 +167,26 @@ impl Together {
     }
 }
 
+/// The failure of an undo file of a plant: they stand beside its project file.
+fn in_project(failure: Failure) -> Failure {
+    failure.hint(both!(
+        "the undo files of a plant go beside its project file, so that folder must take new files",
+        "die Dateien zum Zurücknehmen kommen neben die Projektdatei, also muss dieser Ordner neue Dateien annehmen"
+    ))
+}
+
 impl Member<'_> {
     /// Whether there is something to write.
     pub fn is_due(&self) -> bool {
         self.left.is_none() && self.found.as_ref().is_some_and(|found| found.plan.todo() > 0)
+    }
+
+    /// Tries whether its undo file can be left: without one nothing may be written.
+    ///
+    /// # Errors
+    /// The folder of the project file does not take it.
+    pub fn try_undo(&self) -> Result<(), Failure> {
+        self.undo.check().map_err(in_project)
     }
 
     /// Leaves it out: nothing is begun with it.
@@ -240,7 +256,7 @@ impl Member<'_> {
     /// Writes what is planned; why it did not end well.
     async fn apply(&mut self, session: &mut Session<'_>, permit: &Permit<Writing>) -> Result<Vec<Failure>, Failure> {
         let Some(Found { plan, head }) = &mut self.found else { return Ok(Vec::new()) };
-        let undo_file = UndoFile::leave_beside(&self.beside, head, plan)?;
+        let undo_file = self.undo.leave(head, plan).map_err(in_project)?;
         let applied = transaction::apply(session, plan, &self.terms, permit, &undo_file).await;
         let failures = applied.failures.clone();
         let undo_file = undo_file.unless(applied.ended == LoadEnd::Untouched);

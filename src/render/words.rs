@@ -271,6 +271,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("files", "Dateien"),
     ("undo file", "Datei zum Zurücknehmen"),
     ("done, every value proven", "fertig, jeder Wert geprüft"),
+    ("done, proven as far as it can be read", "fertig, geprüft, soweit lesbar"),
     ("nothing was changed", "nichts wurde geändert"),
     ("stored only", "nur gespeichert"),
     ("stored, not all in force", "gespeichert, nicht alles wirkt"),

@@ -33,6 +33,7 @@ mod parameters {
     mod stated;
     mod transactions;
     mod truth;
+    mod undo_places;
     mod worked;
     mod writing;
 }

@@ -8,7 +8,7 @@ use crate::args::Settings;
 use crate::command::again::word;
 use crate::command::{Context, addresses_to_write, asking, connect, terms};
 use crate::drive::paramfile::head;
-use crate::drive::transaction::{self, Applied, Plan, UndoFile, fits};
+use crate::drive::transaction::{self, Applied, Plan, UndoPlace, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
@@ -76,9 +76,10 @@ async fn load_into(
     if context.settings.dry_run {
         return dry_run(context, report, &family, &steps, fits);
     }
-    match (&args.undo_file, args.files.first()) {
-        (Some(path), _) => UndoFile::may_be_left(path)?,
-        (None, file) => UndoFile::may_be_left_beside(file.map_or(Path::new("load"), PathBuf::as_path))?,
+    let place = args.undo_place();
+    if let UndoPlace::Named(_) = place {
+        // What somebody has typed is wrong whatever the drive says.
+        place.check().map_err(unbegun)?;
     }
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
@@ -89,6 +90,9 @@ async fn load_into(
     plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);
     report.node = session.node();
+    if plan.todo() > 0 {
+        plan.failures.extend(place.check().map_err(elsewhere).err());
+    }
     if let Some(failure) = forbidden(&mut plan, &nothing_written()) {
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
@@ -106,14 +110,31 @@ async fn load_into(
         }
         Err(denied) => return Err(denied),
     };
-    let left = match (&args.undo_file, args.files.first()) {
-        (Some(path), _) => UndoFile::leave(path, &head, &plan)?,
-        (None, file) => UndoFile::leave_beside(file.map_or(Path::new("load"), PathBuf::as_path), &head, &plan)?,
-    };
+    let left = place.leave(&head, &plan).map_err(unbegun)?;
     let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
     let path = left.path().to_owned();
     report.undo_file = left.unless(done.ended == LoadEnd::Untouched).map(|path| path.display().to_string());
     Ok(applied(report, plan, done, &path).into())
+}
+
+impl LoadArgs {
+    /// Where somebody said, or beside the first file.
+    fn undo_place(&self) -> UndoPlace {
+        match (&self.undo_file, self.files.first()) {
+            (Some(path), _) => UndoPlace::Named(path.clone()),
+            (None, file) => UndoPlace::Beside(file.cloned().unwrap_or_default()),
+        }
+    }
+}
+
+fn elsewhere(failure: Failure) -> Failure {
+    failure.hint(both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"))
+}
+
+/// The same where it ends the load.
+fn unbegun(failure: Failure) -> Failure {
+    let so = nothing_written();
+    elsewhere(Failure { message: both!("{why}; {so}", "{why}; {so}", why = failure.message, so), ..failure })
 }
 
 /// Takes a load back.
@@ -145,8 +166,8 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
     let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
-        Some(permit) => Some(transaction::undo(&mut session, &mut plan, &permit).await),
-        None => Some(transaction::not_shown(&mut plan)).filter(|failures| !failures.is_empty()).map(Applied::torn),
+        Some(permit) => transaction::undo(&mut session, &mut plan, &permit).await,
+        None => Applied::default(),
     };
     Ok(undone_outcome(report, plan, theirs, undone))
 }

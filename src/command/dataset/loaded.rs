@@ -301,11 +301,11 @@ fn partial(first: Failure, code: &str, message: Text, hint: Text) -> Failure {
 }
 
 /// How taking a load back ended: `theirs` is what was left as it is.
-pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>, undone: Option<Applied>) -> Outcome {
+pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>, undone: Applied) -> Outcome {
     let notes = plan.notes.iter().cloned();
     let mut warnings: Vec<Warning> =
         notes.map(|message| Warning { code: "load.in_force".to_owned(), message }).collect();
-    let Applied { ended, failures, .. } = undone.unwrap_or_default();
+    let Applied { ended, failures, .. } = undone;
     let is_untouched = ended == LoadEnd::Untouched;
     report.ended = Some(if theirs.is_empty() || is_untouched { ended } else { LoadEnd::Torn });
     let (count, is_all) = (failures.len() + theirs.len(), theirs.is_empty());

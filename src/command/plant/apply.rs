@@ -9,7 +9,6 @@ use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::command::{Context, asking};
 use crate::drive::plant::{Line, Member, Together};
-use crate::drive::transaction::UndoFile;
 use crate::drive::{Upper, job};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
@@ -59,11 +58,11 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
-    wanted.iter().try_for_each(|one| UndoFile::may_be_left_beside(&one.beside()))?;
     let settings = context.settings;
     let together = Together { interrupt: context.interrupt.clone(), atomic: args.atomic, failed: Cell::new(false) };
     on_lines(context, &wanted, async |lines, ask| {
         look(lines, Args::UPPER, &nothing_written()).await;
+        try_undo_files(lines);
         if args.atomic {
             leave_all(lines);
         }
@@ -87,6 +86,15 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         Ok(told::plant(settings, &wanted, lines, (together.interrupt.is_raised(), UNLIKE)))
     })
     .await?
+}
+
+/// Leaves out whose undo file cannot be left: told before anybody is asked, and only where something is to be written.
+fn try_undo_files(lines: &mut [Line<'_>]) {
+    for member in lines.iter_mut().flat_map(|line| &mut line.members).filter(|member| member.is_due()) {
+        let Err(failure) = member.try_undo() else { continue };
+        let so = nothing_written();
+        member.leave(Failure { message: both!("{why}; {so}", "{why}; {so}", why = failure.message, so), ..failure });
+    }
 }
 
 /// All or nothing: where one cannot be begun, none is.

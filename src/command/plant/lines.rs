@@ -7,7 +7,7 @@ use crate::command::scan::of_port;
 use crate::command::{Context, open};
 use crate::drive::job::Step;
 use crate::drive::plant::{Line, Member};
-use crate::drive::transaction::Choice;
+use crate::drive::transaction::{Choice, UndoPlace};
 use crate::drive::{Interrupt, Port, Terms, open_port};
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
@@ -16,7 +16,6 @@ use crate::profile::Registry;
 use crate::text::{Text, both};
 use futures_util::future::join_all;
 use std::cell::RefCell;
-use std::path::PathBuf;
 
 /// A drive of the project file, and what its parameter files want.
 #[derive(Debug)]
@@ -43,11 +42,11 @@ impl Wanted {
         self.opened.of_others((self.place.address, self.place.settings.node))
     }
 
-    /// Beside this file its undo file is left.
-    pub(super) fn beside(&self) -> PathBuf {
+    /// Beside the project file its undo file is left, under its name.
+    fn undo(&self) -> UndoPlace {
         let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
         let plain: String = self.place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
-        project_path(&self.place.settings).with_file_name(format!("{plain}.toml"))
+        UndoPlace::Beside(project_path(&self.place.settings).with_file_name(format!("{plain}.toml")))
     }
 
     fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {
@@ -59,7 +58,7 @@ impl Wanted {
             product: self.place.product.clone(),
             terms,
             steps: self.steps.clone(),
-            beside: self.beside(),
+            undo: self.undo(),
             found: None,
             left: None,
             applied: None,

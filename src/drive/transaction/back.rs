@@ -142,7 +142,9 @@ async fn restore_all(
             way.note(result.as_ref().err());
         }
         match &result {
-            Ok(_) => back.push(kept.clone()),
+            // Nobody can look at it.
+            Ok(Came::Unseen) => {}
+            Ok(Came::Stood | Came::Back) => back.push(kept.clone()),
             Err(failure) if failure.code == THEIRS => {}
             Err(_) => torn.push(kept),
         }
@@ -236,6 +238,8 @@ enum Came {
     Stood,
     /// It was written.
     Back,
+    /// It was written where the drive does not show it: acknowledged.
+    Unseen,
 }
 
 /// Brings one value back, unless it stands there already; of four that were one, and are not any more, each that needs it.
@@ -246,6 +250,9 @@ async fn restore(
     permit: &Permit<Writing>,
     is_begun: &mut bool,
 ) -> Result<Came, Failure> {
+    if plan.is_unread(kept) {
+        return bring(session, plan, kept, permit, is_begun).await.map(|_| Came::Unseen);
+    }
     let (mut came, mut stays) = (Came::Stood, None);
     for (set, now) in stands(session, &mut plan.job.target, &kept.param, &[kept.set]).await? {
         let (kept, now) = (Kept { set, ..kept.clone() }, now?);
@@ -257,8 +264,7 @@ async fn restore(
             Err(failure) if failure.code == THEIRS => stays = stays.or(Some(failure)),
             Err(failure) => return Err(failure),
             Ok(()) => {
-                bring(session, plan, &kept, permit, is_begun).await?;
-                came = Came::Back;
+                came = bring(session, plan, &kept, permit, is_begun).await?;
             }
         }
     }
@@ -281,26 +287,28 @@ impl Plan {
     }
 }
 
-/// Writes one value as it was, and proves it.
+/// Writes one value as it was, and proves it; in a RAM that the drive does not show its acknowledgement has to do.
 async fn bring(
     session: &mut Session<'_>,
     plan: &mut Plan,
     kept: &Kept,
     permit: &Permit<Writing>,
     is_begun: &mut bool,
-) -> Result<(), Failure> {
+) -> Result<Came, Failure> {
     let Kept { param, set, raw } = kept;
+    let read_back = !plan.is_unread(kept);
     let target = &mut plan.job.target;
     plan.shaft.allows(session, target, param).await?;
     let address = target.address;
     let kind = target.width(session, param, *set).await;
     *is_begun |= kind.is_ok();
     let fate = match kind {
-        Ok(kind) => target.write(session, param, Order { set: *set, raw: *raw, kind, read_back: true }, permit).await,
+        Ok(kind) => target.write(session, param, Order { set: *set, raw: *raw, kind, read_back }, permit).await,
         Err(error) => Err(error),
     };
     match fate {
-        Ok(WriteFate::Verified) => Ok(()),
+        Ok(WriteFate::Verified) => Ok(Came::Back),
+        Ok(WriteFate::Written) if !read_back => Ok(Came::Unseen),
         Ok(WriteFate::Unknown(error)) | Err(error) => {
             Err(error.failure(address, Some(&target.family)).with("param", param.id))
         }
@@ -322,13 +330,6 @@ pub fn switch_off() -> Text {
         "switch the drive off and on: then it works with what is stored",
         "den Antrieb aus- und einschalten: dann arbeitet er mit dem, was gespeichert ist"
     )
-}
-
-/// What is stored as before where nothing has to be written, and may stand otherwise in a RAM that the drive does not show: a failure
-/// for each. The rows say so too.
-pub fn not_shown(plan: &mut Plan) -> Vec<Failure> {
-    let blind = plan.blind.clone();
-    blind.iter().filter_map(|kept| told(plan, kept, Err(unshown(kept)))).collect()
 }
 
 /// The EEPROM did not take the new value, and whether the RAM did the drive does not show.
@@ -365,7 +366,11 @@ fn told(plan: &mut Plan, kept: &Kept, result: Result<Came, Failure>) -> Option<F
             use WriteResult::{Refused, Skipped, Unchanged, Unrestored};
             let keeps = came == Came::Stood && matches!(row.result, Refused | Skipped | Unchanged);
             let stays = keeps || row.result == Unrestored;
-            row.result = if stays { row.result } else { WriteResult::Restored };
+            row.result = match came {
+                _ if stays => row.result,
+                Came::Unseen => WriteResult::Written,
+                Came::Stood | Came::Back => WriteResult::Restored,
+            };
             None
         }
         (Ok(_), None) => None,

@@ -23,10 +23,3 @@ pub(super) fn untouched(plan: &mut Plan, failure: Failure) -> Applied {
     }
     Applied { ended: LoadEnd::Untouched, failures: vec![failure], notes: Vec::new() }
 }
-
-impl Applied {
-    /// Not all of it is known to be as before.
-    pub fn torn(failures: Vec<Failure>) -> Self {
-        Applied { ended: LoadEnd::Torn, failures, notes: Vec::new() }
-    }
-}

@@ -1,9 +1,9 @@
 //! Parameter files into drives, as a transaction: what a file wants is picked ([`Choice`]), everything is read and checked
-//! ([`plan`]), an undo file is left ([`UndoFile`]), then each value is written and proven ([`apply`]), and whatever ends that
+//! ([`plan`]), an undo file is left ([`UndoPlace::leave`]), then each value is written and proven ([`apply`]), and whatever ends that
 //! early, what was written goes back. What could not go back is named, and [`undo`] does it later.
 //!
 //! ```text
-//! settings -> Choice::steps -> plan -> (question, permit) -> UndoFile::leave -> apply -> done, or put back
+//! settings -> Choice::steps -> plan -> UndoPlace::check -> (question, permit) -> UndoPlace::leave -> apply -> done, or put back
 //! undo file -> plan_back -> (question, permit) -> undo
 //! ```
 
@@ -20,11 +20,11 @@ mod undo_file;
 mod weigh;
 
 pub use apply::apply;
-pub use back::{NOT_SHOWN, SET, STORE, not_shown, switch_off, take_back, undo};
+pub use back::{NOT_SHOWN, SET, STORE, switch_off, take_back, undo};
 pub use choice::{Choice, NO_VALUES};
 pub use ended::Applied;
 pub use meanwhile::{THEIRS, still_may};
 pub use plan::{Plan, plan};
 pub use running::RUNNING;
-pub use undo_file::{Coming, UndoFile, plan_back, steps_back};
+pub use undo_file::{Coming, UndoFile, UndoPlace, plan_back, steps_back};
 pub use weigh::fits;

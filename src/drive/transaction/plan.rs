@@ -3,8 +3,8 @@
 use super::choice::in_sets;
 use super::progress::{Doing, progress};
 use super::running::{Shaft, standstill};
-use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, weigh};
-use crate::drive::job::{Job, Step};
+use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, unread_in_ram, weigh};
+use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{has_ram, in_ram, stands};
 use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
@@ -172,7 +172,7 @@ pub(super) async fn prepare(
         plan.take(session, terms, purpose, spread(group, &old), &Stand { old, ram });
     }
     plan.watch(session).await?;
-    plan.note_hidden(purpose);
+    plan.note_hidden(session, terms, purpose);
     plan.count();
     Ok(plan)
 }
@@ -238,6 +238,27 @@ impl Plan {
         self.job.rows.push(Written { note: note.or(row.note), ..row });
         self.job.steps.push(step);
         result
+    }
+}
+
+impl Plan {
+    /// Adds a step into a place of the RAM that the drive does not show.
+    pub(super) fn add_unread(&mut self, session: &Session<'_>, terms: &Terms<'_>, step: Step) {
+        let target = &self.job.target;
+        let row = describe::to_write(target.address, &target.family, &step.param, step.set, step.raw);
+        let mut row = Written { node: session.node(), note: Some(unread_in_ram()), ..row };
+        let kind = target.known_width(step.param.id).or(step.kind);
+        job::tell(&mut row, kind.and_then(|kind| job::telegram(terms, &target.family, target.address, &step, kind)));
+        self.job.rows.push(row);
+        self.job.steps.push(step);
+    }
+
+    /// Whether a place of the RAM goes back without having been read.
+    pub(super) fn is_unread(&self, kept: &Kept) -> bool {
+        let rows = self.job.steps.iter().zip(&self.job.rows);
+        let is_its = |step: &Step| (step.param.id, step.set) == (kept.param.id, kept.set);
+        rows.filter(|(step, _)| is_its(step))
+            .any(|(_, row)| row.old_raw.is_none() && row.result == WriteResult::Planned)
     }
 }
 

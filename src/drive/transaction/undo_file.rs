@@ -1,7 +1,7 @@
 //! The file that a transaction leaves before its first byte, so that whatever ends it can be taken back later: what stood in
 //! the drive, and what was to come.
 
-use super::plan::{Kept, Plan, prepare};
+use super::plan::{Plan, prepare};
 use super::weigh::Purpose;
 use crate::drive::job::Step;
 use crate::drive::paramfile::broken;
@@ -22,27 +22,19 @@ pub struct UndoFile {
     path: PathBuf,
 }
 
+/// Where an undo file goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum UndoPlace {
+    /// Under this name, which must be free.
+    Named(PathBuf),
+    /// Beside this file, under the first name that is free: `base.undo.toml`, `base.undo-2.toml`.
+    Beside(PathBuf),
+}
+
 /// So many names are tried where no name was given.
 const MOST_NAMES: u32 = 999;
 
 impl UndoFile {
-    /// Refuses what cannot come: told before a drive is asked for anything.
-    ///
-    /// # Errors
-    /// As [`UndoFile::leave`].
-    pub fn may_be_left(path: &Path) -> Result<(), Failure> {
-        files::check(path, false).map_err(|error| unwritten(path, &error))
-    }
-
-    /// The same of one beside a parameter file, which finds a free name.
-    ///
-    /// # Errors
-    /// As [`UndoFile::leave`].
-    pub fn may_be_left_beside(file: &Path) -> Result<(), Failure> {
-        let path = named_beside(file);
-        files::check(&path, true).map_err(|error| unwritten(&path, &error))
-    }
-
     /// Where it stands.
     pub fn path(&self) -> &Path {
         &self.path
@@ -53,52 +45,60 @@ impl UndoFile {
         let is_gone = is_untouched && files::remove(&self.path).is_ok();
         (!is_gone).then_some(self.path)
     }
+}
 
-    /// Writes it under this name, which must be free.
+impl UndoPlace {
+    /// Tries it, and leaves nothing: what cannot come is told before anybody is asked.
+    ///
+    /// # Errors
+    /// As [`UndoPlace::leave`].
+    pub fn check(&self) -> Result<(), Failure> {
+        self.first_free(|path| files::check(path, false)).map(drop)
+    }
+
+    /// Writes it.
     ///
     /// # Errors
     /// The name is taken, or the disk does not take it: then nothing may be written to the drive.
-    pub fn leave(path: &Path, head: &Head, plan: &Plan) -> Result<Self, Failure> {
+    pub fn leave(&self, head: &Head, plan: &Plan) -> Result<UndoFile, Failure> {
         let text = text(head, plan);
-        match files::write_whole(path, &text, false) {
-            Ok(()) => Ok(UndoFile { path: path.to_owned() }),
-            Err(error) => Err(unwritten(path, &error)),
-        }
+        let path = self.first_free(|path| files::write_whole(path, &text, false))?;
+        Ok(UndoFile { path })
     }
 
-    /// Writes it beside the parameter file, under the first name that is free: `base.undo.toml`, `base.undo-2.toml`.
-    ///
-    /// # Errors
-    /// As [`UndoFile::leave`].
-    pub fn leave_beside(file: &Path, head: &Head, plan: &Plan) -> Result<Self, Failure> {
-        let text = text(head, plan);
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        let mut path = named_beside(file);
-        for count in 2..=MOST_NAMES {
-            match files::write_whole(&path, &text, false) {
-                Ok(()) => return Ok(UndoFile { path }),
-                Err(FileError::Exists) => path = file.with_file_name(format!("{stem}.undo-{count}.toml")),
+    /// The first of its names that nobody has and `take` takes.
+    fn first_free(&self, take: impl Fn(&Path) -> Result<(), FileError>) -> Result<PathBuf, Failure> {
+        let mut last = PathBuf::new();
+        for path in self.names() {
+            match take(&path) {
+                Ok(()) => return Ok(path),
+                Err(FileError::Exists) => last = path,
                 Err(error) => return Err(unwritten(&path, &error)),
             }
         }
-        Err(unwritten(&path, &FileError::Exists))
+        Err(unwritten(&last, &FileError::Exists))
     }
-}
 
-/// The first name that is tried: `base.undo.toml`.
-fn named_beside(file: &Path) -> PathBuf {
-    file.with_file_name(format!("{}.undo.toml", file.file_stem().unwrap_or_default().to_string_lossy()))
+    fn names(&self) -> Box<dyn Iterator<Item = PathBuf> + '_> {
+        match self {
+            Self::Named(path) => Box::new(std::iter::once(path.clone())),
+            Self::Beside(file) => Box::new((1..=MOST_NAMES).map(|count| {
+                let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+                let nth = if count == 1 { String::new() } else { format!("-{count}") };
+                file.with_file_name(format!("{stem}.undo{nth}.toml"))
+            })),
+        }
+    }
 }
 
 fn unwritten(path: &Path, error: &FileError) -> Failure {
     let message = both!(
-        "{path}: the undo file cannot be written: {why}; nothing was written to the drive",
-        "{path}: die Datei zum Zurücknehmen lässt sich nicht schreiben: {why}; in den Antrieb wurde nichts geschrieben",
+        "{path}: the undo file cannot be written: {why}",
+        "{path}: die Datei zum Zurücknehmen lässt sich nicht schreiben: {why}",
         path = path.display(),
         why = error.text()
     );
     Failure::new(Class::Data, "data.undo_file", message)
-        .hint(both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"))
 }
 
 /// What stands in it: the old values as those of a parameter file, and what was to come.
@@ -144,8 +144,8 @@ pub async fn plan_back(
 
 impl Plan {
     /// Notes of which values only what is stored can be proven, because the drive does not show its RAM. What is stored as before
-    /// may stand there otherwise all the same: a load may have come so far and no further.
-    pub(super) fn note_hidden(&mut self, purpose: &Purpose) {
+    /// may stand there otherwise all the same, because a load may have come so far and no further: it goes into the RAM unread.
+    pub(super) fn note_hidden(&mut self, session: &Session<'_>, terms: &Terms<'_>, purpose: &Purpose) {
         let rows = self.job.steps.iter().zip(&self.job.rows);
         let is_due = |row: &Written| matches!(row.result, WriteResult::Planned | WriteResult::Unchanged);
         let is_hidden =
@@ -153,16 +153,21 @@ impl Plan {
         let hidden: Vec<_> = rows.filter(|(step, row)| is_due(row) && is_hidden(step)).collect();
         let Some((_, row)) = hidden.first() else { return };
         let address = row.address;
-        let is_stored = |(step, row): &&(&Step, &Written)| {
-            row.result == WriteResult::Unchanged && purpose.came(step).is_some_and(|raw| raw != step.raw)
+        let is_open = |(step, row): &&(&Step, &Written)| {
+            row.result == WriteResult::Unchanged && purpose.may_stand_otherwise(step)
         };
-        let blind: Vec<Kept> = hidden.iter().filter(is_stored).map(|(step, _)| Kept::wanted(step)).collect();
-        self.blind.extend(blind);
+        let unread: Vec<Step> = hidden.iter().filter(is_open).map(|(step, _)| in_ram_of(step)).collect();
         self.hidden = Some(both!(
             "drive {address} does not show its RAM: only what is stored is proven; switched off and on it works with that",
             "Antrieb {address} zeigt sein RAM nicht: geprüft wird nur, was gespeichert ist; nach Aus- und Einschalten arbeitet er damit"
         ));
+        unread.into_iter().for_each(|step| self.add_unread(session, terms, step));
     }
+}
+
+/// The same value in the RAM over its place.
+fn in_ram_of(step: &Step) -> Step {
+    Step { set: step.set + DataSets::RAM_OFFSET, ..step.clone() }
 }
 
 /// What was to come, by number and data set as on the wire.

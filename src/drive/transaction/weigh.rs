@@ -31,6 +31,13 @@ impl Purpose {
         from.get(&(step.param.id, step.set)).or_else(|| from.get(&(step.param.id, all))).copied()
     }
 
+    /// Whether a value that is stored as before may stand otherwise in a RAM that is not shown: a load was to bring another one,
+    /// or nobody says what it was to bring.
+    pub(super) fn may_stand_otherwise(&self, step: &Step) -> bool {
+        let Purpose::Back(from) = self else { return false };
+        from.is_empty() || self.came(step).is_some_and(|raw| raw != step.raw)
+    }
+
     /// Whether a value that does not come keeps nobody from bringing the others.
     pub(super) fn bears(&self, failure: &Failure, silences: usize) -> bool {
         matches!(self, Purpose::Back(_)) && !is_over(failure) && silences < MOST_SILENCES
@@ -194,6 +201,14 @@ pub(super) fn not_in_force() -> Text {
     both!(
         "stored already, but the drive works with another value (RAM)",
         "schon gespeichert, der Antrieb arbeitet aber mit einem anderen Wert (RAM)"
+    )
+}
+
+/// Why a value that is stored as before is written, into a RAM that nobody can read.
+pub(super) fn unread_in_ram() -> Text {
+    both!(
+        "stored as before; the drive does not show what it works with, and its acknowledgement is the only proof",
+        "gespeichert wie vorher; womit der Antrieb arbeitet, zeigt er nicht, und seine Bestätigung ist der einzige Nachweis"
     )
 }
 

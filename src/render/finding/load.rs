@@ -33,7 +33,7 @@ impl Page {
     pub(super) fn load_head(self, load: &Load) -> String {
         let unchanged = load.values.iter().filter(|row| !self.is_told(row)).count();
         let mut pairs = vec![("files", load.files.join(", "))];
-        pairs.extend(load.ended.map(|ended| ("result", self.word(self::ended(ended)).to_owned())));
+        pairs.extend(load.ended.map(|ended| ("result", self.word(self::ended(ended, &load.values)).to_owned())));
         pairs.extend((unchanged > 0).then(|| ("unchanged", unchanged.to_string())));
         for (why, word) in LEFT_OUT {
             let left: Vec<String> = load.left_out.iter().filter(|row| row.why == *why).map(place).collect();
@@ -48,8 +48,11 @@ fn place(left: &crate::outcome::NotLoaded) -> String {
     if left.data_set == 0 { left.param.to_string() } else { format!("{}@{}", left.param, left.data_set) }
 }
 
-fn ended(ended: LoadEnd) -> &'static str {
+fn ended(ended: LoadEnd, rows: &[Written]) -> &'static str {
     match ended {
+        LoadEnd::Done if rows.iter().any(|row| row.result == WriteResult::Written) => {
+            "done, proven as far as it can be read"
+        }
         LoadEnd::Done => "done, every value proven",
         LoadEnd::Stored => "stored, not all in force",
         LoadEnd::Untouched => "nothing was changed",
