@@ -23,7 +23,14 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("report", "for who takes over"),
         ],
     ),
-    ("Motion", &[("statemachine", "state, stop, reset"), ("sollwert", "setpoint, a run")]),
+    (
+        "Motion",
+        &[
+            ("statemachine", "state, stop, reset"),
+            ("sollwert", "setpoint, a run"),
+            ("procedure", "guided, step by step"),
+        ],
+    ),
     (
         "Plant",
         &[
@@ -64,7 +71,7 @@ pub(super) fn of(root: Command) -> Command {
         arg.help_heading(None::<&str>).hide_short_help(!is_told)
     });
     root.help_template(format!(
-        "{{about}}\n{{usage-heading}} {{usage}}\n\n{}Options (more with --help):\n{{options}}\n{SHORT}\n",
+        "{{about}}\n{{usage-heading}} {{usage}}\n{}Options (more with --help):\n{{options}}\n{SHORT}\n",
         commands()
     ))
 }

@@ -13,6 +13,7 @@ mod output;
 pub mod params;
 pub mod plant;
 pub mod plot;
+pub mod procedure;
 pub mod profibus;
 pub mod protocol;
 pub mod read;
@@ -54,6 +55,7 @@ pub const VERBS: &[Entry] = &[
     verb::entry::<monitor::Args>(),
     verb::entry::<plot::Args>(),
     verb::entry::<report::Args>(),
+    verb::entry::<procedure::Args>(),
     verb::entry::<protocol::Args>(),
     verb::entry::<line::Args>(),
     verb::entry::<params::Args>(),

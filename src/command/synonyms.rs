@@ -27,6 +27,7 @@ const MEANT: &[(&str, &[&str])] = &[
     ("line", &["leitung"]),
     ("params", &["parameter", "parameters", "katalog", "list"]),
     ("report", &["bericht"]),
+    ("procedure", &["prozedur", "inbetriebnahme", "commission", "guide", "anleitung"]),
     ("decode", &["dekodieren", "entschlüsseln", "explain"]),
     ("sniff", &["mithören", "mitlesen", "lauschen", "listen"]),
     ("simulate", &["simulieren", "simulator", "simulation"]),

@@ -1,6 +1,8 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
-use super::{ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Read, Record, Stops, Warning, Write};
+use super::{
+    ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Procedure, Procedures, Read, Record, Stops, Warning, Write,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -128,4 +130,14 @@ pub enum OrBusLoad<P, L> {
     Plan(Box<P>),
     /// The load.
     Load(L),
+}
+
+/// What became of guided work, or what there is of it.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrListed {
+    /// What was done.
+    Done(Box<Procedure>),
+    /// What there is.
+    List(Procedures),
 }

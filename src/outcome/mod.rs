@@ -12,6 +12,7 @@ mod offline;
 mod paramfile;
 mod plant;
 mod plot;
+mod procedure;
 mod profibus;
 mod relocation;
 mod report;
@@ -21,7 +22,7 @@ mod transfer;
 mod value;
 
 pub use document::{
-    Document, Envelope, OrBusLoad, OrLine, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
+    Document, Envelope, OrBusLoad, OrLine, OrListed, OrLive, OrLoad, OrMotion, OrPlan, OrRead, OrRecord, OrWrite,
 };
 pub use found::{
     Bucket, Counter, Diag, Diagnosis, Evidence, FoundDrive, Identify, Identity, LinkTest, Module, Scan, Search,
@@ -36,6 +37,9 @@ pub use offline::{CanDoc, ChoiceDoc, Decode, Field, GapStatistics, ParamDoc, Par
 pub use paramfile::{Comparison, Comparisons, Difference, LeftOut, OrFile, SavedFile, Saves, Side};
 pub use plant::{Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState};
 pub use plot::{Plot, PlotCurve, PlotGap, PlotMark, PlotResponse};
+pub use procedure::{
+    GivenValue, KeptStep, Procedure, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures, StepFate,
+};
 pub use profibus::{BasicModule, LiveList, LiveStation};
 pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep, StepResult};
 pub use report::{Form, Logo, Report, ReportedDrive};
@@ -167,6 +171,10 @@ pub enum Data {
     Plot(Plot),
     /// `report`
     Report(Box<Report>),
+    /// `procedure`
+    Procedure(Box<Procedure>),
+    /// `procedure list`
+    Procedures(Procedures),
     /// `systembus plan`
     BusPlan(Box<BusPlan>),
     /// `systembus load`

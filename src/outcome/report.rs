@@ -1,6 +1,6 @@
 //! What `report` found: drives and their line, as they are handed over.
 
-use super::{Diagnosis, Difference, ErrorDoc, Identity, LeftOut, LineCheck, Plot, Value};
+use super::{Diagnosis, Difference, ErrorDoc, Identity, LeftOut, LineCheck, Plot, ProcedureRecord, Value};
 use crate::text::Text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -22,6 +22,8 @@ pub struct Report {
     pub line: Option<LineCheck>,
     /// One entry a drive.
     pub drives: Vec<ReportedDrive>,
+    /// Guided work that was done, as its records tell it.
+    pub procedures: Vec<ProcedureRecord>,
     /// The records that it shows.
     pub records: Vec<Plot>,
     /// Their pictures, in SVG.

@@ -16,6 +16,7 @@ mod motion;
 mod names;
 mod param;
 pub mod paramfile;
+pub mod procedure;
 mod role;
 mod row;
 mod select;

@@ -42,6 +42,7 @@ const ALIKE: &str = "
 const NAMES: &[&str] = &[
     "CM-485 manual",
     "EM-RES-03 manual",
+    "LXM05 manual",
     "facts S4",
     "built-in",
     "Local/Remote",
@@ -175,6 +176,13 @@ const WRONG: &[(u8, &str)] = &[
     (2, "-p sim -a 1 statemachine enable --duration 5s"),
     (2, "-p sim -a 1 sollwert 25Hz --mode nonsense"),
     (2, "-p sim -a 1 sollwert 25bananas"),
+    (2, "-p sim -a 1 procedure nothing-such"),
+    (2, "-p sim -a 1 procedure first-contact watchdog"),
+    (2, "-p sim -a 1 procedure first-contact nothing=1"),
+    (7, "-p sim -a 1 procedure first-contact watchdog=soon"),
+    (7, "-p sim -a 1 procedure first-contact --record {dir}/file"),
+    (7, "-p sim -a 1 procedure first-contact --given {dir}/file"),
+    (8, "-p sim -a 1 procedure first-contact"),
     (2, "-p sim -a 1 sollwert Hz"),
     (2, "-p sim -a 1 sollwert 25Hz --ramp soon"),
     (2, "-p sim -a 1 monitor --interval soon 411"),
@@ -258,6 +266,10 @@ const WRONG: &[(u8, &str)] = &[
 
 /// Names of settings, modes and values.
 const NAMED: &[&str] = &[
+    "contact",
+    "first",
+    "first-contact",
+    "list",
     "address",
     "all",
     "allram",

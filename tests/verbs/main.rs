@@ -8,6 +8,7 @@
 
 mod agreeable;
 mod german;
+mod guided;
 mod judge;
 mod lexium;
 mod matrix;

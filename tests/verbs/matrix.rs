@@ -258,6 +258,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("decode", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("systembus", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
     ("plot", &["silence", "refused", "partial", "interrupted"], "it asks nobody, and is done at once"),
+    ("procedure", &["partial"], "it ends at the first step that is not done"),
     ("simulate", &["silence", "refused", "partial"], "it is asked, and asks nobody"),
 ];
 
@@ -410,7 +411,12 @@ cases! {
     decode_basic_status: 0, "decode basic-status 0x0DD0";
     decode_basic_control: 0, "decode basic-control 0x4051";
 
-    report_fine: 0, "-a 1 report --changed --count 20";
+procedure_fine: 0, "-a 1 --yes procedure first-contact watchdog=2s --record {dir}/p.json";
+    procedure_planned: 0, "-a 1 --dry-run procedure first-contact watchdog=2s";
+    procedure_silence: 4, "-a 7 --yes procedure first-contact --record {dir}/p.json";
+    procedure_refused: 6, "-a 9 --drive acu --yes procedure first-contact --record {dir}/p.json";
+
+        report_fine: 0, "-a 1 report --changed --count 20";
     report_silence: 4, "-a 7 report";
     report_refused: 6, "-a 9 --drive acu report --count 2";
     report_partial: 9, "-a 2,7 report --changed --count 20";
@@ -445,6 +451,7 @@ cases! {
 }
 
 cuts! {
+    procedure_interrupted: 9, 130, "-a 1 --yes procedure first-contact --record {dir}/p.json";
     scan_interrupted: 40, 130, "scan";
     identify_interrupted: 6, 130, "-a 1,2 identify";
     read_interrupted: 8, 130, "-a 1,2 read 372 480@all 411";

@@ -3,6 +3,7 @@
 mod drive;
 mod paper;
 
+use super::procedure::record;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_read, connect, output, plan, plot, read_question};
 use crate::args::{Takes, called};
@@ -34,6 +35,10 @@ pub struct Args {
     /// Show a record of `monitor --record`; repeatable
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
+
+    /// Show the record of a `procedure`; repeatable
+    #[arg(long, value_name = "FILE")]
+    pub procedure: Vec<PathBuf>,
 
     /// List only what differs from factory settings
     #[arg(long)]
@@ -68,6 +73,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     let mut report = paper::head(context.settings)?;
     report.changed_only = args.changed;
+    for file in &args.procedure {
+        report.procedures.push(record::read(file)?);
+    }
     for file in &args.record {
         let wish = plot::Args::whole(file);
         for (plot, picture) in plot::every(&wish, context.registry, context.settings.lang, report.records.len())? {

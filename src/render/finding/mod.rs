@@ -14,6 +14,7 @@ mod paramfile;
 mod params;
 mod plant;
 mod plot;
+mod procedure;
 mod profibus;
 mod read;
 mod relocation;
@@ -70,6 +71,8 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Simulate(found) => found,
         Data::Plot(found) => found,
         Data::Report(found) => found.as_ref(),
+        Data::Procedure(found) => found.as_ref(),
+        Data::Procedures(found) => found,
         Data::BusPlan(found) => found.as_ref(),
         Data::BusLoad(found) => found,
         Data::Monitor(found) => found,

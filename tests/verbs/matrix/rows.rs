@@ -34,6 +34,13 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "check" => of_whole(&list(&data["drives"]), "differences", |one| places(one, &["called", "port", "address"])),
         "sniff" => list(&data["telegrams"]),
         "plot" => list(&data["curves"]),
+        "procedure" => {
+            let row = |mut step: Value| {
+                step.as_object_mut().unwrap().retain(|_, value| !value.is_array());
+                step
+            };
+            list(&data["steps"]).into_iter().map(row).collect()
+        }
         "report" => {
             let values = list(&data["drives"]).into_iter().flat_map(|drive| list(&drive["values"]));
             let failed = list(&data["drives"]).into_iter().filter(|drive| list(&drive["values"]).is_empty());

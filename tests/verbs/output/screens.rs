@@ -99,6 +99,10 @@ const TYPED: &[(&str, &[&str])] = &[
     ("protocol", &["protocol show -a 1"]),
     ("plot", &["plot {dir}/record.csv --measure"]),
     ("report", &["report {dir}/plant.html {dir}/plant.md -a 1-4 --record {dir}/record.csv"]),
+    (
+        "procedure",
+        &["procedure list", "procedure first-contact -a 1 --dry-run", "procedure first-contact watchdog=2s -a 1 --yes"],
+    ),
     ("systembus", &["systembus plan {dir}/bus.toml", "systembus load", "systembus load 500 1 2 8"]),
     ("init", &["init {dir}/new.toml -a 1-9"]),
     ("plan", &["plan --config {dir}/plant.toml"]),

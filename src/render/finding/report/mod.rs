@@ -4,6 +4,7 @@ mod drive;
 mod html;
 mod markdown;
 mod paper;
+mod procedure;
 mod whole;
 
 use super::page::Page;

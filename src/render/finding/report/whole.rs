@@ -24,6 +24,7 @@ impl Page {
             blocks.extend(self.line_part(check));
         }
         report.drives.iter().for_each(|drive| blocks.extend(self.drive_part(drive, report.changed_only)));
+        report.procedures.iter().for_each(|done| blocks.extend(self.procedure_part(done)));
         for (plot, picture) in report.records.iter().zip(&report.pictures) {
             blocks.extend(self.record_part(plot, picture));
         }

@@ -1,0 +1,62 @@
+//! `procedure NAME --dry-run`: the steps, and what each would send.
+
+use super::given::Given;
+use super::guide::row;
+use crate::args::Settings;
+use crate::command::{identify, telegram_reader};
+use crate::drive::motion::watchdog_raw;
+use crate::drive::{Cell, Inquiry, harmless};
+use crate::outcome::{Data, Outcome, Procedure as Told, TelegramDoc};
+use crate::profile::procedure::{Act, Procedure};
+use crate::profile::{Family, Role, Type, value};
+use crate::text::both;
+
+/// What would be done, without opening anything.
+pub(super) fn run(procedure: &Procedure, given: &Given, family: &Family, address: u8, settings: &Settings) -> Outcome {
+    let steps = procedure.steps_of(&family.drive).into_iter().map(|step| {
+        let mut row = row(step, None);
+        row.telegrams = telegrams(step.act, given, family, address, settings);
+        row
+    });
+    let mut notes = Vec::new();
+    if settings.drive.is_none() {
+        notes.push(both!(
+            "a dry run asks no drive: taken for '{drive}'; --drive names another",
+            "ein Probelauf fragt keinen Antrieb: angenommen ist '{drive}'; --drive nennt einen anderen",
+            drive = family.drive
+        ));
+    }
+    let told = Told {
+        dry_run: true,
+        procedure: procedure.slug.clone(),
+        title: procedure.title.clone(),
+        address,
+        drive: family.drive.clone(),
+        record: None,
+        complete: false,
+        given: given.told(),
+        steps: steps.collect(),
+        notes,
+    };
+    Outcome::of(Data::Procedure(Box::new(told)))
+}
+
+fn telegrams(act: Act, given: &Given, family: &Family, address: u8, settings: &Settings) -> Vec<TelegramDoc> {
+    let reader = telegram_reader(settings, family);
+    let asked = match act {
+        Act::Confirm => Vec::new(),
+        Act::Identify => identify::looks(family),
+        Act::Line => vec![harmless(family, settings.protocol)],
+        Act::Watchdog => watchdog(given, family),
+    };
+    asked.into_iter().filter_map(|inquiry| reader.question(address, inquiry)).collect()
+}
+
+fn watchdog(given: &Given, family: &Family) -> Vec<Inquiry> {
+    let Some(param) = family.role(Role::Watchdog) else { return Vec::new() };
+    let (cell, kind) = (Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Word));
+    let raw = given.span("watchdog").ok().flatten().and_then(|span| watchdog_raw(family, span).ok());
+    let bits = raw.and_then(|raw| value::to_wire(raw, family.link.route.carried(kind)).ok());
+    let write = bits.map(|bits| Inquiry::Write(cell, kind, bits));
+    [Inquiry::Read(cell, kind)].into_iter().chain(write).collect()
+}

@@ -1,0 +1,343 @@
+//! The way through a procedure: step by step, each asked, done, proven and kept before the next.
+
+use super::given::Given;
+use super::record;
+use crate::args::Settings;
+use crate::command::{asking, terms};
+use crate::drive::job::{self, Job};
+use crate::drive::{Interrupt, Session, Target};
+use crate::failure::{Class, Failure};
+use crate::gate::{Answer, Ask, Denied, Permit, Question, Writing};
+use crate::outcome::{
+    Data, ErrorDoc, Event, KeptStep, Motion, Outcome, Procedure as Told, ProcedureRecord, ProcedureStep, StepFate,
+    WriteResult, Written,
+};
+use crate::profile::Registry;
+use crate::profile::procedure::{Act, Procedure, Step};
+use crate::profile::value::format_decimal;
+use crate::text::{Text, both};
+use std::path::{Path, PathBuf};
+
+/// A procedure on its way.
+pub(super) struct Guide<'g> {
+    pub(super) settings: &'g Settings,
+    pub(super) registry: &'g Registry,
+    pub(super) interrupt: &'g Interrupt,
+    pub(super) ask: &'g mut dyn Ask,
+    pub(super) session: Session<'g>,
+    /// The drive, once it was asked who it is.
+    pub(super) target: Option<Target>,
+    pub(super) procedure: &'g Procedure,
+    pub(super) given: &'g Given,
+    pub(super) record: ProcedureRecord,
+    pub(super) path: PathBuf,
+    pub(super) again: bool,
+}
+
+/// A step as it is done: which of how many.
+#[derive(Clone, Copy)]
+pub(super) struct Turn<'s> {
+    pub(super) step: &'s Step,
+    nth: usize,
+    of: usize,
+}
+
+/// What a step has found so far, whatever becomes of it.
+#[derive(Default)]
+pub(super) struct Deed {
+    pub(super) found: Vec<Text>,
+    pub(super) motions: Vec<Motion>,
+}
+
+impl Guide<'_> {
+    /// Does what is left of it.
+    pub(super) async fn go(&mut self) -> Outcome {
+        let steps = self.procedure.steps_of(&self.record.drive);
+        let (mut rows, mut failure) = (Vec::new(), None);
+        for (index, step) in steps.iter().enumerate() {
+            let kept = self.record.step(&step.slug).cloned();
+            let mut row = row(step, kept.as_ref());
+            if row.result != StepFate::Done && failure.is_none() {
+                let turn = Turn { step, nth: index + 1, of: steps.len() };
+                failure = self.take(turn, &mut row, kept.is_some()).await;
+            }
+            rows.push(row);
+        }
+        let told = told(&self.record, rows, &self.path);
+        Outcome { data: Some(told), warnings: Vec::new(), failure }
+    }
+
+    /// Does one step and keeps what came of it.
+    async fn take(&mut self, turn: Turn<'_>, row: &mut ProcedureStep, was_begun: bool) -> Option<Failure> {
+        let mut deed = Deed::default();
+        let done = match self.may_begin(turn, was_begun) {
+            Ok(()) => self.act(turn, &mut deed).await,
+            Err(failure) => Err(failure),
+        };
+        self.session.end_at(None);
+        self.session.heed(self.interrupt.clone());
+        (row.found, row.motions, row.earlier, row.time) = (deed.found, deed.motions, false, self.session.utc());
+        let failure = done.err();
+        row.error = failure.as_ref().map(ErrorDoc::from);
+        if failure.as_ref().is_some_and(|failure| UNTOUCHED.contains(&failure.code.as_str())) {
+            // Nothing has happened: it is as it was before.
+            return failure.map(|failure| self.goes_on(failure, turn));
+        }
+        row.result = if failure.is_some() { StepFate::Failed } else { StepFate::Done };
+        let error = failure.as_ref().map(|failure| failure.message.clone());
+        let kept = self.keep(turn.step, row.result, &row.found, error);
+        // What was done and could not be kept would be done again.
+        failure.map(|failure| self.goes_on(failure, turn)).or(kept.err())
+    }
+
+    /// Notes what has become of a step, on the disk.
+    pub(super) fn keep(
+        &mut self,
+        step: &Step,
+        result: StepFate,
+        found: &[Text],
+        error: Option<Text>,
+    ) -> Result<(), Failure> {
+        let (title, turns, time) = (step.title.clone(), step.act.turns(), self.session.utc());
+        let found = found.to_vec();
+        self.record.keep(KeptStep { step: step.slug.clone(), title, turns, result, time, found, error });
+        record::save(&self.path, &self.record)
+    }
+
+    fn may_begin(&mut self, turn: Turn<'_>, was_begun: bool) -> Result<(), Failure> {
+        if self.session.is_interrupted() {
+            return Err(asking::interrupted());
+        }
+        if !(turn.step.act.turns() && was_begun && !self.again) {
+            return Ok(());
+        }
+        let message = both!(
+            "step '{title}' moves the shaft and was begun before, but did not end as it should; it is not repeated unasked",
+            "Schritt '{title}' bewegt die Welle und wurde schon begonnen, endete aber nicht, wie er sollte; er wird nicht \
+             ungefragt wiederholt",
+            title = turn.step.title
+        );
+        Err(Failure::new(Class::Forbidden, NOT_AGAIN, message)
+            .hint(both!("--again repeats it", "--again wiederholt ihn")))
+    }
+
+    async fn act(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        match turn.step.act {
+            Act::Confirm => self.confirm(turn, &[]).await,
+            Act::Identify => self.identify(turn, deed).await,
+            Act::Line => self.line(turn, deed).await,
+            Act::Watchdog => self.watchdog(turn, deed).await,
+        }
+    }
+
+    /// Somebody says that it is so.
+    pub(super) async fn confirm(&mut self, turn: Turn<'_>, more: &[Text]) -> Result<(), Failure> {
+        let question = turn.question(more.to_vec());
+        let answer = self.session.during(self.ask.ask(&question)).await;
+        match answer.map_err(|error| error.failure(self.record.address, None)) {
+            Ok(Answer::Yes) => Ok(()),
+            Ok(Answer::No) => {
+                let message = both!(
+                    "'{title}' was not confirmed: the procedure ends here",
+                    "'{title}' wurde nicht bestätigt: die Prozedur endet hier",
+                    title = turn.step.title
+                );
+                Err(Failure::new(Class::Forbidden, "forbidden.not_confirmed", message))
+            }
+            Ok(Answer::Nobody) => Err(asking::denied(Denied::Nobody)),
+            Err(failure) if failure.class == Class::Interrupted => Err(asking::interrupted()),
+            Err(failure) => Err(failure),
+        }
+    }
+
+    /// Says what is done now, where nobody needs to be asked.
+    pub(super) fn tell(&mut self, turn: Turn<'_>) {
+        let Question { title, details, .. } = turn.question(Vec::new());
+        self.session.tell(Event::Note(title));
+        details.into_iter().for_each(|detail| self.session.tell(Event::Note(detail)));
+    }
+
+    /// Allows so many questions from now on.
+    pub(super) fn allow(&mut self) {
+        self.session.allow(self.session.now(), <super::Args as crate::command::Verb>::UPPER.drive);
+    }
+
+    /// The drive, asked who it is if that is not known yet.
+    pub(super) async fn known(&mut self) -> Result<Target, Failure> {
+        if let Some(target) = &self.target {
+            return Ok(Target::new(target.address, target.family.clone()).in_word_order(self.settings.word_order));
+        }
+        let terms = terms(self.settings, self.registry)?;
+        let target = terms.target(&mut self.session, self.record.address, false).await?;
+        self.meets(&target)?;
+        let again = Target::new(target.address, target.family.clone()).in_word_order(self.settings.word_order);
+        self.target = Some(target);
+        Ok(again)
+    }
+
+    /// Who answers must be who was meant.
+    pub(super) fn meets(&mut self, target: &Target) -> Result<(), Failure> {
+        let (drive, meant) = (target.family.drive.clone(), self.record.drive.clone());
+        describes(self.procedure, &drive)?;
+        let is_named =
+            |step: &KeptStep| !self.procedure.steps.iter().any(|row| row.slug == step.step && row.act == Act::Confirm);
+        let was_another =
+            drive != meant && self.record.steps.iter().any(|step| step.result == StepFate::Done && is_named(step));
+        if was_another || self.procedure.steps_of(&drive) != self.procedure.steps_of(&meant) {
+            let message = both!(
+                "a {drive} answers, but the steps so far were those of a {meant}",
+                "es antwortet ein {drive}, die Schritte bisher galten aber einem {meant}"
+            );
+            return Err(Failure::new(Class::Data, "data.other_drive", message).hint(both!(
+                "`--drive {drive} --force` begins anew with it; --record names another record",
+                "`--drive {drive} --force` beginnt mit ihm von vorn; --record nennt eine andere Aufzeichnung"
+            )));
+        }
+        self.record.drive = drive;
+        Ok(())
+    }
+
+    /// Asks, writes and proves values. What stands there already is not written.
+    pub(super) async fn write(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        steps: Vec<job::Step>,
+    ) -> Result<(), Failure> {
+        let mut target = self.known().await?;
+        self.allow();
+        let terms = terms(self.settings, self.registry)?;
+        let rows = job::prepare(&mut self.session, &mut target, &terms, &steps, false).await?;
+        let mut jobs = vec![Job { target, steps, rows }];
+        if let Some(asked) = job::question(&jobs) {
+            let question = Question { hazards: asked.hazards, ..turn.question(asked.details) };
+            self.session.end_at(None);
+            let permit: Permit<Writing> = asking::on_line(&mut self.session, self.ask, &question).await?;
+            self.allow();
+            let mut failures = Vec::new();
+            for job in &mut jobs {
+                job::carry_out(&mut self.session, job, &terms, &permit, &mut failures).await;
+            }
+            if let Some(failure) = failures.into_iter().next() {
+                deed.found.extend(jobs.iter().flat_map(|job| &job.rows).map(written));
+                return Err(failure);
+            }
+        }
+        deed.found.extend(jobs.iter().flat_map(|job| &job.rows).map(written));
+        Ok(())
+    }
+
+    /// The failure with what goes on from there.
+    fn goes_on(&self, failure: Failure, turn: Turn<'_>) -> Failure {
+        let name = &self.procedure.slug;
+        let goes_on = both!(
+            "the same command goes on with step {nth} of {of} ({name})",
+            "derselbe Befehl macht mit Schritt {nth} von {of} weiter ({name})",
+            nth = turn.nth,
+            of = turn.of
+        );
+        let mut failure = failure;
+        let hints: Vec<Text> = failure.hint.take().map(|hint| *hint).into_iter().chain([goes_on]).collect();
+        failure.hint(Text::join(&hints, "; "))
+    }
+}
+
+impl Turn<'_> {
+    /// Which step it is, what is done, what the manual warns of.
+    pub(super) fn question(self, more: Vec<Text>) -> Question {
+        let (title, details) = (self.title(), self.details().into_iter().chain(more).collect());
+        Question { hazards: Vec::new(), title, details }
+    }
+
+    /// Which step it is.
+    pub(super) fn title(self) -> Text {
+        let Turn { step, nth, of } = self;
+        both!("[{nth}/{of}] {title}", "[{nth}/{of}] {title}", title = step.title)
+    }
+
+    /// What is done, what the manual warns of, and where it does.
+    pub(super) fn details(self) -> Vec<Text> {
+        let source = both!("({source})", "({source})", source = self.step.source);
+        let mut details = vec![self.step.does.clone()];
+        details.extend(self.step.warning.clone());
+        details.push(source);
+        details
+    }
+}
+
+/// What is told of a procedure that was done or begun.
+pub(super) fn told(record: &ProcedureRecord, steps: Vec<ProcedureStep>, path: &Path) -> Data {
+    Data::Procedure(Box::new(Told {
+        dry_run: false,
+        procedure: record.procedure.clone(),
+        title: record.title.clone(),
+        address: record.address,
+        drive: record.drive.clone(),
+        record: (!record.steps.is_empty()).then(|| path.display().to_string()),
+        complete: steps.iter().all(|row| row.result == StepFate::Done),
+        given: record.given.clone(),
+        steps,
+        notes: Vec::new(),
+    }))
+}
+
+/// A step as its record tells it, or as one whose turn has not come.
+pub(super) fn row(step: &Step, kept: Option<&KeptStep>) -> ProcedureStep {
+    ProcedureStep {
+        step: step.slug.clone(),
+        title: step.title.clone(),
+        does: step.does.clone(),
+        warning: step.warning.clone(),
+        source: step.source.clone(),
+        turns: step.act.turns(),
+        result: kept.map_or(StepFate::Open, |kept| kept.result),
+        earlier: kept.is_some(),
+        time: kept.and_then(|kept| kept.time.clone()),
+        found: kept.map_or_else(Vec::new, |kept| kept.found.clone()),
+        motions: Vec::new(),
+        telegrams: Vec::new(),
+        error: None,
+    }
+}
+
+/// Refuses a drive for which no manual describes the procedure.
+///
+/// # Errors
+/// It is such a drive.
+pub(super) fn describes(procedure: &Procedure, drive: &str) -> Result<(), Failure> {
+    if procedure.drives.iter().any(|known| known == drive) {
+        return Ok(());
+    }
+    let message = both!(
+        "no manual describes {name} for a {drive} (only for {known})",
+        "kein Handbuch beschreibt {name} für einen {drive} (nur für {known})",
+        name = procedure.slug,
+        known = procedure.drives.join(", ")
+    );
+    Err(Failure::new(Class::Data, "data.procedure", message))
+}
+
+/// What became of a value.
+fn written(row: &Written) -> Text {
+    let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
+    let new = format_decimal(row.value.raw, row.value.decimals);
+    let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
+    let fate = match row.result {
+        WriteResult::Unchanged => both!("was so before", "war schon so"),
+        WriteResult::Verified => both!("written, read back", "geschrieben, zurückgelesen"),
+        WriteResult::Written => both!("written, cannot be read back", "geschrieben, nicht zurücklesbar"),
+        _ => both!("not proven", "nicht belegt"),
+    };
+    let (param, set, name) = (row.param, row.data_set, &row.name);
+    both!(
+        "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
+        "P.{param}@{set} {name}: {old} -> {new}{unit}, {fate}",
+        name,
+        fate
+    )
+}
+
+/// Failures before which nothing has happened.
+const UNTOUCHED: [&str; 4] = ["forbidden.not_confirmed", "forbidden.no_terminal", "interrupted.question", NOT_AGAIN];
+/// A step that moves was begun before.
+const NOT_AGAIN: &str = "forbidden.again";
