@@ -35,6 +35,7 @@ const ALIKE: &str = "
     nodeid oder ok param parameter port ram register remote repeater reset rtu rw server sim slave start stderr tcp terminal text ti
     tk type udc uint vabus version war was watchdog
     acceleration an fdl generic manual pin profibus slaves status volatile
+    gnd pe rxd txd
     ak basic block byte dch dl dp hitachi profidrive dsap element fcb fcs fcv ident ind pke pkw pwe sa ssap station
 ";
 

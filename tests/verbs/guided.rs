@@ -48,7 +48,7 @@ fn what_was_given_holds_when_it_goes_on_and_other_values_are_another_record() {
         other.then("-a 1 --yes procedure first-contact --given {dir}/v.toml").file("v.toml", "watchdog = \"3s\"\n");
     let given = given.on(ACT).exits(0);
     assert!(given.out.contains("0 -> 3 s"), "{}", given.out);
-    let first = antrieb("-a 1 procedure first-contact watchdog=3s").answered("n").on(ACT).exits(8);
+    let first = antrieb("-a 1 procedure first-contact watchdog=3s").answered("y\nn").on(ACT).exits(8);
     let on = first.then("-a 1 procedure first-contact").answered("y\nn").on(ACT).exits(8);
     let on = on.then("-a 1 --yes procedure first-contact").on(ACT).exits(0);
     assert!(on.out.contains("0 -> 3 s"), "{}", on.out);

@@ -137,11 +137,8 @@ impl Guide<'_> {
         match answer.map_err(|error| error.failure(self.record.address, None)) {
             Ok(Answer::Yes) => Ok(()),
             Ok(Answer::No) => {
-                let message = both!(
-                    "'{title}' was not confirmed: the procedure ends here",
-                    "'{title}' wurde nicht bestätigt: die Prozedur endet hier",
-                    title = turn.step.title
-                );
+                let message =
+                    both!("not confirmed: the procedure ends here", "nicht bestätigt: die Prozedur endet hier");
                 Err(Failure::new(Class::Forbidden, "forbidden.not_confirmed", message))
             }
             Ok(Answer::Nobody) => Err(asking::denied(Denied::Nobody)),

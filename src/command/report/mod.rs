@@ -37,7 +37,7 @@ pub struct Args {
     pub record: Vec<PathBuf>,
 
     /// Show the record of a `procedure`; repeatable
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     pub procedure: Vec<PathBuf>,
 
     /// List only what differs from factory settings

@@ -58,7 +58,7 @@ impl Finding for Procedure {
 fn fate(procedure: &Procedure, step: &ProcedureStep) -> &'static str {
     match (procedure.dry_run, step.turns) {
         (true, true) => "turns the shaft",
-        (true, false) => "-",
+        (true, false) => "",
         _ => step.result.slug(),
     }
 }
