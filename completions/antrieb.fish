@@ -73,6 +73,7 @@ complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "setpoint" -d 'Shows
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "monitor" -d 'Watches drives: state, setpoint, actual value, current, fault'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "plot" -d 'Draws a record of `monitor`: setpoint, actual value, current over time'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "report" -d 'Writes down a drive and its line for who takes them over'
+complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "procedure" -d 'Guided work, step by step'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "protocol" -d 'Shows or changes what a drive speaks: RTU, ASCII, VABus'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "line" -d 'Changes speed, parity or address of a drive, and follows it'
 complete -c antrieb -n "__fish_antrieb_needs_command" -f -a "params" -d 'Browses the parameter catalogue. No drive is needed'
@@ -1864,6 +1865,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l no-config -d 'R
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand plot" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l record -d 'Show a record of `monitor --record`; repeatable' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l procedure -d 'Show the record of a `procedure`; repeatable' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l count -d 'Questions of the link test to each drive' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
@@ -1897,6 +1899,41 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l no-config -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -l force -d 'Replace the file of --trace if it exists'
 complete -c antrieb -n "__fish_antrieb_using_subcommand report" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l given -d 'Take KEY = "VALUE" from a TOML file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l record -d 'Keep the record here, and go on from it' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l parity -d 'even, odd, none, or auto for `scan` [default: even]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l stop-bits -d 'Stop bits [default: 1; 2 without parity]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l data-bits -d 'Data bits [default: 8 for RTU, 7 for ASCII]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485 -d 'Who switches RS-485 to sending [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485-before -d 'Pause before a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l rs485-after -d 'Pause behind a telegram, such as 1ms [default: 0]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l protocol -d 'rtu, ascii, vabus, dp, auto (`scan`) [default: rtu]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l drive -d 'act, acu, lxm05, l200, sj200, x200 [default: auto]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l word-order -d 'First half of 32 bits: high, low [default: ask]' -r -f -a "high\t'The upper 16 bits'
+low\t'The lower 16 bits'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l timeout -d 'Wait for a reply [default: 500ms; 3s behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l retries -d 'Repeats of a question [default: 2; 0 behind a gateway]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l format -d 'table, json (--json), ndjson, csv [default: table]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l lang -d 'en, de [default: from LC_ALL, LC_MESSAGES, LANG]' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l trace -d 'Record the line to a new file' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l color -d 'Colour [default: auto]' -r -f -a "auto\t'On a terminal, unless NO_COLOR is set or TERM is dumb'
+always\t'Always'
+never\t'Never'"
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l again -d 'Do again a step that moves and was begun before'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l json -d 'Same as --format json'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s q -l quiet -d 'Less on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s v -l verbose -d 'Show settings and telegrams, on stderr'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l no-progress -d 'No progress bar'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l no-config -d 'Read no project file and no user configuration'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l dry-run -d 'Show the telegrams that would be sent; open nothing'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l force -d 'Replace the file of --trace if it exists'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -l yes -d 'Answer the safety question with yes'
+complete -c antrieb -n "__fish_antrieb_using_subcommand procedure" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand protocol; and not __fish_seen_subcommand_from show set" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
