@@ -273,3 +273,37 @@ fn noise_before_a_second_answer_is_noted_where_it_is_found() {
     assert_eq!(taken(line.ask(1, READ, &replies)), Reply::Registers(vec![7]));
     assert!(line.verdicts().contains(&Verdict::Garbage));
 }
+
+#[test]
+fn a_fence_that_was_asked_twice_proves_nothing_by_its_counts() {
+    // The first is answered late, behind the second one, so that nothing is owed any more.
+    let late = [counted(0x0E, 0), vec![0x55], counted(0x0E, 6)].concat();
+    let value: &[(u64, Vec<u8>)] = &[(10, value(7))];
+    // An older count is no second answer; a later one is, but nobody knows to which of the two.
+    for (second, likely) in [(5, false), (7, true)] {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.has_counters(1, [0x0E]);
+        line.master.twins.suspects(1);
+        let outcome = line.ask(1, READ, &[&[], &[(10, late.clone()), (30, counted(0x0E, second))], value]);
+        assert_eq!(taken(outcome), Reply::Registers(vec![7]), "{:?}", line.verdicts());
+        assert_eq!((line.master.twins.are_likely(1), line.master.differs(1)), (likely, false), "{second}");
+    }
+}
+
+#[test]
+fn a_count_that_an_older_question_may_have_is_no_second_drives() {
+    let value: &[(u64, Vec<u8>)] = &[(10, value(7))];
+    for (lost, two) in [(true, false), (false, true)] {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.has_counters(1, COUNTERS);
+        line.master.twins.suspects(1);
+        let first: &[(u64, Vec<u8>)] = &[(10, counted(0x0B, 7))];
+        let other: &[(u64, Vec<u8>)] = &[(10, counted(0x0E, 4))];
+        let replies: &[&[(u64, Vec<u8>)]] = if lost { &[&[], other, value] } else { &[first, value] };
+        taken(line.ask(1, READ, replies));
+        // The same counter: what was lost comes first.
+        let outcome = line.ask(1, OTHER, &[&[(10, counted(0x0B, 8)), (25, counted(0x0B, 9))], value]);
+        assert_eq!(matches!(outcome, Err(ExchangeError::TwoAnswers { .. })), two, "{lost}: {outcome:?}");
+        assert_eq!(line.master.differs(1), two);
+    }
+}

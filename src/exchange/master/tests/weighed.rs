@@ -293,3 +293,55 @@ fn what_stands_behind_an_answer_that_came_too_soon_may_be_the_true_one() {
         assert!(line.verdicts().contains(&Verdict::Garbage));
     }
 }
+
+#[test]
+fn of_two_answers_none_is_believed_because_it_is_said_again_or_because_it_is_the_second_round() {
+    // Sooner than ever, where more comes than was asked for: a single one is asked for again, and then believed.
+    let soon: &[(u64, Vec<u8>)] = &[(6, value(8))];
+    let (one, two): (&[(u64, Vec<u8>)], &[(u64, Vec<u8>)]) = (&[(3, value(9))], &[(3, value(9)), (6, value(10))]);
+    for (second, differs) in [(one, false), (two, true)] {
+        let mut line = once();
+        taken(line.ask(1, READ, &[&[(20, value(1390))]]));
+        line.master.heard.sees_surplus();
+        _ = line.ask(1, OTHER, &[soon, second]);
+        assert_eq!((line.master.differs(1), line.master.tally().replies), (differs, if differs { 1 } else { 2 }));
+    }
+    // The second of the two, which was thrown away, once more: it is none the truer for that.
+    let mut line = once();
+    let both = [value(8), value(9)].concat();
+    assert!(line.ask(1, READ, &[&[(3, both), (6, value(9))]]).is_err());
+    assert_eq!((line.master.tally().replies, line.sent.len()), (0, 2));
+}
+
+#[test]
+fn nothing_is_asked_anew_as_long_as_a_copy_of_the_last_answer_may_come() {
+    let mut line = once();
+    let both = [value(8), value(9)].concat();
+    assert!(line.ask(1, READ, &[&[(7, both), (36, value(9))]]).is_err());
+    let asked = line.master.take_records();
+    let asked: Vec<_> = asked.iter().filter(|record| record.verdict == Verdict::Request).collect();
+    let last = asked[0].at + line.master.line.chars(asked[0].bytes.len() as u64) + Span::from_millis(36);
+    assert_eq!(asked[1].at, last + COPY_WITHIN);
+}
+
+#[test]
+fn an_adapter_gives_a_telegram_back_once_and_the_same_once_more_is_an_answer() {
+    let mut line = once();
+    line.master.twins.suspects(1);
+    let echo = counted(0x0B, 0);
+    _ = line.ask(1, OTHER, &[&[(6, echo.clone()), (12, [counted(0x0B, 6), echo].concat())]]);
+    assert!(line.master.differs(1) && line.master.tally().replies == 0, "{:?}", line.verdicts());
+}
+
+#[test]
+fn what_may_answer_one_of_two_questions_is_no_other_answer_to_the_first() {
+    let spoilt = [&[0x55; 6][..], &value(7)].concat();
+    // Somebody else asks the same station meanwhile, and is answered.
+    let foreign = (30, rtu::encode(1, &OTHER.encode()));
+    for (between, differs) in [(vec![], true), (vec![foreign], false)] {
+        let mut line = once();
+        let replies = [vec![(10, spoilt.clone())], [between, vec![(90, value(9))]].concat()];
+        _ = line.ask(1, READ, &[&replies[0], &replies[1]]);
+        assert_eq!(line.master.differs(1), differs, "{:?}", line.verdicts());
+    }
+}
