@@ -48,6 +48,8 @@ pub(super) struct Seen {
     pub(super) columns: Vec<u32>,
     pub(super) samples: Vec<Sample>,
     pub(super) notes: Vec<String>,
+    /// Telegrams that went out: when, and in hex.
+    pub(super) sent: Vec<(Tick, String)>,
     /// When the records began.
     pub(super) begun: Option<Tick>,
 }
@@ -71,10 +73,11 @@ pub(super) fn run(
     interrupt.panel().watch(true);
     let hand = interrupt.clone();
     let (mut telegrams, mut last, mut begun, mut columns) = (0, Tick::ZERO, None, Vec::new());
-    let (mut news, mut samples, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut news, mut samples, mut notes, mut sent) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut observe = |event: Event| match event {
-        Event::Telegram { at_us, .. } => {
+        Event::Telegram { at_us, direction, hex, .. } => {
             (telegrams, last) = (telegrams + 1, Tick::from_micros(at_us));
+            sent.extend((direction == '>').then_some((last, hex)));
             hand.look(last);
             press(telegrams, last, &hand);
         }
@@ -114,7 +117,7 @@ pub(super) fn run(
         Err(failure) => (None, Some(failure)),
     };
     let (bench, at) = witness::left().unwrap();
-    Seen { motion, failure, bench, at, news, columns, samples, notes, begun }
+    Seen { motion, failure, bench, at, news, columns, samples, notes, sent, begun }
 }
 
 impl Seen {

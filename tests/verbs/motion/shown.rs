@@ -129,3 +129,25 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
         assert!(value < 2_000 && look < 500, "{delay}: {value} {look}");
     }
 }
+
+/// What a drive refuses to tell is not asked again, and the state is not asked by the view at all.
+#[test]
+fn a_value_that_was_refused_is_left_out_of_the_view() {
+    let (model, keys, line) = DRIVES[1];
+    let mut refused = 0;
+    for once in 61..=66 {
+        let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"exception\"");
+        let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
+        let asked = |from: usize, hex: &str| seen.sent[from..].iter().filter(|sent| sent.1 == hex).count();
+        let (other, hex) = (&seen.sent[once - 2].1, &seen.sent[once - 1].1);
+        // The frequency (P.210) is asked by the stop as well.
+        if !hex.starts_with("01 64 00 D2") {
+            refused += 1;
+            assert_eq!(asked(once, hex), 0, "{once}: {hex}");
+        }
+        assert!(asked(once, other) > 10, "{once}: {other}");
+        let looks = asked(0, "01 03 01 9B 00 01 F4 19");
+        assert!(looks < 40, "{once}: {looks}");
+    }
+    assert!(refused >= 4, "{refused}");
+}

@@ -298,7 +298,8 @@ fn what_stands_behind_an_answer_that_came_too_soon_may_be_the_true_one() {
 fn of_two_answers_none_is_believed_because_it_is_said_again_or_because_it_is_the_second_round() {
     // Sooner than ever, where more comes than was asked for: a single one is asked for again, and then believed.
     let soon: &[(u64, Vec<u8>)] = &[(6, value(8))];
-    let (one, two): (&[(u64, Vec<u8>)], &[(u64, Vec<u8>)]) = (&[(3, value(9))], &[(3, value(9)), (6, value(10))]);
+    let one: &[(u64, Vec<u8>)] = &[(3, value(9))];
+    let two: &[(u64, Vec<u8>)] = &[(3, value(9)), (6, value(10))];
     for (second, differs) in [(one, false), (two, true)] {
         let mut line = once();
         taken(line.ask(1, READ, &[&[(20, value(1390))]]));
