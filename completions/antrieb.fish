@@ -1802,6 +1802,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l dry-run -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -l yes -d 'Answer the safety question with yes'
 complete -c antrieb -n "__fish_antrieb_using_subcommand setpoint" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l interval -d 'Time from round to round' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l gather -d 'Take a round for each line on stdin' -r -f -a "stdin\t''"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l duration -l for -d 'End after this time' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l count -d 'End after this many rounds' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l textfile -d 'Keep a file with the last round, as OpenMetrics' -r -F

@@ -2048,6 +2048,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         }
         'antrieb;monitor' {
             [CompletionResult]::new('--interval', '--interval', [CompletionResultType]::ParameterName, 'Time from round to round')
+            [CompletionResult]::new('--gather', '--gather', [CompletionResultType]::ParameterName, 'Take a round for each line on stdin')
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'End after this many rounds')

@@ -32,7 +32,7 @@ pub(super) fn view(
         (Flow::Samples { .. }, Format::Influx) => Some(View::Influx),
         (Flow::Samples { .. }, Format::OpenMetrics) => Some(View::OpenMetrics),
         (Flow::Samples { line: true, .. }, Format::Table) if out_is_terminal => Some(View::Ticker),
-        (Flow::Samples { .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
+        (Flow::Samples { gather: false, .. }, Format::Table) if out_is_terminal && !is_dumb => Some(View::Live),
         (Flow::Samples { .. }, Format::Table) => Some(View::Lines),
         (Flow::Telegrams { .. }, Format::Table) => Some(View::Telegrams),
         _ => None,

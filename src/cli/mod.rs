@@ -14,7 +14,7 @@ mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
 use crate::command::{Context, Entry, Flow, Typed};
-use crate::drive::Interrupt;
+use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
 use crate::outcome::{Event, Outcome};
@@ -308,6 +308,16 @@ fn files_left() -> Result<(), Failure> {
     Ok(())
 }
 
+/// Who calls for rounds on stdin, if the verb wants that. Somebody at the keyboard is told how.
+fn calls(verb: &dyn Typed, ask: &mut Terminal, observe: &mut dyn FnMut(Event)) -> Option<Calls> {
+    let gathers = matches!(verb.streams(), Some(Flow::Samples { gather: true, .. }));
+    let input = ask.input.take_if(|_| gathers)?;
+    if ask.present {
+        observe(Event::Note(both!("Enter takes a sample, Ctrl-D ends", "Enter nimmt einen Messpunkt, Strg-D beendet")));
+    }
+    Some(render::calls(input))
+}
+
 fn work(
     entry: &Entry,
     verb: &dyn Typed,
@@ -336,8 +346,10 @@ fn work(
     }
     let keys = stream.and_then(|stream| stream.borrow_mut().keys());
     settings.catalogue_notes.iter().for_each(|note| observe(Event::Note(note.clone())));
+    let calls = calls(verb, ask, &mut observe);
     let (observe, sheet) = (&mut observe, render::sheet);
-    let mut context = Context { settings, registry: &registry, ask, observe, interrupt: interrupt.clone(), sheet };
+    let mut context =
+        Context { settings, registry: &registry, ask, observe, interrupt: interrupt.clone(), sheet, calls };
     // Nobody's reading may hold up a run, or its stop.
     console.waits(!entry.turns);
     let outcome = runtime.block_on(async {

@@ -69,7 +69,7 @@ pub const VERBS: &[Entry] = &[
 use crate::args::{Addresses, Settings};
 use crate::drive::decode::Reader as Speech;
 use crate::drive::{
-    Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, is_over, open_port, summary, who,
+    Calls, Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, is_over, open_port, summary, who,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
@@ -93,6 +93,8 @@ pub struct Context<'a> {
     pub interrupt: Interrupt,
     /// Puts a report on paper.
     pub sheet: Sheet,
+    /// Who calls for rounds, for a verb whose [`Flow`] wants that.
+    pub calls: Option<Calls>,
 }
 
 /// A report as the text of a file.

@@ -11,8 +11,8 @@ pub use record::recording;
 
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, output, plan, read_question, terms};
-use crate::args::{Settings, Takes, Template, parse_span, templates};
-use crate::drive::{Chosen, Item, Rounds, Signal, Upper, Window, watch};
+use crate::args::{Settings, Takes, Template, called, parse_span, templates};
+use crate::drive::{Chosen, Item, Place, Rounds, Signal, Upper, When, Window, watch};
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::outcome::{Outcome, Record};
@@ -30,7 +30,7 @@ use std::path::{Path, PathBuf};
 /// `--format openmetrics` feed Telegraf, Prometheus and their like. Nothing is ever written to a drive.
 ///
 /// A drive that does not answer is a gap in the data, and the watch goes on. Ctrl-C is the usual way to end it, and
-/// ends it with exit code 0, like --count and --duration. If nothing ever answered it is 4; a lost port is 3, unless
+/// ends it with exit code 0, like --count, --duration and the end of stdin (--gather). If nothing ever answered it is 4; a lost port is 3, unless
 /// --reconnect waits for it.
 ///
 /// Parameters are named as for `read`.
@@ -47,6 +47,13 @@ pub struct Args {
     /// 0 is as fast as the line allows.
     #[arg(long, value_name = "TIME", default_value = "1s", value_parser = interval)]
     pub interval: Span,
+
+    /// Take a round for each line on stdin
+    ///
+    /// In place of --interval: as Telegraf's execd asks with signal = "STDIN", or Enter on a terminal. What the line says does not matter; lines that
+    /// come faster than rounds wait for their turn. The end of stdin ends the watch, with exit code 0.
+    #[arg(long, value_name = "stdin", value_parser = ["stdin"], ignore_case = true, conflicts_with = "interval", hide_short_help = true)]
+    pub gather: Option<String>,
 
     /// End after this time
     #[arg(long, visible_alias = "for", value_name = "TIME", value_parser = parse_span)]
@@ -116,14 +123,14 @@ impl Verb for Args {
         "antrieb --port sim -a 1 monitor @actual --duration 1m --unpaced --format csv",
         "antrieb -p sim monitor --count 9 --record run.csv --trigger 'current > 12A'",
     ];
-    const UPPER: Upper = Upper::drive(30)
-        .each(12, "parameter in each round")
-        .unless("It goes on until Ctrl-C, which is its normal end, --duration or --count.");
+    const UPPER: Upper = Upper::drive(30).each(12, "parameter in each round").unless(
+        "It goes on until Ctrl-C, which is its normal end, --duration, --count or the end of stdin (--gather).",
+    );
     type Prints = Record;
 
     fn streams(&self) -> Option<Flow> {
         let (textfile, record) = (self.textfile.clone(), self.record.clone());
-        Some(Flow::Samples { line: self.line, textfile, record })
+        Some(Flow::Samples { line: self.line, gather: self.gather.is_some(), textfile, record })
     }
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -151,7 +158,7 @@ fn told(path: &Path, error: FileError) -> io::Error {
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = Wanted::of(args, context.settings)?;
-    let Context { settings, registry, interrupt, observe, .. } = context;
+    let Context { settings, registry, interrupt, observe, calls, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
     // Names are checked before the port is opened: some drive must know all of them.
     let (family, chosen) = offline(settings, registry, |family| wanted.chosen(family))?;
@@ -170,8 +177,12 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     }
     let select = |family: &Family| wanted.chosen(family);
     let Args { interval, duration, count, reconnect, .. } = *args;
-    let rounds = Rounds { interval, duration, count, reconnect, window: wanted.window };
-    Ok(watch(&mut session, &terms(settings, registry)?, rounds, &addresses, &chosen, &select).await)
+    let when = calls.take().map_or(When::Every(interval), When::Called);
+    let rounds = Rounds { when, duration, count, reconnect, window: wanted.window };
+    let mut names = called(settings)?;
+    let places: Vec<_> =
+        addresses.into_iter().map(|address| Place { address, called: names.remove(&address) }).collect();
+    Ok(watch(&mut session, &terms(settings, registry)?, rounds, &places, &chosen, &select).await)
 }
 
 /// What is watched and waited for, in words.

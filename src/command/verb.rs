@@ -52,6 +52,8 @@ pub enum Flow {
     Samples {
         /// On a terminal one line that is refreshed is wanted, and not the whole of it.
         line: bool,
+        /// Each line on stdin calls for them.
+        gather: bool,
         /// A file that always holds the last round.
         textfile: Option<PathBuf>,
         /// A file that keeps what comes.

@@ -61,7 +61,7 @@ pub use target::Target;
 pub use terms::{Recognised, Stated, Terms, who};
 pub use transfer::Reading;
 pub use upper::{Price, Upper};
-pub use watch::{Chosen, Compare, Condition, Item, Rounds, Select, Signal, Test, Window, watch};
+pub use watch::{Calls, Chosen, Compare, Condition, Item, Place, Rounds, Select, Signal, Test, When, Window, watch};
 pub use write::{Order, WriteFate};
 
 pub use crate::protocol::modbus::LAST_STATION;

@@ -52,8 +52,8 @@ pub struct StreamStart {
     pub line: String,
     /// Protocol.
     pub protocol: &'static str,
-    /// Seconds from round to round; 0 is as fast as the line allows.
-    pub interval: Decimal,
+    /// Seconds from round to round; 0 is as fast as the line allows, null is a round whenever one is called for (`--gather`).
+    pub interval: Option<Decimal>,
     /// What is waited for; missing where nothing is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub waits: Option<Waits>,
@@ -114,6 +114,8 @@ pub struct Before {
 pub struct WatchedDrive {
     /// Address.
     pub address: u8,
+    /// Its name in the project file.
+    pub called: Option<String>,
     /// Family; `unknown` as long as the drive does not answer.
     pub drive: String,
     /// Title of the family.
@@ -196,8 +198,12 @@ pub struct Sample {
     pub t: Decimal,
     /// Number of the round, from 0.
     pub n: u64,
+    /// Port, as it was called at the start; null in the samples of a run.
+    pub port: Option<String>,
     /// Address.
     pub address: u8,
+    /// Its name in the project file; null in the samples of a run.
+    pub called: Option<String>,
     /// Family; `unknown` as long as the drive does not answer.
     pub drive: String,
     /// State, if the status word is watched.
@@ -272,7 +278,7 @@ pub struct StreamEnd {
 /// What `monitor` streamed.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Monitor {
-    /// Why it ended: `count`, `duration`, `trigger` (--once), `interrupted`, `lost`, `no_drive`.
+    /// Why it ended: `count`, `duration`, `trigger` (--once), `input` (--gather), `interrupted`, `lost`, `no_drive`.
     pub because: &'static str,
     /// Seconds from the start to the end.
     pub t: Decimal,

@@ -1,6 +1,7 @@
 //! The only room that writes: data to stdout, everything else to stderr.
 
 mod ask;
+mod calls;
 mod console;
 mod document;
 mod finding;
@@ -13,6 +14,7 @@ mod words;
 mod wrap;
 
 pub use ask::Terminal;
+pub use calls::calls;
 pub use console::{Console, Input, Streams};
 pub use document::{print, print_end};
 pub use finding::sheet;

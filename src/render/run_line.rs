@@ -194,7 +194,8 @@ mod tests {
     fn line(lang: Lang, phase: &'static str, warnings: i64, width: usize) -> String {
         let t = Decimal { raw: 0, decimals: 6 };
         let mut line = RunLine::new(lang);
-        let drives = vec![WatchedDrive { address: 1, drive: "acu".to_owned(), title: None, columns: columns() }];
+        let drives =
+            vec![WatchedDrive { address: 1, called: None, drive: "acu".to_owned(), title: None, columns: columns() }];
         let (schema, tool, command, protocol) = (1, "antrieb", "sollwert", "rtu");
         let start = StreamStart {
             t,
@@ -205,7 +206,7 @@ mod tests {
             begun: None,
             line: String::new(),
             protocol,
-            interval: t,
+            interval: Some(t),
             waits: None,
             drives,
         };
@@ -221,7 +222,18 @@ mod tests {
         let state = Some(State { slug: "operation-enabled".to_owned(), name });
         let t = Decimal { raw: 2_000_000, decimals: 6 };
         line.line(
-            &Sample { t, n: 0, address: 1, drive: "acu".to_owned(), state, values, error: None, line: None },
+            &Sample {
+                t,
+                n: 0,
+                port: None,
+                address: 1,
+                called: None,
+                drive: "acu".to_owned(),
+                state,
+                values,
+                error: None,
+                line: None,
+            },
             width,
         )
     }

@@ -311,6 +311,15 @@ impl Link {
         }
     }
 
+    /// Whether its time only goes on by waiting on it, and takes none then.
+    pub fn stands_still(&self) -> bool {
+        match &self.carrier {
+            Carrier::Serial(_) | Carrier::Net(_) => false,
+            Carrier::Tape(_) => true,
+            Carrier::Sim(link) => !link.is_paced(),
+        }
+    }
+
     /// The time of this link.
     pub fn now(&self) -> Tick {
         match &self.carrier {

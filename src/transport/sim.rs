@@ -74,6 +74,10 @@ impl SimLink {
         self.pace = Some(Pace { tick: self.now, wall: Instant::now() });
     }
 
+    pub(super) fn is_paced(&self) -> bool {
+        self.pace.is_some()
+    }
+
     /// The setting of what is sent from now on.
     pub(super) fn set_line(&mut self, line: LineSetting) {
         self.line = line;

@@ -6,6 +6,7 @@
 
 mod adapters;
 mod completing;
+mod gathering;
 mod keypad;
 mod program;
 mod reconnect;

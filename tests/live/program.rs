@@ -296,8 +296,16 @@ pub(crate) struct Piped {
 
 impl Piped {
     pub(crate) fn start(line: &str) -> Self {
-        let mut child =
-            antrieb(line).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        Self::over(line, Stdio::null())
+    }
+
+    /// With somebody who calls by lines.
+    pub(crate) fn called(line: &str) -> Self {
+        Self::over(line, Stdio::piped())
+    }
+
+    fn over(line: &str, input: Stdio) -> Self {
+        let mut child = antrieb(line).stdin(input).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let (sender, lines) = channel();
         let out = BufReader::new(child.stdout.take().unwrap());
         thread::spawn(move || {
@@ -309,6 +317,16 @@ impl Piped {
         });
         let err = chunks(child.stderr.take().unwrap());
         Piped { child, lines, err, records: Vec::new() }
+    }
+
+    /// Writes a line.
+    pub(crate) fn call(&mut self) {
+        self.child.stdin.as_mut().unwrap().write_all(b"\n").unwrap();
+    }
+
+    /// Closes what it reads.
+    pub(crate) fn leave(&mut self) {
+        self.child.stdin = None;
     }
 
     /// Reads records until one is such.

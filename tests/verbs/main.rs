@@ -7,6 +7,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
 mod agreeable;
+mod gathering;
 mod german;
 mod guided;
 mod judge;

@@ -156,9 +156,15 @@ fn interrupted(after: usize, code: u8, line: &str) {
             pressed.raise();
         }
     };
-    let (mut ask, sheet) = (Agreeable, render::sheet);
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt, sheet };
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut Agreeable,
+        observe: &mut observe,
+        interrupt,
+        sheet: render::sheet,
+        calls: None,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
     let class = outcome.failure.as_ref().map(|failure| failure.class);

@@ -31,6 +31,7 @@ pub(crate) fn antrieb(line: &str) -> Run {
         directory,
         environment,
         answer: None,
+        input: None,
         columns: None,
         pipe_holds: usize::MAX,
         is_paced: false,
@@ -44,6 +45,7 @@ pub(crate) struct Run {
     directory: TempDir,
     environment: Environment,
     answer: Option<String>,
+    input: Option<String>,
     columns: Option<u16>,
     pipe_holds: usize,
     is_paced: bool,
@@ -80,6 +82,12 @@ impl Run {
     /// At a terminal, where somebody types this when asked.
     pub(crate) fn answered(mut self, answer: &str) -> Self {
         self.answer = Some(format!("{answer}\n"));
+        self
+    }
+
+    /// With this on stdin, which is no terminal.
+    pub(crate) fn fed(mut self, input: &str) -> Self {
+        self.input = Some(input.to_owned());
         self
     }
 
@@ -124,7 +132,7 @@ impl Run {
             out: Box::new(Pipe { buffer: out.clone(), room: self.pipe_holds }),
             queued: None,
             err: Box::new(Pipe { buffer: err.clone(), room: usize::MAX }),
-            input: Box::new(io::Cursor::new(self.answer.unwrap_or_default())),
+            input: Box::new(io::Cursor::new(self.answer.or(self.input).unwrap_or_default())),
             out_is_terminal: self.columns.is_some(),
             err_is_terminal: terminal,
             input_is_terminal: terminal,

@@ -56,7 +56,8 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     }
     let Context { registry, ask, observe, interrupt, sheet, .. } = context;
     let (interrupt, sheet) = (interrupt.clone(), *sheet);
-    let mut inner = Context { settings: &settings, registry, ask: *ask, observe: *observe, interrupt, sheet };
+    let (ask, observe, calls) = (&mut **ask, &mut **observe, None);
+    let mut inner = Context { settings: &settings, registry, ask, observe, interrupt, sheet, calls };
     let outcome = scan::run(&args.scan, &mut inner).await?;
     let Outcome { data: Some(Data::Scan(found)), warnings, failure } = outcome else { return Ok(outcome) };
     let is_whole = failure.as_ref().is_none_or(|failure| failure.class != Class::Interrupted);

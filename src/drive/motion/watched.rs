@@ -109,7 +109,7 @@ impl Watched {
             begun: session.since_1970().map(seconds),
             line: session.line().to_string(),
             protocol: session.protocol().name(),
-            interval: seconds(EVERY),
+            interval: Some(seconds(EVERY)),
             waits: None,
             drives: vec![Self::drive(target, columns)],
         };
@@ -146,7 +146,8 @@ impl Watched {
 
     fn drive(target: &Target, columns: Vec<Column>) -> WatchedDrive {
         let Target { address, family, .. } = target;
-        WatchedDrive { address: *address, drive: family.drive.clone(), title: Some(family.title.clone()), columns }
+        let (address, drive) = (*address, family.drive.clone());
+        WatchedDrive { address, called: None, drive, title: Some(family.title.clone()), columns }
     }
 
     /// From now on it is on its way to being held.
@@ -254,7 +255,9 @@ impl Motor<'_, '_> {
         let sample = Sample {
             t: seconds(now.since(shown.begun)),
             n: shown.samples,
+            port: None,
             address: self.target.address,
+            called: None,
             drive: self.target.family.drive.clone(),
             state: Some(state),
             values: shown

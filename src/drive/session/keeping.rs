@@ -3,7 +3,11 @@
 use super::Session;
 use crate::drive::access::AccessError;
 use crate::drive::open_line::OpenLine;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
+use std::pin::pin;
+
+/// What is waited for away from a paced bench leaves its clock so far behind at most.
+const STEP: Span = Span::from_millis(20);
 
 impl<'a> Session<'a> {
     /// Waits for something that is not on the line, such as the answer to a question, and keeps the line meanwhile: what
@@ -29,6 +33,40 @@ impl<'a> Session<'a> {
             failed = keep => failed?,
         };
         if self.interrupt.is_raised() { Err(AccessError::Interrupted) } else { Ok(waited) }
+    }
+
+    /// The same, until a moment at most; then `None`. A bench that follows the wall clock goes on meanwhile; any other one stands
+    /// still, so that the moment does not come there.
+    pub async fn during_until<T>(
+        &mut self,
+        wait: impl Future<Output = T>,
+        until: Option<Tick>,
+    ) -> Result<Option<T>, AccessError> {
+        let stands = self.line.borrow().link.stands_still();
+        let mut wait = pin!(wait);
+        while until.is_none_or(|until| self.now() < until) {
+            let step = until.map_or(STEP, |until| until.since(self.now()).min(STEP));
+            let interrupt = self.interrupt.clone();
+            let keep = async {
+                match stands {
+                    true => interrupt.raised().await,
+                    false => self.rest(step).await?,
+                }
+                Ok::<(), AccessError>(())
+            };
+            let waited = tokio::select! {
+                biased;
+                waited = &mut wait => Some(waited),
+                kept = keep => kept.map(|()| None)?,
+            };
+            if self.interrupt.is_raised() {
+                return Err(AccessError::Interrupted);
+            }
+            if waited.is_some() {
+                return Ok(waited);
+            }
+        }
+        Ok(None)
     }
 
     /// Opens a port that was lost anew; its clock goes on. Then listens for as long as a reply may take, so that what

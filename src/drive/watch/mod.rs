@@ -6,11 +6,13 @@
 
 mod item;
 mod moment;
+mod rounds;
 mod station;
 mod trigger;
 mod trip;
 
 pub use item::Item;
+pub use rounds::{Calls, Rounds, When};
 pub use trigger::{Compare, Condition, Signal, Test};
 
 use super::{AccessError, Session, Terms, is_over, summary};
@@ -25,21 +27,6 @@ use crate::text::both;
 use crate::tick::{Span, Tick};
 use station::Station;
 
-/// How often, and until when.
-#[derive(Clone, Copy, Debug)]
-pub struct Rounds {
-    /// From round to round; zero is as fast as the line allows.
-    pub interval: Span,
-    /// It ends after this time.
-    pub duration: Option<Span>,
-    /// It ends after so many rounds.
-    pub count: Option<u64>,
-    /// A lost port is waited for.
-    pub reconnect: bool,
-    /// What lies around a trigger.
-    pub window: Window,
-}
-
 /// What lies around a trigger.
 #[derive(Clone, Copy, Debug)]
 pub struct Window {
@@ -49,6 +36,15 @@ pub struct Window {
     pub post: Span,
     /// The first one ends the watch, so long after it.
     pub once: bool,
+}
+
+/// A drive that is watched.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Its address.
+    pub address: u8,
+    /// Its name in the project file.
+    pub called: Option<String>,
 }
 
 /// What is watched in a drive, and what is waited for in it.
@@ -69,23 +65,25 @@ pub async fn watch(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     rounds: Rounds,
-    addresses: &[u8],
+    places: &[Place],
     chosen: &Chosen,
     select: &Select<'_>,
 ) -> Outcome {
     let items = &chosen.items;
-    let mut stations: Vec<_> = addresses.iter().map(|&address| Station::new(address, items.clone())).collect();
+    let mut stations: Vec<_> = places.iter().map(|place| Station::new(place.clone(), items.clone())).collect();
     let mut watch = Watch {
         terms,
         select,
-        rounds,
         begin: session.now(),
+        port: session.port().to_owned(),
         held: Some(Vec::new()),
         triggers: chosen.waited_for.iter().map(|condition| condition.text.clone()).collect(),
         end: rounds.duration.map(|duration| (session.now() + duration, "duration")),
+        rounds,
         tally: Monitor { because: "interrupted", t: decimal(Span::ZERO), rounds: 0, samples: 0, gaps: 0, triggers: 0 },
         warnings: Vec::new(),
         lost: None,
+        unheard: None,
     };
     watch.tally.because = watch.run(session, &mut stations).await;
     watch.start(session, &stations);
@@ -93,15 +91,14 @@ pub async fn watch(
     watch.outcome(stations)
 }
 
-/// How often a lost port is tried.
-const TRY_AGAIN: Span = Span::from_millis(500);
-
 /// A watch at work.
 struct Watch<'a> {
     terms: &'a Terms<'a>,
     select: &'a Select<'a>,
     rounds: Rounds,
     begin: Tick,
+    /// The port, as it was called then.
+    port: String,
     /// Records of the first round, until the stream is started.
     held: Option<Vec<Record>>,
     /// The triggers, as they were typed.
@@ -112,13 +109,19 @@ struct Watch<'a> {
     warnings: Vec<Warning>,
     /// The port is lost.
     lost: Option<Failure>,
+    /// Nobody who calls for a round can be heard any more.
+    unheard: Option<Failure>,
 }
 
 impl Watch<'_> {
     /// Goes round until it is over; returns why it is.
     async fn run(&mut self, session: &mut Session<'_>, stations: &mut [Station]) -> &'static str {
+        let mut last = None;
         loop {
-            let slot = session.now();
+            if let Some(because) = self.pause(session, last).await {
+                return because;
+            }
+            last = Some(session.now());
             let result = match self.lost.clone() {
                 Some(failure) => {
                     self.blank(session, stations, &failure);
@@ -127,7 +130,7 @@ impl Watch<'_> {
                 None => self.round(session, stations).await,
             };
             if let Err(failure) = result
-                && let Some(because) = self.trouble(session, failure, self.rounds.reconnect)
+                && let Some(because) = self.trouble(session, failure)
             {
                 return because;
             }
@@ -139,34 +142,7 @@ impl Watch<'_> {
             if stations.iter().all(|station| station.out.is_some()) {
                 return "no_drive";
             }
-            let next = self.next_slot(slot, session.now());
-            let until = self.end.map_or(next, |(end, _)| end.min(next));
-            while session.now() < until {
-                let result = match self.lost {
-                    Some(_) => self.seek_port(session, until).await,
-                    None => session.rest(until.since(session.now())).await.map_err(|error| self.told(&error)),
-                };
-                if let Err(failure) = result
-                    && let Some(because) = self.trouble(session, failure, self.rounds.reconnect)
-                {
-                    return because;
-                }
-            }
-            if let Some((_, because)) = self.end.filter(|(end, _)| session.now() >= *end) {
-                return because;
-            }
         }
-    }
-
-    /// The next point of the grid of rounds that is still ahead.
-    fn next_slot(&self, slot: Tick, now: Tick) -> Tick {
-        if self.rounds.interval == Span::ZERO {
-            // Without a port there is nothing that would hold up the next round.
-            return if self.lost.is_some() { now + TRY_AGAIN } else { now };
-        }
-        let step = self.rounds.interval.as_micros();
-        let (done, gone) = (slot.since(self.begin).as_micros() / step, now.since(self.begin).as_micros() / step);
-        self.begin + self.rounds.interval.times(gone.max(done) + 1)
     }
 
     /// One sample of every drive. Ends early only if the session is over.
@@ -204,13 +180,15 @@ impl Watch<'_> {
         let family = station.target.as_ref().map(|target| target.family.clone());
         let drive = family.as_ref().map_or_else(|| "unknown".to_owned(), |family| family.drive.clone());
         let values = family.or_else(|| self.terms.usual()).map(|family| {
-            let rows = station.items.iter().flat_map(|item| item.unread(station.address, &family, failure));
+            let rows = station.items.iter().flat_map(|item| item.unread(station.place.address, &family, failure));
             rows.map(|value| SampleValue { t, value: Value { drive: drive.clone(), ..value } }).collect()
         });
         Sample {
             t,
             n: self.tally.rounds,
-            address: station.address,
+            address: station.place.address,
+            called: station.place.called.clone(),
+            port: Some(self.port.clone()),
             values: values.unwrap_or_default(),
             drive,
             state: None,
@@ -259,7 +237,9 @@ impl Watch<'_> {
         Ok(Sample {
             t: self.seconds(now),
             n: self.tally.rounds,
-            address: station.address,
+            address: station.place.address,
+            called: station.place.called.clone(),
+            port: Some(self.port.clone()),
             drive: station.target.as_ref().map_or_else(String::new, |target| target.family.drive.clone()),
             state: haul.values.iter().find_map(|value| value.value.word.as_ref()?.state.clone()),
             values: haul.values,
@@ -277,56 +257,12 @@ impl Watch<'_> {
             }
             (None, Some(since)) => {
                 station.silent = None;
-                let (address, gap) = (station.address, now.since(since));
+                let (address, gap) = (station.place.address, now.since(since));
                 both!("address {address} answers again after {gap}", "Adresse {address} antwortet wieder nach {gap}")
             }
             _ => return,
         };
         session.tell(Event::Note(note));
-    }
-
-    /// What to do when the session is over: end with this reason, or go on without a port.
-    fn trouble(&mut self, session: &mut Session<'_>, failure: Failure, reconnect: bool) -> Option<&'static str> {
-        if failure.class != Class::Port {
-            return Some("interrupted");
-        }
-        if self.lost.is_none() {
-            let change = self.port_change(session, Some(&failure));
-            self.emit(session, Record::Lost(change));
-            if reconnect {
-                let text = both!("{why}; waiting for it", "{why}; es wird darauf gewartet", why = failure.message);
-                session.tell(Event::Note(text));
-            }
-        }
-        self.lost = Some(failure);
-        (!reconnect).then_some("lost")
-    }
-
-    /// Tries to open a lost port, and waits a little if that does not work.
-    async fn seek_port(&mut self, session: &mut Session<'_>, until: Tick) -> Result<(), Failure> {
-        let reopened = session.reopen().await.map_err(|error| self.told(&error));
-        if reopened.is_ok() {
-            self.lost = None;
-            let change = self.port_change(session, None);
-            let text = both!("{port}: the port is back", "{port}: der Anschluss ist wieder da", port = change.port);
-            session.tell(Event::Note(text));
-            self.emit(session, Record::Reopened(change));
-            return Ok(());
-        }
-        // Another adapter under the old name is told once, and left alone.
-        if let Err(failure) = reopened
-            && failure.code == "port.stranger"
-            && self.lost.as_ref().is_some_and(|known| known.message != failure.message)
-        {
-            session.tell(Event::Note(both!(
-                "{why}; waiting for the one that was lost",
-                "{why}; es wird auf den verlorenen gewartet",
-                why = failure.message
-            )));
-            self.lost = Some(failure);
-        }
-        let pause = TRY_AGAIN.min(until.since(session.now()));
-        session.rest(pause).await.map_err(|error| self.told(&error))
     }
 
     fn told(&self, error: &AccessError) -> Failure {
@@ -360,11 +296,11 @@ impl Watch<'_> {
             schema: SCHEMA_VERSION,
             tool: "antrieb",
             command: "monitor",
-            port: session.port().to_owned(),
+            port: self.port.clone(),
             begun: session.since_1970().map(|now| decimal(now - session.now().since(self.begin))),
             line: self.terms.line.to_string(),
             protocol: self.terms.speech.protocol.name(),
-            interval: decimal(self.rounds.interval),
+            interval: self.interval(),
             waits: self.waits(),
             drives: stations.iter().map(|station| self.watched(station)).collect(),
         };
@@ -385,10 +321,12 @@ impl Watch<'_> {
                     columns.extend(new.filter(|new| !columns.iter().any(|known| known.is_of(new))).collect::<Vec<_>>());
                 }
             }
-            return WatchedDrive { address: station.address, drive: "unknown".to_owned(), title: None, columns };
+            let Place { address, called } = station.place.clone();
+            return WatchedDrive { address, called, drive: "unknown".to_owned(), title: None, columns };
         };
         WatchedDrive {
-            address: station.address,
+            address: station.place.address,
+            called: station.place.called.clone(),
             drive: target.family.drive.clone(),
             title: Some(target.family.title.clone()),
             columns: station.items.iter().flat_map(|item| item.columns(&target.family)).collect(),
@@ -412,7 +350,7 @@ impl Watch<'_> {
             failures.extend(never.filter_map(|item| item.failure));
         }
         let lost = self.lost.filter(|_| self.tally.because == "lost");
-        let failure = lost.or_else(|| summary(failures, good));
+        let failure = lost.or(self.unheard).or_else(|| summary(failures, good));
         Outcome { data: Some(Data::Monitor(self.tally)), warnings: self.warnings, failure }
     }
 }

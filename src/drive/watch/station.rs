@@ -1,9 +1,9 @@
 //! A drive that is watched, and what of it.
 
-use super::Watch;
 use super::item::Item;
 use super::trigger::Armed;
 use super::trip::Memory;
+use super::{Place, Watch};
 use crate::drive::{Reader, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Record, Sample, SampleValue, TriggerNews, Value, Warning};
@@ -11,7 +11,7 @@ use crate::tick::Tick;
 
 /// A drive that is watched.
 pub(super) struct Station {
-    pub(super) address: u8,
+    pub(super) place: Place,
     pub(super) target: Option<Target>,
     /// What is read of it; until it is recognised, what any drive of its kind would have.
     pub(super) items: Vec<Item>,
@@ -38,9 +38,9 @@ pub(super) struct Haul {
 }
 
 impl Station {
-    pub(super) fn new(address: u8, items: Vec<Item>) -> Self {
+    pub(super) fn new(place: Place, items: Vec<Item>) -> Self {
         Station {
-            address,
+            place,
             target: None,
             items,
             silent: None,
@@ -69,7 +69,7 @@ impl Station {
     pub(super) async fn read(&mut self, session: &mut Session<'_>, watch: &Watch<'_>) -> Result<Haul, Failure> {
         if self.target.is_none() {
             let shows_register = self.items.iter().any(|item| item.param().slug == "error-register");
-            let target = watch.terms.target(session, self.address, shows_register).await?;
+            let target = watch.terms.target(session, self.place.address, shows_register).await?;
             let chosen = (watch.select)(&target.family)?;
             self.items = chosen.items;
             self.armed = chosen.waited_for.into_iter().map(|one| Armed::new(one, &target.family)).collect();
@@ -83,7 +83,7 @@ impl Station {
         let mut silence: Option<Failure> = None;
         for item in &mut self.items {
             let rows = match silence.as_ref().or(item.refused.as_ref()) {
-                Some(failure) => item.unread(self.address, &family, failure),
+                Some(failure) => item.unread(self.place.address, &family, failure),
                 None => {
                     let rows = item.read(&mut reader).await?;
                     silence = item.failure.clone().filter(|failure| failure.class == Class::Silence && item.failed);

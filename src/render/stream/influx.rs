@@ -20,9 +20,10 @@ impl<'a> Influx<'a> {
     }
 
     fn line(&self, sample: &Sample) -> String {
-        let tags = self.origin.labels(sample).map(|(name, what)| format!(",{name}={}", tag(&what)));
+        let tags = self.origin.labels(sample).into_iter().map(|(name, what)| format!(",{name}={}", tag(&what)));
+        let tags: String = tags.collect();
         let at = self.origin.nanoseconds(sample.t).map_or_else(String::new, |time| format!(" {time}"));
-        format!("{MEASUREMENT}{} {}{at}\n", tags.concat(), fields(sample).join(","))
+        format!("{MEASUREMENT}{tags} {}{at}\n", fields(sample).join(","))
     }
 }
 

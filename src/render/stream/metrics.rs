@@ -22,9 +22,11 @@ impl Origin {
         Origin { port: start.port.clone(), begun, drives: start.drives.len() }
     }
 
-    /// Names of the labels, in their order, with what they are for a drive.
-    pub(super) fn labels<'s>(&'s self, sample: &'s Sample) -> [Label; 3] {
-        [("address", sample.address.to_string()), ("family", sample.drive.clone()), self.line()]
+    /// Names of the labels, in their order, with what they are for a drive; without a name in the project file it has no `drive`.
+    pub(super) fn labels(&self, sample: &Sample) -> Vec<Label> {
+        let called = sample.called.clone().map(|name| ("drive", name));
+        let address = ("address", sample.address.to_string());
+        [address].into_iter().chain(called).chain([("family", sample.drive.clone()), self.line()]).collect()
     }
 
     /// What names the line itself.

@@ -133,6 +133,7 @@ fn an_interrupted_scan_leaves_an_honest_part() {
         observe: &mut observe,
         interrupt,
         sheet: antrieb::render::sheet,
+        calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();

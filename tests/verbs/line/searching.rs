@@ -172,6 +172,7 @@ fn interrupted(after: Span) -> (Outcome, Value) {
         observe: &mut observe,
         interrupt,
         sheet: antrieb::render::sheet,
+        calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     let outcome = runtime.block_on(scan::run(&scan::Args::default(), &mut context)).unwrap();

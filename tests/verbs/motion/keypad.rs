@@ -107,6 +107,7 @@ pub(super) fn run(
         observe: &mut observe,
         interrupt,
         sheet: antrieb::render::sheet,
+        calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let Verb::Sollwert(args) = &cli.verb;

@@ -60,6 +60,7 @@ fn interrupted(
         observe: &mut observe,
         interrupt,
         sheet: antrieb::render::sheet,
+        calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let failure = runtime.block_on(verb(&mut context)).unwrap_err();

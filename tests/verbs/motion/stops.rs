@@ -227,6 +227,7 @@ impl Case {
             observe: &mut observe,
             interrupt,
             sheet: antrieb::render::sheet,
+            calls: None,
         };
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
         let result = runtime.block_on(async {

@@ -215,6 +215,7 @@ fn wished(directory: &Path, words: &str, after: usize) -> (usize, Outcome) {
         observe: &mut observe,
         interrupt,
         sheet: antrieb::render::sheet,
+        calls: None,
     };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     witness::call(true);

@@ -28,7 +28,7 @@ impl Screen {
             legend.push(Span::raw(clean(&format!("{} {value} {unit} ", board.label(column, self.lang)))));
         }
         let now = drive.past.back().map_or(0.0, |past| past.t);
-        let interval = self.start.as_ref().map_or(1.0, |start| float(start.interval));
+        let interval = self.start.as_ref().and_then(|start| start.interval).map_or(1.0, float);
         let span = SPAN.max(interval * 60.0);
         let from = (now - span).max(drive.past.front().map_or(0.0, |past| past.t));
         let (from, to) = (from, now.max(from + span.min(10.0 * interval.max(1.0))));

@@ -30,7 +30,7 @@ fn watched(address: u8) -> WatchedDrive {
         column(210, Text::new("Stator frequency", "Ständerfrequenz"), Some("Hz"), "stator-frequency"),
         column(260, Text::new("Current error", "Aktueller Fehler"), None, "fault"),
     ];
-    WatchedDrive { address, drive: "act".to_owned(), title: None, columns }
+    WatchedDrive { address, called: None, drive: "act".to_owned(), title: None, columns }
 }
 
 fn at(second: i64) -> Decimal {
@@ -69,7 +69,9 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
     Record::Sample(Sample {
         t,
         n,
+        port: None,
         address,
+        called: None,
         drive: "act".to_owned(),
         state: raw.map(|_| State {
             slug: "operation-enabled".to_owned(),
@@ -96,7 +98,7 @@ fn screen_in(lang: Lang, command: &'static str, drives: u8, samples: &[Option<i6
         begun: None,
         line: "19200 8E1".to_owned(),
         protocol: "rtu",
-        interval: at(1),
+        interval: Some(at(1)),
         waits: None,
         drives: (1..=drives)
             .map(watched)
