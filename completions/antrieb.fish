@@ -1805,7 +1805,7 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l interval -d 
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l gather -d 'Take a round for each line on stdin' -r -f -a "stdin\t''"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l duration -l for -d 'End after this time' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l count -d 'End after this many rounds' -x -a "(__fish_antrieb_values)"
-complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l textfile -d 'Keep a file with the last round, as OpenMetrics' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l textfile -d 'Keep a file with the last round, for Prometheus' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l record -d 'Keep what comes in a file' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l trigger -d 'Wait for something: \'current > 12A\'' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand monitor" -l pre -d 'So long before a trigger is recorded [default: 2s]' -x -a "(__fish_antrieb_values)"

@@ -2052,7 +2052,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--duration', '--duration', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--for', '--for', [CompletionResultType]::ParameterName, 'End after this time')
             [CompletionResult]::new('--count', '--count', [CompletionResultType]::ParameterName, 'End after this many rounds')
-            [CompletionResult]::new('--textfile', '--textfile', [CompletionResultType]::ParameterName, 'Keep a file with the last round, as OpenMetrics')
+            [CompletionResult]::new('--textfile', '--textfile', [CompletionResultType]::ParameterName, 'Keep a file with the last round, for Prometheus')
             [CompletionResult]::new('--record', '--record', [CompletionResultType]::ParameterName, 'Keep what comes in a file')
             [CompletionResult]::new('--trigger', '--trigger', [CompletionResultType]::ParameterName, 'Wait for something: ''current > 12A''')
             [CompletionResult]::new('--pre', '--pre', [CompletionResultType]::ParameterName, 'So long before a trigger is recorded [default: 2s]')

@@ -74,9 +74,9 @@ pub struct Args {
     #[arg(long)]
     pub line: bool,
 
-    /// Keep a file with the last round, as OpenMetrics
+    /// Keep a file with the last round, for Prometheus
     ///
-    /// For node_exporter's textfile collector and whatever reads such files: written anew after each round, whole, and renamed. A file with anything
+    /// In Prometheus' text format, for node_exporter's textfile collector and whatever reads such files: written anew after each round, whole, and renamed. A file with anything
     /// else in it is left alone.
     #[arg(long, value_name = "FILE")]
     pub textfile: Option<PathBuf>,

@@ -47,7 +47,7 @@ fn enter_takes_a_sample_by_hand() {
     let mut run = AtTerminal::whole("-p sim -a 1 monitor 210 --gather stdin");
     run.shows("Enter takes a sample, Ctrl-D ends");
     run.types("\n");
-    run.shows("switched-on");
+    run.shows("0.000     1         0.00");
     run.types("\u{4}");
     assert_eq!(run.ends(), Some(0), "{}", run.seen);
     run.shows("1 sample in 1 round");

@@ -127,17 +127,16 @@ def _():
     with stage() as (directory, line):
         port = free_port()
         config = directory / "mosquitto.conf"
-        config.write_text(f"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser root\n")
+        config.write_text(f"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser root\nlog_type all\n")
         place = ["-h", "127.0.0.1", "-p", str(port), "-t", "plant/line"]
-        with serving(port, "mosquitto", "-c", config), Running(
-            ["timeout", BENCH_LIFE, "mosquitto_sub", *place, "-C", "6", "-q", "1", "-d"]
-        ) as subscriber:
-            subscriber.wait_for("Subscribed")
+        hears = ["timeout", BENCH_LIFE, "mosquitto_sub", *place, "-C", "6", "-q", "1"]
+        with serving(port, "mosquitto", "-c", config) as broker, Running(hears) as subscriber:
+            broker.wait_for("Sending SUBACK")
             ours = [BINARY, *plant(directory, line), "monitor", "--count", "2", "--interval", "0", "--format", "ndjson"]
             sends = ["mosquitto_pub", "-l", "-q", "1", *place]
             run("sh", "-c", f"{shlex.join(map(str, ours))} | {shlex.join(sends)}").exits(0)
             got = subscriber.end().exits(0).out
-    records = [json.loads(text) for text in got.splitlines() if text.startswith("{")]
+    records = [json.loads(text) for text in got.splitlines()]
     expect("records", [record["type"] for record in records], ["start", *["sample"] * 4, "end"])
     whose = [(record["address"], record["called"], record["drive"], record["port"]) for record in records[1:3]]
     expect("drives", whose, [(1, None, "act", line), (2, "main pump", "acu", line)])

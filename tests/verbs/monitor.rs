@@ -363,6 +363,8 @@ fn a_text_file_holds_the_last_round_and_takes_no_other_files_place() {
     let run = antrieb(watch).exits(0);
     let text = run.text_of("drives.prom");
     assert!(text.starts_with("# TYPE antrieb_") && text.ends_with("# EOF\n"), "{text}");
+    // Type and help name a counter as its sample does, which OpenMetrics does not.
+    assert!(text.contains("# TYPE antrieb_line_silences_total counter\n# HELP antrieb_line_silences_total "), "{text}");
     assert_eq!(run.out.lines().count(), 3, "the stream goes on as ever: {}", run.out);
     let mine = antrieb(watch).file("drives.prom", "something else\n").exits(3);
     assert_eq!(mine.text_of("drives.prom"), "something else\n");

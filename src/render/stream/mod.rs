@@ -138,7 +138,7 @@ impl<'a> Stream<'a> {
         Ok(Stream::of(form, view, manner, console, None))
     }
 
-    /// The same, with every round as OpenMetrics text beside it.
+    /// The same, with every round as Prometheus' text beside it.
     pub fn beside(self, keep: Option<Keep>) -> Self {
         Stream { beside: keep.map(openmetrics::Beside::new), ..self }
     }

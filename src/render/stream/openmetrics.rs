@@ -1,5 +1,5 @@
-//! OpenMetrics 1.0 text: after each round everything that is known, ended by `# EOF`. Prometheus, its node_exporter (textfile)
-//! and whatever reads them take it.
+//! OpenMetrics 1.0 text: after each round everything that is known, ended by `# EOF`. Prometheus and whatever reads it take it. Its
+//! node_exporter (textfile) reads the older text 0.0.4, in which type and help name a counter with its `_total`.
 
 use super::Form;
 use super::metrics::{Label, Origin, error, number};
@@ -12,6 +12,8 @@ use std::io::{self, Write};
 #[derive(Debug, Default)]
 pub(super) struct Exposition {
     origin: Origin,
+    /// In the older text.
+    is_older: bool,
     samples: BTreeMap<u8, Sample>,
     /// Drives that were read in this round.
     read: usize,
@@ -37,7 +39,8 @@ impl Exposition {
     pub(super) fn note(&mut self, record: &Record) -> Option<String> {
         match record {
             Record::Start(start) => {
-                *self = Exposition { origin: Origin::of(start), ..Exposition::default() };
+                let is_older = self.is_older;
+                *self = Exposition { origin: Origin::of(start), is_older, ..Exposition::default() };
                 None
             }
             Record::Sample(sample) => {
@@ -53,7 +56,10 @@ impl Exposition {
     }
 
     fn text(&self) -> String {
-        let mut text: String = self.of_drives().iter().chain(&self.of_the_line()).map(told).collect();
+        let mut text: String = {
+            let metrics = self.of_drives().into_iter().chain(self.of_the_line());
+            metrics.map(|metric| told(&metric, self.is_older)).collect()
+        };
         text.push_str("# EOF\n");
         text
     }
@@ -153,7 +159,7 @@ fn which(value: &Value) -> Vec<Label> {
     ]
 }
 
-fn told(metric: &Metric) -> String {
+fn told(metric: &Metric, is_older: bool) -> String {
     let Metric { name, kind, help, rows } = metric;
     if rows.is_empty() {
         return String::new();
@@ -162,7 +168,8 @@ fn told(metric: &Metric) -> String {
         let labels: Vec<_> = labels.iter().map(|(name, what)| format!("{name}=\"{}\"", escaped(what))).collect();
         format!("{name}{suffix}{{{}}} {number}\n", labels.join(","))
     });
-    format!("# TYPE {name} {kind}\n# HELP {name} {help}\n{}", rows.collect::<String>())
+    let whole = if is_older && *kind == "counter" { "_total" } else { "" };
+    format!("# TYPE {name}{whole} {kind}\n# HELP {name}{whole} {help}\n{}", rows.collect::<String>())
 }
 
 /// A count of the line: name, what it is, where it stands.
@@ -203,7 +210,7 @@ impl Form for OpenMetrics<'_> {
 /// What takes the text of a round, whole.
 pub type Keep = Box<dyn FnMut(&str) -> io::Result<()>>;
 
-/// Every round beside another form.
+/// Every round beside another form, in the older text.
 pub(super) struct Beside {
     keep: Keep,
     exposition: Exposition,
@@ -211,7 +218,7 @@ pub(super) struct Beside {
 
 impl Beside {
     pub(super) fn new(keep: Keep) -> Self {
-        Beside { keep, exposition: Exposition::default() }
+        Beside { keep, exposition: Exposition { is_older: true, ..Exposition::default() } }
     }
 
     pub(super) fn record(&mut self, record: &Record) -> io::Result<()> {
