@@ -69,7 +69,8 @@ pub const VERBS: &[Entry] = &[
 use crate::args::{Addresses, Settings};
 use crate::drive::decode::Reader as Speech;
 use crate::drive::{
-    Calls, Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, is_over, open_port, summary, who,
+    Calls, Cell, InForce, Inquiry, Interrupt, Opening, Port, Reader, Recording, Session, is_over, open_port, summary,
+    who,
 };
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
