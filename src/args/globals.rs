@@ -4,7 +4,7 @@ use crate::profile::Lang;
 use crate::protocol::line::Parity;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::render::Format;
-use crate::text::{Wrong, both};
+use crate::text::{Text, Wrong, both};
 use crate::tick::Span;
 use crate::transport::{Port, Rs485Mode};
 use clap::{ArgAction, Args, ValueEnum};
@@ -175,19 +175,39 @@ impl<T> Auto<T> {
 }
 
 /// Speeds that are believed.
-pub(super) const BAUD_RATES: std::ops::RangeInclusive<u32> = 300..=1_250_000;
+const BAUD_RATES: std::ops::RangeInclusive<u32> = 300..=1_250_000;
+
+/// Speeds that ports and drives have.
+const USUAL: [u32; 21] = [
+    300, 600, 1_200, 1_800, 2_400, 4_800, 9_600, 14_400, 19_200, 28_800, 38_400, 57_600, 76_800, 115_200, 128_000,
+    230_400, 256_000, 460_800, 500_000, 921_600, 1_000_000,
+];
+
+/// A speed that is believed. One that no line could tell from a usual one (2 %) is a slip of the keyboard.
+pub(super) fn usual_baud(baud: u32) -> Result<u32, Text> {
+    let (first, last) = (BAUD_RATES.start(), BAUD_RATES.end());
+    if !BAUD_RATES.contains(&baud) {
+        return Err(both!("expected {first} to {last}, got {baud}", "erwartet: {first} bis {last}; angegeben: {baud}"));
+    }
+    match USUAL.iter().find(|usual| **usual != baud && usual.abs_diff(baud) * 50 <= **usual) {
+        Some(usual) => Err(both!("expected {usual}, got {baud}", "erwartet: {usual}; angegeben: {baud}")),
+        None => Ok(baud),
+    }
+}
 
 fn parse_baud(text: &str) -> Result<Auto<u32>, Wrong> {
-    let known = text.parse().ok().filter(|baud| BAUD_RATES.contains(baud));
-    let auto = text.eq_ignore_ascii_case(AUTO).then_some(Auto::Auto);
+    if text.eq_ignore_ascii_case(AUTO) {
+        return Ok(Auto::Auto);
+    }
     let (first, last) = (BAUD_RATES.start(), BAUD_RATES.end());
-    let expected = || {
-        Wrong(both!(
+    let expected = |_| {
+        both!(
             "expected {first} to {last}, or auto; got '{text}'",
             "erwartet: {first} bis {last}, oder auto; angegeben: '{text}'"
-        ))
+        )
     };
-    known.map(Auto::Is).or(auto).ok_or_else(expected)
+    let baud = text.parse().map_err(expected).and_then(usual_baud);
+    baud.map(Auto::Is).map_err(Wrong)
 }
 
 fn parse_parity(text: &str) -> Result<Auto<Parity>, Wrong> {

@@ -2,7 +2,7 @@
 
 use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
-use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_config};
+use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_config, wrong_in};
 use super::wrong::bad_setting;
 use crate::failure::Failure;
 use crate::text::{Text, Wrong, both};
@@ -289,7 +289,7 @@ impl<'a> Low<'a> {
     }
 
     /// A setting by its flag or what is said elsewhere, and notes where it comes from. What does not do is refused with
-    /// the place where it stands.
+    /// the place where it stands: that of a file is a mistake in the file (exit 7), with line and column.
     pub(super) fn pick<T, S, E: Into<Text>>(
         &mut self,
         name: &'static str,
@@ -303,13 +303,20 @@ impl<'a> Low<'a> {
             (None, Some((said, origin))) => {
                 let value = parse(said).map_err(|why| {
                     let why: Text = why.into();
-                    bad_setting(name, both!("{why} ({whence})", "{why} ({whence})", why, whence = origin.name()))
+                    let in_file = self.wrong_in_file(&origin, name, &why);
+                    let elsewhere = || both!("{why} ({whence})", "{why} ({whence})", why, whence = origin.name());
+                    in_file.unwrap_or_else(|| bad_setting(name, elsewhere()))
                 })?;
                 (value, origin)
             }
         };
         self.origins.insert(name, origin);
         Ok(Some(value))
+    }
+
+    /// What is wrong with a setting of a file, with its place; `None` where it stands in no file.
+    pub(super) fn wrong_in_file(&self, origin: &Origin, name: &str, why: &Text) -> Option<Failure> {
+        wrong_at_origin(&self.environment.directory, origin, name, why)
     }
 
     /// Where this setting comes from.
@@ -321,6 +328,17 @@ impl<'a> Low<'a> {
     pub(super) fn into_origins(self) -> BTreeMap<&'static str, Origin> {
         self.origins
     }
+}
+
+/// What is wrong with a setting of a file, told with the place where it stands; `None` where it stands in no file.
+pub(super) fn wrong_at_origin(directory: &Path, origin: &Origin, name: &str, why: &Text) -> Option<Failure> {
+    let Origin::File { path, drive, .. } = origin else { return None };
+    let why = both!("`{name}`: {why}", "`{name}`: {why}", why);
+    let keys = match drive {
+        Some(drive) => vec!["drives", drive.as_str(), name],
+        None => vec![name],
+    };
+    Some(wrong_in(directory, path, &keys, why))
 }
 
 fn apart(text: &str, part: &str) -> Failure {

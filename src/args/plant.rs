@@ -91,7 +91,7 @@ fn files_of(project: &Path, name: &str, named: &[PathBuf]) -> Result<Vec<PathBuf
         "es gibt keine Datei {path}; erwartet wird eine Parameterdatei, wie `antrieb dataset save` sie schreibt",
         path = path.display()
     );
-    Err(wrong_in(project, &["drives", name, "files", &index.to_string()], why))
+    Err(wrong_in(Path::new(""), project, &["drives", name, "files", &index.to_string()], why))
 }
 
 /// One line has one speed, one format, and one protocol.
@@ -110,7 +110,7 @@ fn check_lines(project: &Path, places: &[Place]) -> Result<(), Failure> {
             first = other.name,
             its = setting(other)
         );
-        return Err(wrong_in(project, &["drives", &place.name], why));
+        return Err(wrong_in(Path::new(""), project, &["drives", &place.name], why));
     }
     Ok(())
 }

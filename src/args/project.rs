@@ -176,9 +176,9 @@ pub(super) fn read_config(path: &Path, must_exist: bool) -> Result<File, Failure
     }
 }
 
-/// The failure of a file in which something stands that does not do, behind these keys.
-pub(super) fn wrong_in(path: &Path, keys: Keys<'_>, why: Text) -> Failure {
-    let text = files::read(path, files::TEXT).unwrap_or_default();
+/// The failure of a file, called by this path from a directory, in which something stands that does not do, behind these keys.
+pub(super) fn wrong_in(directory: &Path, path: &Path, keys: Keys<'_>, why: Text) -> Failure {
+    let text = files::read(&directory.join(path), files::TEXT).unwrap_or_default();
     let keys: Vec<String> = keys.iter().map(|key| (*key).to_owned()).collect();
     wrong_at(path, &text, offset(&text, &keys), why)
 }

@@ -1,8 +1,8 @@
 //! What holds: every setting of a run, resolved once.
 
 use super::address::Addresses;
-use super::globals::{AUTO, Auto, BAUD_RATES, ColorChoice, Globals, parse_span};
-use super::low::{Environment, Low, Origin, Typed};
+use super::globals::{AUTO, Auto, ColorChoice, Globals, parse_span, usual_baud};
+use super::low::{Environment, Low, Origin, Typed, wrong_at_origin};
 use super::warned::{catalogue_notes, network_note};
 use super::wrong::bad_setting;
 use crate::failure::{Class, Failure};
@@ -157,6 +157,11 @@ impl Settings {
         self.drive.as_deref().filter(|_| self.origin("drive") == Origin::Flag)
     }
 
+    /// Why what a file states does not do, with the place where it stands; `None` of what stands in no file.
+    pub fn wrong_in_file(&self, name: &str, why: &Text) -> Option<Failure> {
+        wrong_at_origin(&self.typed.environment.directory, &self.origin(name), name, why)
+    }
+
     /// The settings of the line with where each comes from, for `-v`.
     pub fn told(&self) -> Text {
         let auto = || AUTO.to_owned();
@@ -295,8 +300,9 @@ fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool, bool),
     if text.is_some_and(|text| text.trim().eq_ignore_ascii_case(DP)) {
         return Ok((Protocol::Modbus(Framing::Rtu), false, true));
     }
-    let named =
-        text.filter(|&text| text != AUTO).map(|text| text.parse().map_err(|why: Wrong| protocol_failure(text, why.0)));
+    let named = text
+        .filter(|&text| text != AUTO)
+        .map(|text| text.parse().map_err(|why: Wrong| protocol_failure(low, text, why.0)));
     let protocol = named.transpose()?.unwrap_or(Protocol::Modbus(Framing::Rtu));
     Ok((fitting(protocol, text.is_some(), ports)?, text == Some(AUTO), false))
 }
@@ -307,13 +313,7 @@ fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
     let parity = low.flags.parity.and_then(Auto::known);
     let parity = low.pick("parity", parity, said, |text| text.parse())?.unwrap_or(Parity::Even);
     let said = low.said(|drive| drive.baud, |file| file.baud);
-    let baud = low.pick("baud", low.flags.baud.and_then(Auto::known), said, |baud| {
-        let expected = || {
-            let (first, last) = (BAUD_RATES.start(), BAUD_RATES.end());
-            both!("expected {first} to {last}, got {baud}", "erwartet: {first} bis {last}; angegeben: {baud}")
-        };
-        if BAUD_RATES.contains(&baud) { Ok(baud) } else { Err(expected()) }
-    })?;
+    let baud = low.pick("baud", low.flags.baud.and_then(Auto::known), said, usual_baud)?;
     let mut line = protocol.line(baud.unwrap_or(19_200), parity); // CM-485 manual 5: factory setting
     let said = low.said(|drive| drive.data_bits, |file| file.data_bits);
     let data_bits = low.pick("data_bits", low.flags.data_bits, said, |bits| one_of(7..=8, bits))?;
@@ -397,8 +397,9 @@ fn rs485(low: &mut Low<'_>) -> Result<Rs485, Failure> {
 /// The Linux kernel takes no longer ones (RS485_MAX_RTS_DELAY).
 const LONGEST_RS485_DELAY: Span = Span::from_millis(100);
 
-fn protocol_failure(text: &str, why: Text) -> Failure {
-    let failure = bad_setting("protocol", why);
+fn protocol_failure(low: &Low<'_>, text: &str, why: Text) -> Failure {
+    let in_file = low.wrong_in_file(&low.origin("protocol"), "protocol", &why);
+    let failure = in_file.unwrap_or_else(|| bad_setting("protocol", why));
     match text.to_ascii_lowercase().as_str() {
         "sdo" => failure.hint(both!("{text} is not supported by this version", "{text} kann diese Version noch nicht")),
         "profibus" => failure.hint(both!("PROFIBUS-DP is dp here", "PROFIBUS-DP heißt hier dp")),

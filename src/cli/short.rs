@@ -1,10 +1,10 @@
-//! `-h`: a line for each option, and no more lines than a terminal has.
+//! `-h`: a line for each option, and no more lines than a terminal has beside its prompt.
 
 use super::overview;
 use clap::{Arg, Command};
 
-/// Lines of a terminal (80 x 24).
-const SCREEN: usize = 24;
+/// Lines of a terminal (80 x 24), one of which is its prompt.
+const SCREEN: usize = 23;
 
 /// Options of every verb in the order in which they give way where a page has no room; who has no place here never does.
 const GIVE_WAY: &[&str] = &[
@@ -20,6 +20,9 @@ const GIVE_WAY: &[&str] = &[
     "drive",
     "catalogue",
 ];
+
+/// What a verb with commands does where none is named.
+const DEFAULT: &str = "show";
 
 /// The tree of what `-h` tells.
 pub(super) fn of(root: Command) -> Command {
@@ -58,8 +61,13 @@ fn fitted(command: Command) -> Command {
     // `--help` is an option too.
     let options = told.len() - positional - common + 1;
     // What it does, and how it is called; behind the last block there is no blank line.
-    let lines = 4 + block(positional) + block(inner) + block(options) + block(common) - 1;
+    let usages = 1 + usize::from(inner > 0 && command.is_args_conflicts_with_subcommands_set());
+    let lines = 3 + usages + block(positional) + block(inner) + block(options) + block(common) - 1;
     let away = GIVE_WAY.iter().filter(|name| shown.iter().any(|shown| shown == *name));
-    let away: Vec<&str> = away.take(lines.saturating_sub(SCREEN)).copied().collect();
+    let lacking = lines.saturating_sub(SCREEN);
+    let away: Vec<&str> = away.take(lacking).copied().collect();
+    // What it does without a word gives way as the last.
+    let is_default_away = away.len() < lacking && command.find_subcommand(DEFAULT).is_some();
+    let command = if is_default_away { command.mut_subcommand(DEFAULT, |inner| inner.hide(true)) } else { command };
     command.mut_args(|arg| if away.contains(&arg.get_id().as_str()) { arg.hide_short_help(true) } else { arg })
 }

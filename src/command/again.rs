@@ -3,7 +3,7 @@
 use super::{Entry, VERBS};
 use crate::args::{Globals, SETTINGS};
 use crate::failure::Failure;
-use crate::outcome::{Outcome, Warning};
+use crate::outcome::{Data, Load, Outcome, Warning};
 use crate::text::{Lang, Text};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args as _, Command};
@@ -76,6 +76,7 @@ impl Again {
     pub fn told(&self, outcome: Outcome) -> Outcome {
         let Outcome { data, warnings, failure } = outcome;
         let warnings = warnings.into_iter().map(|it| Warning { message: self.typed(&it.message, None), ..it });
+        let data = data.map(|data| self.closed(data));
         Outcome { data, warnings: warnings.collect(), failure: failure.map(|failure| self.hinted(failure)) }
     }
 
@@ -84,6 +85,19 @@ impl Again {
         let address = failure.context.iter().find(|(key, _)| *key == "address").map(|(_, address)| address.as_str());
         let hint = failure.hint.as_deref().map(|hint| Box::new(self.typed(hint, address)));
         Failure { hint, message: self.typed(&failure.message, address), ..failure }
+    }
+
+    /// The last words of loads, which name a command.
+    fn closed(&self, mut data: Data) -> Data {
+        let loads: Vec<&mut Load> = match &mut data {
+            Data::Load(load) => vec![load],
+            Data::Plant(plant) => plant.drives.iter_mut().map(|drive| &mut drive.load).collect(),
+            _ => Vec::new(),
+        };
+        for load in loads {
+            load.closing = load.closing.as_ref().map(|told| self.typed(told, None));
+        }
+        data
     }
 
     fn typed(&self, text: &Text, address: Option<&str>) -> Text {

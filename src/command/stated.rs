@@ -1,7 +1,7 @@
 //! What the settings say of a drive: what was typed is believed, what a file states is asked.
 
 use super::speech;
-use crate::args::{Origin, Settings};
+use crate::args::Settings;
 use crate::drive::{Session, Stated, Target, Terms};
 use crate::failure::{Class, Failure};
 use crate::profile::{Family, Registry};
@@ -49,13 +49,9 @@ pub(super) async fn target_to_change(
 pub(super) fn named_family(settings: &Settings, registry: &Registry, name: &str) -> Result<Rc<Family>, Failure> {
     registry.family(name).ok_or_else(|| {
         let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
-        let whence = match settings.origin("drive") {
-            Origin::File { path, .. } => format!("{}: ", path.display()),
-            _ => String::new(),
-        };
         let message = both!(
-            "{whence}unknown drive '{name}' (expected: auto, {known})",
-            "{whence}unbekannter Antrieb '{name}' (erwartet: auto, {known})",
+            "unknown drive '{name}' (expected: auto, {known})",
+            "unbekannter Antrieb '{name}' (erwartet: auto, {known})",
             known = known.join(", ")
         );
         let titles = registry
@@ -63,7 +59,8 @@ pub(super) fn named_family(settings: &Settings, registry: &Registry, name: &str)
             .into_iter()
             .map(|drive| both!("{id} = {title}", "{id} = {title}", id = drive.id, title = drive.title));
         let titles = Text::join(&titles.collect::<Vec<_>>(), ", ");
-        Failure::new(Class::Usage, "usage.drive", message).hint(both!(
+        let in_file = settings.wrong_in_file("drive", &message);
+        in_file.unwrap_or_else(|| Failure::new(Class::Usage, "usage.drive", message)).hint(both!(
             "{titles}; auto, or no --drive, asks the drive what it is",
             "{titles}; auto oder kein --drive fragt den Antrieb, was er ist",
             titles

@@ -170,6 +170,9 @@ pub struct Load {
     pub left_out: Vec<NotLoaded>,
     /// One entry a value.
     pub values: Vec<Written>,
+    /// For people, behind the values: how much was written, and what takes it back.
+    #[serde(skip)]
+    pub closing: Option<Text>,
 }
 
 /// How a transaction ended.

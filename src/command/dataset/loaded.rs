@@ -43,7 +43,27 @@ pub(in crate::command) fn blank(address: u8, drive: &str, files: Vec<String>, le
         restart: false,
         left_out,
         values: Vec::new(),
+        closing: None,
     }
+}
+
+/// The last word of a load: how much was written, and what takes it back.
+fn closing(load: &Load) -> Option<Text> {
+    let written = load.values.iter().filter(|row| matches!(row.result, WriteResult::Verified | WriteResult::Stored));
+    let values = Text::count(written.count() as u64, ["value", "values"], ["Wert", "Werte"]);
+    let file = word(load.undo_file.as_ref()?);
+    let proven = match load.ended? {
+        LoadEnd::Done => both!("{values} written and proven", "{values} geschrieben und geprüft", values),
+        LoadEnd::Stored => {
+            both!("{values} written, not all in force", "{values} geschrieben, nicht alle wirken", values)
+        }
+        LoadEnd::Untouched | LoadEnd::Back | LoadEnd::Torn => return None,
+    };
+    Some(both!(
+        "{proven}; `antrieb dataset undo {file}` takes that back",
+        "{proven}; `antrieb dataset undo {file}` nimmt das zurück",
+        proven
+    ))
 }
 
 /// Why nothing may be begun, if so: the rows say which values are in the way.
@@ -216,6 +236,7 @@ pub(in crate::command) fn whole(
         warnings.extend(open.map(|message| Warning { code: "load.open_memory".to_owned(), message }));
     }
     load.values = plan.job.rows;
+    load.closing = closing(&load);
     Told { load, warnings, failure }
 }
 

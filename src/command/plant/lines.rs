@@ -4,7 +4,7 @@ use crate::args::{Place, Settings, places, project_path, typed_ports};
 use crate::command::dataset::load::read_all;
 use crate::command::dataset::opened::Opened;
 use crate::command::scan::of_port;
-use crate::command::{Context, open};
+use crate::command::{Context, named_family, open};
 use crate::drive::job::Step;
 use crate::drive::plant::{Line, Member};
 use crate::drive::transaction::{Choice, UndoPlace};
@@ -92,6 +92,7 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
         place.settings.check_one_line()?;
         place.settings.verbose = settings.verbose;
         let opened = read_all(&place.files, &place.settings, registry)?;
+        is_of_files(&place.settings, &opened, registry)?;
         let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
         wanted.push(Wanted { place, opened, steps, left_out });
     }
@@ -117,6 +118,26 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
         observe(Event::Note(both!("only the drives at {ports}", "nur die Antriebe an {ports}")));
     }
     Ok(wanted)
+}
+
+/// The family that the project file states must be one that there is, and that of the parameter files.
+fn is_of_files(settings: &Settings, opened: &Opened, registry: &Registry) -> Result<(), Failure> {
+    let Some(name) = settings.drive.as_deref().filter(|_| settings.named_drive().is_none()) else { return Ok(()) };
+    let stated = named_family(settings, registry, name)?;
+    let (own, path) = (&opened.family.drive, &opened.file.path);
+    if stated.drive == *own {
+        return Ok(());
+    }
+    let why = both!(
+        "'{name}' is stated, and {path} is for the family '{own}'",
+        "angegeben ist '{name}', und {path} ist für die Familie '{own}'"
+    );
+    let hint = both!(
+        "one of both is wrong: state '{own}', or take a file that was saved from such a drive",
+        "eines von beiden stimmt nicht: '{own}' angeben, oder eine Datei nehmen, die von einem solchen Antrieb gesichert wurde"
+    );
+    let in_file = settings.wrong_in_file("drive", &why);
+    Err(in_file.unwrap_or_else(|| Failure::new(Class::Data, "data.other_family", why)).hint(hint))
 }
 
 /// The drives for which nothing is to be done.

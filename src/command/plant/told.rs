@@ -24,6 +24,8 @@ pub(super) fn plant(
         told.failure = told.failure.map(|failure| hinted(one, failure));
         let told_of = one.of_others().into_iter().chain(told.warnings);
         warnings.extend(told_of.map(|warning| of(one, warning)));
+        let closing = told.load.closing.map(|text| named(one, &text));
+        told.load.closing = closing;
         let (called, port, error) = (one.place.name.clone(), one.port(), told.failure.as_ref().map(ErrorDoc::from));
         failures.extend(told.failure.map(|failure| (called.clone(), failure)));
         drives.push(PlantDrive { called, port, state, load: told.load, error });
@@ -49,8 +51,13 @@ pub(super) fn plant(
 /// A warning with the drive that it is about.
 pub(super) fn of(one: &Wanted, warning: Warning) -> Warning {
     let Warning { code, message } = warning;
-    let message = for_drive(&message, &one.place.name, &one.port());
-    Warning { code, message: both!("{name}: {message}", "{name}: {message}", name = one.place.name, message) }
+    Warning { code, message: named(one, &message) }
+}
+
+/// What is told of a drive, with its name.
+fn named(one: &Wanted, told: &Text) -> Text {
+    let told = for_drive(told, &one.place.name, &one.port());
+    both!("{name}: {told}", "{name}: {told}", name = one.place.name, told)
 }
 
 /// A failure whose hint is for the drive that it is about.
@@ -89,11 +96,13 @@ fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
         None => (state, told),
         Some(back) if back.is_empty() => {
             told.load.ended = Some(LoadEnd::Back);
+            told.load.closing = None;
             told.failure = Some(put_back());
             (PlantState::Back, told)
         }
         Some(back) => {
             told.load.ended = Some(LoadEnd::Torn);
+            told.load.closing = None;
             told.failure = loaded::not_all_back(back);
             (PlantState::Torn, told)
         }

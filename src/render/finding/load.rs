@@ -6,7 +6,7 @@ use crate::outcome::{Load, LoadEnd, NotLoadedWhy, WriteResult, Written};
 
 impl Finding for Load {
     fn table(&self, page: Page) -> String {
-        page.load(self)
+        page.load(self) + &page.closing([self])
     }
 
     fn rows(&self) -> Rows {
@@ -23,6 +23,14 @@ impl Page {
             text += &self.written(&shown);
         }
         text
+    }
+
+    /// The last lines on a terminal, where the head may have scrolled away: what came of it, and what takes it back.
+    pub(super) fn closing<'l>(self, loads: impl IntoIterator<Item = &'l Load>) -> String {
+        let loads = loads.into_iter().filter(|_| self.width.is_some());
+        let told: String =
+            loads.filter_map(|load| load.closing.as_ref()).map(|told| self.prose(told.get(self.lang))).collect();
+        if told.is_empty() { told } else { format!("\n{told}") }
     }
 
     fn is_told(self, row: &Written) -> bool {

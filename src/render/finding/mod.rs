@@ -9,6 +9,7 @@ mod line;
 mod load;
 mod monitor;
 mod motion;
+mod narrow;
 mod page;
 mod paramfile;
 mod params;

@@ -1,5 +1,6 @@
 //! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
 
+use super::narrow::{GAP, hold_words_together};
 use crate::outcome::{Bit, Decimal, Fault, Value, Word};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
@@ -7,11 +8,7 @@ use crate::render::clean;
 use crate::render::words::word;
 use crate::render::wrap::wrap;
 use crate::text::Text;
-use comfy_table::{Cell, CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
-use unicode_width::UnicodeWidthStr;
-
-/// Blanks between two columns.
-const GAP: u16 = 2;
+use comfy_table::{CellAlignment, ContentArrangement, Table};
 
 /// How a page is written.
 #[derive(Clone, Copy)]
@@ -62,14 +59,17 @@ impl Page {
         let names = head.iter().map(|name| name.trim_start_matches('>'));
         let names: Vec<_> = names.map(|name| if name.starts_with('@') { name } else { self.word(name) }).collect();
         if names.iter().any(|name| !name.is_empty()) {
-            table.set_header(names);
+            table.set_header(names.clone());
         }
-        for row in rows {
-            table.add_row(row.iter().map(|cell| clean(cell)));
-        }
+        let cells = |row: Vec<String>| row.iter().map(|cell| clean(cell)).collect();
+        let mut rows: Vec<Vec<String>> = rows.into_iter().map(cells).collect();
+        let constraints = self.width.map_or_else(Vec::new, |width| hold_words_together(&names, &mut rows, head, width));
+        table.add_rows(rows);
         if let Some(width) = self.width {
             table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
-            hold_words_together(&mut table, width);
+        }
+        for (column, constraint) in table.column_iter_mut().zip(constraints) {
+            column.set_constraint(constraint);
         }
         for (index, column) in table.column_iter_mut().enumerate() {
             column.set_padding((0, GAP));
@@ -197,28 +197,6 @@ impl Page {
             vec![bit.bit.to_string(), u8::from(bit.set).to_string(), name]
         });
         self.table(&[">bit", ">value", "name"], rows.collect())
-    }
-}
-
-/// No column becomes so narrow that a word is torn apart, as long as all of them have room for their longest.
-fn hold_words_together(table: &mut Table, width: u16) {
-    let longest = |cell: &Cell| {
-        let content = cell.content();
-        content.split_whitespace().map(UnicodeWidthStr::width).max().unwrap_or(0) as u16 + GAP
-    };
-    let mut least: Vec<u16> = table.header().map_or_else(Vec::new, |head| head.cell_iter().map(longest).collect());
-    for row in table.row_iter() {
-        for (index, cell) in row.cell_iter().enumerate() {
-            match least.get_mut(index) {
-                Some(known) => *known = longest(cell).max(*known),
-                None => least.push(longest(cell)),
-            }
-        }
-    }
-    if least.iter().sum::<u16>() <= width {
-        for (column, least) in table.column_iter_mut().zip(least) {
-            column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(least)));
-        }
     }
 }
 

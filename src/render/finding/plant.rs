@@ -1,8 +1,7 @@
 //! `plan`, `apply`, `check`, `init`: the drives of a plant.
 
-use super::page::{Page, set_name, shown};
+use super::page::Page;
 use super::paramfile::compared;
-use super::write::result;
 use super::{Finding, Rows};
 use crate::outcome::{
     Init, NamedFind, Plant, PlantCheck, PlantComparison, PlantDrive, PlantState, WriteResult, Written,
@@ -93,41 +92,21 @@ impl Page {
             text += &format!("\n{}: ", clean(&drive.called));
             text += &match self.full || plant.dry_run {
                 true => self.load(&drive.load),
-                false => self.load_head(&drive.load) + &self.changes(&drive.load.values),
+                false => self.load_head(&drive.load) + &self.changed(&drive.load.values),
             };
             if let Some(error) = &drive.error {
                 text += &self.pairs(vec![("error", self.say(&error.message))]);
             }
         }
-        text
+        text + &self.closing(plant.drives.iter().map(|drive| &drive.load))
     }
 
-    /// What changes, on 80 columns; what is odd about a value stands in a line of its own.
-    fn changes(self, values: &[Written]) -> String {
-        let shown = values.iter().filter(|row| row.result != WriteResult::Unchanged);
-        let rows: Vec<Vec<String>> = shown.clone().map(|row| self.change(row)).collect();
-        if rows.is_empty() {
-            return String::new();
-        }
-        let odd = shown.filter_map(|row| Some(self.prose(row.error.as_ref()?.message.get(self.lang))));
-        format!(
-            "\n{}{}",
-            self.table(&[">param", "set", "name", ">old", ">new", "unit", "result"], rows),
-            odd.collect::<String>()
-        )
-    }
-
-    fn change(self, row: &Written) -> Vec<String> {
-        let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
-        vec![
-            row.param.to_string(),
-            set_name(row.data_set, row.store),
-            self.say(&row.name),
-            row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false)),
-            shown(row.value, false) + &text.unwrap_or_default(),
-            row.unit.clone().unwrap_or_default(),
-            self.word(result(row.result)).to_owned(),
-        ]
+    /// What changes of a drive.
+    fn changed(self, values: &[Written]) -> String {
+        let changed = values.iter().filter(|row| row.result != WriteResult::Unchanged);
+        // What would be sent is told by a dry run.
+        let changed: Vec<Written> = changed.map(|row| Written { telegram: None, ..row.clone() }).collect();
+        if changed.is_empty() { String::new() } else { format!("\n{}", self.changes(&changed)) }
     }
 
     /// Every drive in a line; the port only if there are several.

@@ -15,17 +15,17 @@ impl Finding for Write {
 }
 
 impl Page {
+    /// One row a value. On a terminal there is no room beside it for what is to be said of it.
     pub(super) fn written(self, values: &[Written]) -> String {
-        // On a terminal a telegram has no room beside its value.
-        let is_planned = |row: &Written| row.result == WriteResult::Planned;
-        let apart = self.width.is_some();
+        if self.width.is_some() {
+            return self.changes(values);
+        }
         let rows = values.iter().map(|row| {
-            let old = row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false));
             let mut remark = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
             remark = remark.or_else(|| row.text.as_ref().map(|text| self.say(text)));
             let note = row.note.as_ref().map(|note| self.say(note));
             let mut remark = remark.into_iter().chain(note).collect::<Vec<_>>();
-            if is_planned(row) && !apart {
+            if is_planned(row) {
                 remark.extend(row.telegram.clone());
                 remark.extend(row.meaning.as_ref().map(|meaning| self.say(meaning)));
             }
@@ -35,7 +35,7 @@ impl Page {
                 set_name(row.data_set, row.store),
                 row.store.to_owned(),
                 self.say(&row.name),
-                old,
+                old(row),
                 shown(row.value, false),
                 row.unit.clone().unwrap_or_default(),
                 self.word(result(row.result)).to_owned(),
@@ -49,14 +49,74 @@ impl Page {
             true => rows.iter_mut().for_each(|row| drop(row.pop())),
             false => head.push("meaning"),
         }
-        let told = values.iter().filter(|row| apart && is_planned(row)).filter_map(|row| {
-            let meaning = row.meaning.as_ref().map(|meaning| self.say(meaning)).unwrap_or_default();
-            Some(self.prose(&format!("{}  {meaning}", row.telegram.as_ref()?)))
-        });
-        let told: String = told.collect();
-        let gap = if told.is_empty() { "" } else { "\n" };
-        self.table(&head, rows) + gap + &told
+        self.table(&head, rows)
     }
+
+    /// The same on 80 columns: data sets that went the same way in one row, and what is odd about a value, or would be sent, below.
+    pub(super) fn changes(self, values: &[Written]) -> String {
+        let several = values.iter().any(|row| Some(row.address) != values.first().map(|first| first.address));
+        let alike = values.chunk_by(|one, next| self.width.is_some() && are_alike(one, next));
+        let rows = alike.filter_map(|sets| Some(self.change(sets.first()?, sets.last()?, several)));
+        let head = [">addr", ">param", "set", "name", ">old", ">new", "unit", "result"];
+        let mut text = self.table(head.get(usize::from(!several)..).unwrap_or_default(), rows.collect());
+        let sent = values.iter().any(|row| self.to_send(row).is_some());
+        text += if sent { "\n" } else { "" };
+        text + &values.iter().map(|row| self.remarks(row)).collect::<String>()
+    }
+
+    fn change(self, row: &Written, last: &Written, several: bool) -> Vec<String> {
+        let address = several.then(|| row.address.to_string());
+        let set = |row: &Written| match (row.data_set, row.store) {
+            (0, "ram") => "ram".to_owned(),
+            (set, store) => set_name(set, store),
+        };
+        let (first, last) = (set(row), set(last));
+        let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
+        let cells = [
+            row.param.to_string(),
+            if first == last { first } else { format!("{}-{last}", row.data_set) },
+            self.say(&row.name),
+            old(row),
+            shown(row.value, false) + &text.unwrap_or_default(),
+            row.unit.clone().unwrap_or_default(),
+            self.word(result(row.result)).to_owned(),
+        ];
+        address.into_iter().chain(cells).collect()
+    }
+
+    /// Why a value did not go, what is odd about it, and the telegram of one that is only planned.
+    fn remarks(self, row: &Written) -> String {
+        let place = format!("{}@{}", row.param, set_name(row.data_set, row.store));
+        let error = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
+        let note = row.note.as_ref().map(|note| self.say(note));
+        let told = error.into_iter().chain(note).map(|told| match told.contains(&format!("P.{}", row.param)) {
+            true => told,
+            false => format!("{place}: {told}"),
+        });
+        let told: String = told.map(|told| self.prose(&told)).collect();
+        let meaning = row.meaning.as_ref().map(|meaning| self.say(meaning)).unwrap_or_default();
+        told + &self.to_send(row).map_or_else(String::new, |telegram| self.prose(&format!("{telegram}  {meaning}")))
+    }
+
+    /// What would be sent, where there is no room for it beside the value.
+    fn to_send(self, row: &Written) -> Option<&str> {
+        row.telegram.as_deref().filter(|_| is_planned(row) && self.width.is_some())
+    }
+}
+
+fn is_planned(row: &Written) -> bool {
+    row.result == WriteResult::Planned
+}
+
+/// Whether a data set went the same way as the one before it, and nothing else is to be said of either.
+fn are_alike(one: &Written, next: &Written) -> bool {
+    let way = |row: &Written| (row.address, row.param, row.store, row.old_raw, row.raw, row.result);
+    let is_plain = |row: &Written| row.error.is_none() && row.note.is_none() && !is_planned(row);
+    way(one) == way(next) && one.data_set + 1 == next.data_set && is_plain(one) && is_plain(next)
+}
+
+fn old(row: &Written) -> String {
+    row.old.map_or_else(|| "?".to_owned(), |old| shown(old, false))
 }
 
 pub(super) fn result(result: WriteResult) -> &'static str {

@@ -101,19 +101,19 @@ fn errors_in_configurations_name_file_line_and_column() {
 
 #[test]
 fn values_in_configurations_are_held_to_the_same_rules() {
-    for (text, code) in [
-        ("baud = 5\n", "usage.baud"),
-        ("parity = \"mark\"\n", "usage.parity"),
-        ("timeout = \"soon\"\n", "usage.timeout"),
-        ("lang = \"fr\"\n", "usage.lang"),
-        ("protocol = \"profibus\"\n", "usage.protocol"),
-        ("port = \"tcp://x\"\n", "usage.port"),
-        ("stop_bits = 3\n", "usage.stop_bits"),
+    for text in [
+        "baud = 5\n",
+        "parity = \"mark\"\n",
+        "timeout = \"soon\"\n",
+        "lang = \"fr\"\n",
+        "protocol = \"profibus\"\n",
+        "port = \"tcp://x\"\n",
+        "stop_bits = 3\n",
     ] {
         let document = antrieb("-a 1 read 372").file("antrieb.toml", text).json();
-        assert_eq!((document.exit, &document.error()["code"]), (2, &code.into()), "{text}");
+        assert_eq!((document.exit, &document.error()["code"]), (7, &"data.config".into()), "{text}");
     }
-    let run = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"xml\"\n").exits(2);
+    let run = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"xml\"\n").exits(7);
     assert!(run.err.contains("expected table, json, ndjson, csv, influx or openmetrics, got 'xml'"), "{}", run.err);
     let json = antrieb("-p sim -a 1 read 372").file("antrieb.toml", "format = \"json\"\n").exits(0);
     assert!(json.out.starts_with('{'), "{}", json.out);
@@ -145,10 +145,46 @@ fn what_holds_is_told_with_where_it_comes_from() {
 
 #[test]
 fn a_bad_setting_names_the_file_that_it_stands_in() {
-    let run = antrieb("-p sim -a 1 read 411").file("antrieb.toml", "drive = \"acx\"\n").exits(2);
-    assert!(run.err.contains("antrieb.toml: unknown drive 'acx'"), "{}", run.err);
-    let run = antrieb("-p sim -a 1 read 411").file("antrieb.toml", "parity = \"mark\"\n").exits(2);
-    assert!(run.err.contains("(antrieb.toml)"), "{}", run.err);
+    for (slip, told) in [
+        ("drive = \"acx\"", "antrieb.toml:2:1: `drive`: unknown drive 'acx'"),
+        ("parity = \"mark\"", "antrieb.toml:2:1: `parity`: "),
+        ("baud = 19201", "antrieb.toml:2:1: `baud`: expected 19200, got 19201"),
+        ("data_bits = 9", "antrieb.toml:2:1: `data_bits`: "),
+    ] {
+        // The values of a parity are words of the command line.
+        for lang in ["en", "de"].into_iter().filter(|lang| *lang == "en" || !slip.contains("mark")) {
+            let file = format!("# one slip\n{slip}\n");
+            let run = antrieb(&format!("-p sim -a 1 --lang {lang} read 411")).file("antrieb.toml", &file).exits(7);
+            assert!(lang == "de" || run.err.contains(told), "{}", run.err);
+            let of_drive = format!("[drives.pump]\naddress = 1\n{slip}\nfiles = [\"pump.toml\"]\n");
+            for line in ["-a pump read 411", "plan"] {
+                let run = antrieb(&format!("-p sim --lang {lang} {line}")).file("antrieb.toml", &of_drive);
+                let run =
+                    run.file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"480\" = 5\n").exits(7);
+                assert!(run.err.contains("antrieb.toml:3:1: "), "{slip} {line}: {}", run.err);
+            }
+        }
+    }
+    // A speed that no line could tell from a usual one; an unusual one is taken.
+    assert!(antrieb("-p sim -a 1 -b 9601 read 411").exits(2).err.contains("expected 9600, got 9601"));
+    assert!(!antrieb("-p sim -a 1 -b 12500 read 411").run().err.contains("expected"));
+}
+
+#[test]
+fn a_family_that_is_not_that_of_its_files_is_a_slip_in_the_project_file() {
+    let project = "[drives.pump]\naddress = 1\nfiles = [\"pump.toml\"]\ndrive = \"acu\"\n";
+    let plan = |line: &str| {
+        let run = antrieb(line).file("antrieb.toml", project);
+        run.file("pump.toml", "antrieb = 1\ndrive.family = \"act\"\n[values]\n\"480\" = 5\n")
+    };
+    for line in ["plan", "apply --yes", "check"] {
+        let err = plan(&format!("-p sim {line}")).exits(7).err;
+        assert!(
+            err.contains("antrieb.toml:4:1: `drive`: 'acu' is stated, and") && err.contains("family 'act'"),
+            "{err}"
+        );
+        plan(&format!("-p sim --lang de {line}")).exits(7);
+    }
 }
 
 /// Drive 1 was meant, and drive 2 would start.

@@ -14,8 +14,8 @@ fn commands() -> Vec<String> {
     found
 }
 
-/// Lines of a terminal of 80 x 24.
-const SCREEN: usize = 24;
+/// Lines of a terminal of 80 x 24, one of which is its prompt.
+const SCREEN: usize = 23;
 
 #[test]
 fn short_help_has_a_line_for_each_option_and_fits_a_screen() {

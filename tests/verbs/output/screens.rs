@@ -1,7 +1,8 @@
 //! What every verb shows on a terminal of 80 columns, in both languages: `docs/screens`, one file a verb.
 //! `UPDATE=1 cargo test --test verbs screens` writes them anew.
 
-use crate::run::{antrieb, verbs};
+use crate::run::{Run, antrieb, verbs};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use unicode_width::UnicodeWidthStr;
@@ -170,6 +171,42 @@ fn every_verb_that_talks_to_drives_has_its_screens() {
     let missing: Vec<_> =
         verbs().filter(|verb| TYPED.iter().all(|row| row.0 != *verb) && *verb != "simulate").collect();
     assert!(missing.is_empty(), "{missing:?}");
+}
+
+/// A digit that is cut off is another value.
+#[test]
+fn no_number_is_torn_on_a_narrow_terminal() {
+    let odd = "antrieb = 1\n[drive]\nfamily=\"act\"\n[values]\n\"407\"=5\n\"480\"=99999\n\"486\"=5\n\"375\"=55\n";
+    let own = ["write -a 1 480=5 372=1390", "write -a 1,2 480=7 372=1400 --yes", "dataset load {dir}/odd.toml -a 1"];
+    let lines = TYPED.iter().flat_map(|(_, lines)| *lines).chain(&own);
+    let lines =
+        lines.filter(|line| !["monitor", "sniff", "sollwert", "report"].iter().any(|verb| line.starts_with(verb)));
+    let digits = |word: &&str| word.chars().any(|letter| letter.is_ascii_digit());
+    for line in lines {
+        let out = |columns: Option<u16>| {
+            let run =
+                FILES.iter().fold(antrieb(&format!("{line} --lang de")), |run, (name, text)| run.file(name, text));
+            let run = run.file("odd.toml", odd);
+            let run = columns.into_iter().fold(run, Run::columns);
+            let output = if line.contains(" -p ") { run } else { run.on(PLANT) }.run();
+            output.out.replace(&output.directory().display().to_string(), ".")
+        };
+        let wide = out(None);
+        let known: BTreeSet<&str> = wide.split_whitespace().collect();
+        let narrow = out(Some(80));
+        let torn: Vec<_> = narrow.split_whitespace().filter(digits).filter(|word| !is_known(word, &known)).collect();
+        assert!(torn.is_empty(), "{line}: {torn:?}\n{narrow}");
+    }
+}
+
+/// Whether a word stands in the wide table too, or what is folded and labelled in the narrow one.
+fn is_known(word: &str, known: &BTreeSet<&str>) -> bool {
+    let bare = word.trim_matches(|letter: char| "():;,`".contains(letter));
+    let is_folded = |word: &str| word.len() == 3 && word.as_bytes().get(1) == Some(&b'-');
+    let is_broken = |one: &str| one.contains('-') && one.contains(char::is_alphabetic) && one.contains(bare);
+    known.iter().any(|one| one.trim_matches(|letter: char| "():;,`".contains(letter)) == bare || is_broken(one))
+        || is_folded(bare)
+        || bare.contains('@')
 }
 
 #[test]
