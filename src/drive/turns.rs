@@ -181,6 +181,8 @@ impl Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use futures_util::future::join_all;
+    use std::cell::Cell;
 
     fn at(ms: u64) -> Tick {
         Tick::ZERO + Span::from_millis(ms)
@@ -204,6 +206,9 @@ mod tests {
             (&[(3, true), (50, false)], 40, Some(0)),
             (&[(3, true), (4, true)], 60, Some(0)),
             (&[(50, false), (40, true)], 0, Some(1)),
+            // At the moment from which on he wants it, and no sooner.
+            (&[(3, true), (10, false)], 0, Some(1)),
+            (&[(3, true), (60, false)], 60, Some(0)),
             (&[], 0, None),
         ] {
             assert_eq!(called(places, 10, quiet_until), next, "{places:?} {quiet_until}");
@@ -213,7 +218,7 @@ mod tests {
     #[test]
     fn a_silent_one_waits_until_everybody_had_his_turn_and_no_longer() {
         let place = |quiet, served| Place { wants: Some(at(1)), quiet, served, ..Place::default() };
-        let next = |places| Table { places, now: at(10), ..Table::default() }.next();
+        let next = |places| Table { places, now: at(10), quiet_until: at(10), ..Table::default() }.next();
         assert_eq!(next(vec![place(true, false), place(false, true), place(false, false)]), Some(2));
         assert_eq!(next(vec![place(false, true), place(true, false), place(false, true)]), Some(1));
     }
@@ -224,7 +229,7 @@ mod tests {
         let [first, second] = &seats[..] else { unreachable!() };
         assert!(!first.is_over(at(100)) && first.is_over(at(101)) && !first.is_alone());
         first.was_answered(false);
-        assert!(first.is_over(at(0)));
+        assert!(first.is_over(at(0)) && first.is_quiet() && !second.is_quiet());
         first.table.borrow_mut().give_way(0, at(50), at(50));
         assert_eq!(first.table.borrow().holder, Some(1));
         assert!(!second.is_over(at(150)) && second.is_over(at(151)), "it began at 50");
@@ -239,5 +244,29 @@ mod tests {
         drop(seats.remove(1));
         assert_eq!(table.borrow().holder, Some(1), "it was not the turn of who left");
         assert!(seats[0].is_alone() && !seats[0].is_over(at(1_000)));
+    }
+
+    /// Whose turn it was, where these work side by side for so long: each asks once in a turn of 10 ms, and answers or not.
+    fn turns(answers: [bool; 3], ms: u64) -> Vec<usize> {
+        let (log, now) = (RefCell::new(Vec::new()), Cell::new(at(0)));
+        let works = seats(3, at(0)).into_iter().zip(answers).enumerate().map(async |(place, (seat, answers))| {
+            seat.begin().await;
+            while now.get() < at(ms) {
+                log.borrow_mut().push(place);
+                now.set(now.get() + Span::from_millis(10));
+                seat.was_answered(answers);
+                seat.give_way(now.get(), now.get(), &Interrupt::default()).await;
+            }
+        });
+        // Whoever is called first was not the first to wait.
+        tokio::runtime::Builder::new_current_thread().build().unwrap().block_on(join_all(works.rev()));
+        log.into_inner()
+    }
+
+    #[test]
+    fn everybody_has_his_turn_and_who_is_silent_when_all_others_had_theirs() {
+        assert_eq!(turns([true; 3], 60), [0, 1, 2, 0, 1, 2]);
+        assert_eq!(turns([true, false, true], 90), [0, 1, 2, 0, 1, 2, 0, 1, 2]);
+        assert_eq!(turns([false; 3], 60), [0, 1, 2, 0, 1, 2]);
     }
 }

@@ -65,6 +65,7 @@ mod motion {
     mod counted;
     mod hasty;
     mod held;
+    mod in_turns;
     mod kept;
     mod keypad;
     mod last_words;

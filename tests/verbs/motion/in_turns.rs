@@ -1,0 +1,145 @@
+//! What a stop gives each of several drives, and what one alone has of it: the first word in a round, then turns at the line.
+
+use super::rig::RUNNING;
+use crate::run::{Document, antrieb};
+use antrieb::tick::Span;
+use antrieb::transport::witness;
+
+/// A drive that runs up to 10 Hz: a quick stop by so many hertz a second, and more.
+fn drive(address: u8, quick: &str, more: &str) -> String {
+    format!(
+        "[[drive]]\nmodel = \"acu\"\naddress = {address}\nbaud = 19200\n\
+         set = {{ {RUNNING}, \"424\" = \"{quick}\", \"425\" = \"{quick}\" }}\n{more}\n"
+    )
+}
+
+const DEAD: &str = "[[drive.event]]\nat = \"0s\"\nsilent = \"10min\"";
+
+/// A verb on drives that have run for a second.
+fn running(line: &str, bench: &str) -> Document {
+    antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
+    let (mut left, at) = witness::left().unwrap();
+    let at = at + Span::from_secs(1);
+    left.advance(at);
+    witness::stands(left, at);
+    antrieb(&format!("-v -b 19200 {line}")).on(bench).json()
+}
+
+/// What was sent, and when, in ms.
+fn sent(run: &Document) -> Vec<(f64, String)> {
+    let lines = run.err.lines().filter_map(|line| line.split_once(" ms > "));
+    lines.map(|(at, hex)| (at.trim().parse().unwrap(), hex.to_owned())).collect()
+}
+
+#[test]
+fn who_is_silent_has_no_more_than_half_of_the_time() {
+    for named in ["", "--drive acu"] {
+        let run = running(
+            &format!("-a 1,2 {named} statemachine quick-stop"),
+            &[drive(1, "10", DEAD), drive(2, "1", "")].concat(),
+        );
+        let to =
+            |address: &str| sent(&run).iter().filter(|(at, hex)| *at < 9_000.0 && hex.starts_with(address)).count();
+        // 500 ms each time, and 20 ms for who answers.
+        assert!(to("02 ") > 2 * to("01 "), "{named}: {} {}", to("01 "), to("02 "));
+    }
+}
+
+/// A lost answer in the round makes no quick stop of a ramp, and is no reason to speak to other families.
+#[test]
+fn what_was_not_told_in_the_round_is_asked_again_before_it_is_a_quick_stop() {
+    for lost in 2..6 {
+        let once = format!("[[disturb]]\nonce = {lost}\nkind = \"lost\"\n");
+        let bench = [once, drive(1, "10", ""), drive(2, "10", "")].concat();
+        let run = running("-a 1,2 --drive acu statemachine disable", &bench);
+        assert!(
+            !run.err.contains("in place of the ramp") && !run.err.contains("is --drive right"),
+            "{lost}: {}",
+            run.err
+        );
+        assert_eq!(run.exit, 0, "{lost}: {:#}", run.value);
+    }
+}
+
+/// How long each word to a drive that does not answer is waited for, in ms, until the last of them.
+fn waits(named: &str) -> Vec<u32> {
+    let run = running(
+        &format!("-a 1,2 {named} statemachine quick-stop"),
+        &[drive(1, "10", DEAD), drive(2, "10", DEAD)].concat(),
+    );
+    let all = sent(&run);
+    let is_word = |hex: &str| hex.starts_with("01 06") || hex.starts_with("01 10");
+    let words = all.windows(2).filter(|pair| is_word(&pair[0].1));
+    words.map(|pair| ((pair[1].0 - pair[0].0) / 10.0).round() as u32 * 10).collect()
+}
+
+/// Three words are said twice for a short time; one that is known is waited for as long as an answer may take.
+#[test]
+fn others_wait_for_a_silent_drive_for_a_short_time_only_at_first() {
+    let (unnamed, named) = (waits(""), waits("--drive acu"));
+    assert_eq!(unnamed[1..8], [260, 260, 250, 260, 510, 500, 510], "{unnamed:?}");
+    assert!(named[1..5].iter().all(|&wait| wait == 500), "{named:?}");
+}
+
+/// Who is there is asked for its own sake only where the echo of a line could pass for the answer to a word, and once.
+#[test]
+fn a_line_is_sounded_once_and_only_where_nothing_else_is_asked_first() {
+    let bench = [drive(1, "10", ""), drive(2, "10", ""), drive(3, "10", "")].concat();
+    for (line, asked) in [
+        ("-a 1-3 statemachine quick-stop", 3),
+        ("-a 1-3 --drive acu statemachine quick-stop", 1),
+        ("-a 1-3 --drive acu sollwert 0Hz", 0),
+    ] {
+        let all = sent(&running(line, &bench));
+        let word = |hex: &str| ["03 06 01 9A", "03 65 01 E4"].iter().any(|word| hex.starts_with(word));
+        let before = all.iter().take_while(|(_, hex)| !word(hex));
+        assert_eq!(before.filter(|(_, hex)| hex.get(3..5) == Some("2B")).count(), asked, "{line}: {all:?}");
+    }
+}
+
+#[test]
+fn what_is_said_of_a_drive_in_the_round_names_it() {
+    let bench = [drive(1, "10", ""), drive(2, "10", "")].concat();
+    let run = running("-a 1,2 --drive lxm05 statemachine quick-stop", &bench);
+    for address in [1, 2] {
+        let named = format!("address {address}: the drive refuses the stop of a lxm05");
+        assert_eq!(run.err.matches(&named).count(), 1, "{}", run.err);
+    }
+}
+
+/// Nobody waits, so nothing is hurried: behind the state it is asked at once who has control.
+#[test]
+fn one_drive_alone_is_asked_for_its_shaft_when_it_is_known_what_it_obeys() {
+    let all = sent(&running("-a 1 --drive acu statemachine quick-stop", &drive(1, "10", "")));
+    let place = |begins: &str| all.iter().position(|(_, hex)| hex.starts_with(begins)).unwrap();
+    assert!(place("01 03 01 9B") < place("01 03 61 9C") && place("01 03 61 9C") < place("01 64 00 D2"), "{all:?}");
+}
+
+/// A proof of no power is none for a shaft that turns without it: the strongest stop goes out too, and is told.
+#[test]
+fn a_shaft_that_turns_without_power_gets_the_stronger_stop() {
+    let turning = drive(1, "10", "").replace("\"410\" = 15", "\"217\" = 5, \"410\" = 0");
+    let run = running("-a 1 statemachine quick-stop", &turning);
+    assert_eq!((run.exit, run.data("/stop/choice"), run.data("/stop/standing")), (8, &"coast".into(), &false.into()));
+}
+
+/// The setting says that the drive takes the power when the shaft stands; that is no standstill where the look behind it is lost.
+#[test]
+fn a_standstill_that_only_a_setting_promises_is_none_where_the_look_behind_it_is_lost() {
+    let mut unproven = 0;
+    for telegrams in 30..44 {
+        let silent = format!("[[drive.event]]\nafter_telegrams = {telegrams}\nsilent = \"10min\"");
+        let ramps = "ramps = { up_right = 50, down_right = 5, up_left = 50, down_left = 5 }\n";
+        let run = antrieb("-b 19200 -a 1 --drive acu statemachine disable").on(&drive(
+            1,
+            "10",
+            &(ramps.to_owned() + &silent),
+        ));
+        let run = run.json();
+        if run.data("/running") == false && run.data("/standing").is_null() {
+            unproven += 1;
+            assert_eq!(run.exit, 8, "{telegrams}: {:#}", run.value);
+        }
+    }
+    assert!(unproven >= 4, "{unproven}");
+}
