@@ -1,5 +1,6 @@
 //! How long something may take: looks and their pauses, what a bad line may cost, and when waiting ends.
 
+use super::relief::UNCHANGED;
 use super::shaft::Watch;
 use super::{Motor, look};
 use crate::failure::{Class, Failure};
@@ -61,7 +62,8 @@ impl Wait {
 impl Motor<'_, '_> {
     /// A wait that begins now.
     pub(super) fn wait(&self) -> Wait {
-        Wait::new(self.session.now(), self.patience)
+        let most = if self.relieving.is_some() { UNCHANGED } else { self.patience };
+        Wait::new(self.session.now(), self.patience.min(most))
     }
 
     /// Pause between looks that leaves the drive's watchdog room for the telegrams between.

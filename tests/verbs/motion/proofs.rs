@@ -1,6 +1,6 @@
 //! What proves something and what does not, look by look: control, power, standstill, and who is there.
 
-use super::rig::{READY, drive, held, run_at_20_hz};
+use super::rig::{READY, RUNNING, alone, drive, held, run_at_20_hz};
 use super::runs::with_motor;
 use crate::run::antrieb;
 use antrieb::drive::motion::{Motor, StopChoice, look};
@@ -124,4 +124,18 @@ fn where_two_answers_differed_nothing_is_enabled_later_either() {
         },
         |bench| assert_eq!(bench.totals().energised, 0),
     );
+}
+
+/// A drive that holds its shaft for long (P.638) is asked how long that takes, and one that turns on is told as that: whoever is
+/// ready to wait for longer gets no other stop, and no other reason.
+#[test]
+fn a_longer_wait_makes_no_stop_worse() {
+    for wait in ["", "--wait 9s", "--wait 30s", "--wait 5min"] {
+        let holds = drive(&format!("{RUNNING}, \"638\" = 20"), "");
+        let run = alone(&format!("statemachine disable {wait}"), &holds).exits(0);
+        assert_eq!(run.data("/running"), &json!(false), "{wait}: {:#}", run.value);
+        let lifted = drive(&RUNNING.replace("\"418\" = 0", "\"418\" = \"3.5\""), "");
+        let run = alone(&format!("sollwert 0 {wait}"), &lifted).exits(1);
+        assert_eq!((&run.error()["code"], run.data("/running")), (&json!("no.not_standing"), &json!(true)), "{wait}");
+    }
 }
