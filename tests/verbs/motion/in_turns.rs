@@ -143,3 +143,30 @@ fn a_standstill_that_only_a_setting_promises_is_none_where_the_look_behind_it_is
     }
     assert!(unproven >= 4, "{unproven}");
 }
+
+/// Where P.412 makes contacts of the control word, no command goes out in its place: it would close some.
+#[test]
+fn beside_others_too_a_drive_that_obeys_contacts_gets_no_command() {
+    let contacts = drive(1, "10", "").replace("\"410\" = 15, \"412\" = 1", "\"410\" = 3, \"412\" = 2");
+    for verb in ["disable", "quick-stop"] {
+        let run = running(&format!("-a 1,2 statemachine {verb}"), &[contacts.clone(), drive(2, "10", "")].concat());
+        let all = sent(&run);
+        let words: Vec<_> = all.iter().filter_map(|(_, hex)| hex.strip_prefix("01 06 01 9A ")?.get(..5)).collect();
+        assert!(words.iter().all(|word| ["00 02", "00 01", "00 00"].contains(word)), "{verb}: {words:?}");
+        assert_eq!(words.last(), Some(&"00 00"), "{verb}");
+        assert!(all.iter().any(|(_, hex)| hex.starts_with("01 03 61 9C")), "{verb}: P.412 is asked");
+    }
+}
+
+/// A word to one drive alone is said again as soon as an answer could have come, five times, and so is a zero.
+#[test]
+fn one_drive_alone_is_told_five_times_without_a_pause() {
+    for (line, word) in [("statemachine quick-stop", "01 06 01 9A"), ("sollwert 0Hz", "01 65 01 E4")] {
+        let all = sent(&running(&format!("-a 1 --drive acu {line}"), &drive(1, "10", DEAD)));
+        let words =
+            all.iter().skip_while(|(_, hex)| !hex.starts_with(word)).take_while(|(_, hex)| hex.starts_with(word));
+        let at: Vec<f64> = words.map(|(at, _)| *at).collect();
+        assert_eq!(at.len(), 5, "{line}: {all:?}");
+        assert!(at.windows(2).all(|pair| (250.0..260.0).contains(&(pair[1] - pair[0]))), "{line}: {at:?}");
+    }
+}
