@@ -152,6 +152,11 @@ impl Settings {
         self.origins.get(name).cloned().unwrap_or_default()
     }
 
+    /// Whether somebody has typed which drives are meant, by address or by name.
+    pub fn names_drives(&self) -> bool {
+        self.typed.globals.address.is_some()
+    }
+
     /// The family that was typed: whoever types it knows better than the drive. What a file states is asked.
     pub fn named_drive(&self) -> Option<&str> {
         self.drive.as_deref().filter(|_| self.origin("drive") == Origin::Flag)

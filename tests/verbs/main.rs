@@ -23,6 +23,7 @@ mod run;
 /// What a drive holds: parameters and data sets.
 mod parameters {
     mod all_or_none;
+    mod at_every_telegram;
     mod comparing;
     mod ends;
     mod interrupted;

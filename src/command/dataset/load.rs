@@ -12,7 +12,7 @@ use crate::drive::transaction::{self, Applied, Plan, UndoPlace, fits};
 use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
-use crate::outcome::{LoadEnd, Outcome, Warning, WriteResult};
+use crate::outcome::{Load, LoadEnd, Outcome, Warning, WriteResult};
 use crate::profile::paramfile::{ParamFile, SavedDrive};
 use crate::profile::{Family, Registry};
 use crate::text::both;
@@ -103,12 +103,7 @@ async fn load_into(
             report.ended = Some(LoadEnd::Done);
             return Ok(whole(report, plan, Vec::new(), None).into());
         }
-        // A script is told what it would have been asked about.
-        Err(denied) if !ask.is_there() => {
-            report.ended = Some(LoadEnd::Untouched);
-            return Ok(whole(report, plan, Vec::new(), Some(denied)).into());
-        }
-        Err(denied) => return Err(denied),
+        Err(denied) => return not_agreed(denied, *ask, report, plan),
     };
     let left = place.leave(&head, &plan).map_err(unbegun)?;
     let done = transaction::apply(&mut session, &mut plan, &terms, &permit, &left).await;
@@ -142,9 +137,9 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let address = only_one(&addresses_to_write(context.settings)?)?;
     let opened = Opened::read(&args.file, context.registry, context.settings.named_drive())?;
     let Opened { file, family, .. } = opened;
+    let (steps, from) = transaction::steps_back(&file, &family)?;
     same_address(&file, (address, context.settings.node), context.settings.force)?;
     let mut report = blank(address, &family.drive, vec![args.file.display().to_string()], Vec::new());
-    let (steps, from) = transaction::steps_back(&file, &family)?;
     if context.settings.dry_run {
         // What stood in the drive is not judged.
         return dry_run(context, report, &family, &steps, |_, _| Ok(()));
@@ -165,11 +160,21 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
         report.ended = Some(LoadEnd::Untouched);
         return Ok(whole(report, plan, Vec::new(), Some(failure)).into());
     }
-    let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await? {
-        Some(permit) => transaction::undo(&mut session, &mut plan, &permit).await,
-        None => Applied::default(),
+    let undone = match permit(&mut session, *ask, &plan, Act::Undo(&args.file)).await {
+        Ok(Some(permit)) => transaction::undo(&mut session, &mut plan, &permit).await,
+        Ok(None) => Applied::default(),
+        Err(denied) => return not_agreed(denied, *ask, report, plan),
     };
     Ok(undone_outcome(report, plan, theirs, undone))
+}
+
+/// Nobody said yes: where nobody could be asked, a script is told what it would have been asked about.
+fn not_agreed(denied: Failure, ask: &dyn Ask, report: Load, plan: Plan) -> Result<Outcome, Failure> {
+    if ask.is_there() {
+        return Err(denied);
+    }
+    let report = Load { ended: Some(LoadEnd::Untouched), ..report };
+    Ok(whole(report, plan, Vec::new(), Some(denied)).into())
 }
 
 /// What is asked about.

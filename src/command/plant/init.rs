@@ -1,6 +1,6 @@
 //! `init`: the project file of a plant, from a scan.
 
-use crate::args::{Addresses, Origin, Settings, Takes, in_directory, usb_ports};
+use crate::args::{Addresses, Settings, Takes, in_directory, usb_ports};
 use crate::command::verb::{Flow, Verb, Working};
 use crate::command::{Context, scan};
 use crate::drive::Upper;
@@ -74,7 +74,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
 /// The settings of the search. --force replaces the file; beside another master nobody asks because of it.
 fn searched(args: &Args, settings: &Settings) -> Result<Settings, Failure> {
     let mut settings = Settings { force: false, ..settings.clone() };
-    if settings.origin("address") != Origin::Flag {
+    if !settings.names_drives() {
         // What an old file names is not all that may be there.
         settings.addresses = Addresses::Unnamed;
     }

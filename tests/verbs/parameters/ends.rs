@@ -1,10 +1,10 @@
-//! A run of `dataset` on a drive of its own in virtual time, and how it is brought to its end.
+//! A run of `dataset` or `apply` in virtual time, and how it is brought to its end.
 //!
 //! Ctrl-C and SIGTERM are one wish to end here; a kill -9 is a program that is gone between two telegrams.
 
 use crate::agreeable::Agreeable;
-use antrieb::args::{Environment, Globals, Settings};
-use antrieb::command::{Context, dataset};
+use antrieb::args::{Environment, Globals, Settings, settings_of_plant};
+use antrieb::command::{Context, VERBS};
 use antrieb::drive::Interrupt;
 use antrieb::failure::Failure;
 use antrieb::outcome::{Data, Event, Load, Outcome};
@@ -12,22 +12,9 @@ use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::tick::Tick;
 use antrieb::transport::witness;
-use clap::Parser;
+use clap::{Args, FromArgMatches};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
-
-#[derive(Parser)]
-struct Cli {
-    #[command(subcommand)]
-    verb: Verb,
-    #[command(flatten)]
-    globals: Globals,
-}
-
-#[derive(clap::Subcommand)]
-enum Verb {
-    Dataset(dataset::Args),
-}
 
 /// A drive, and how it is reached.
 #[derive(Clone, Copy)]
@@ -91,47 +78,12 @@ impl Case {
     /// Runs what is typed behind `dataset`.
     pub(super) fn run(&self, registry: &Registry, dir: &Path, words: &str, end: End, step: usize) -> Seen {
         let line = format!(
-            "antrieb -p sim:{0}/bench.toml --drive {1} -a 1 --yes {2} dataset {words}",
+            "-p sim:{0}/bench.toml --drive {1} -a 1 --yes {2} dataset {words}",
             dir.display(),
             self.model,
             self.options
         );
-        let cli = Cli::parse_from(line.replace("{dir}", &dir.display().to_string()).split_whitespace());
-        let environment = Environment { directory: dir.to_owned(), ..Environment::default() };
-        let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
-        let (interrupt, mut telegrams) = (Interrupt::default(), 0);
-        let mut sent = 0;
-        let wish = interrupt.clone();
-        let mut observe = |event: Event| {
-            if let Event::Telegram { direction, .. } = event {
-                telegrams += 1;
-                sent += usize::from(direction == '>');
-                match end {
-                    End::Wish | End::Twice if telegrams == step => wish.press(),
-                    End::Twice if telegrams == step + 5 => wish.press(),
-                    End::Killed if telegrams == step => resume_unwind(Box::new("kill -9")),
-                    _ => {}
-                }
-            }
-        };
-        witness::call(true);
-        witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
-        let mut ask = Agreeable;
-        let mut context = Context {
-            settings: &settings,
-            registry,
-            ask: &mut ask,
-            observe: &mut observe,
-            interrupt,
-            sheet: antrieb::render::sheet,
-            calls: None,
-        };
-        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-        let Verb::Dataset(args) = &cli.verb;
-        let ended = catch_unwind(AssertUnwindSafe(|| runtime.block_on(dataset::run(args, &mut context))));
-        witness::pull_after(None);
-        let killed = ended.is_err();
-        let outcome = ended.unwrap_or_else(|_| Ok(Outcome::default())).unwrap_or_else(Outcome::from);
+        let Ended { telegrams, sent, killed, outcome } = brought_to_end(dir, &line, registry, end, step);
         let warnings = outcome.warnings.iter().map(|warning| warning.message.en.to_string()).collect();
         let load = match outcome.data {
             Some(Data::Load(load)) => Some(load),
@@ -140,4 +92,58 @@ impl Case {
         let (bench, at) = witness::left().unwrap_or_else(|| panic!("{words}: {:?}", outcome.failure));
         Seen { telegrams, sent, load, failure: outcome.failure, warnings, killed, bench, at }
     }
+}
+
+/// What came of a command line; of one that was killed nothing.
+pub(super) struct Ended {
+    pub(super) telegrams: usize,
+    pub(super) sent: usize,
+    pub(super) killed: bool,
+    pub(super) outcome: Outcome,
+}
+
+/// Runs a command line, in which `{dir}` is this directory, to this end at this telegram. What a drive does stands in its bench.
+pub(super) fn brought_to_end(dir: &Path, line: &str, registry: &Registry, end: End, step: usize) -> Ended {
+    let line = line.replace("{dir}", &dir.display().to_string());
+    let tree = Globals::augment_args(clap::Command::new("antrieb"));
+    let tree = tree.subcommands(VERBS.iter().map(|verb| (verb.command)()));
+    let matches = tree.get_matches_from(["antrieb"].into_iter().chain(line.split_whitespace()));
+    let (name, own) = matches.subcommand().unwrap();
+    let entry = VERBS.iter().find(|verb| verb.name == name).unwrap();
+    let (verb, globals) = ((entry.typed)(own).unwrap(), Globals::from_arg_matches(&matches).unwrap());
+    let environment = Environment { directory: dir.to_owned(), ..Environment::default() };
+    let resolve = if entry.of_plant { settings_of_plant } else { Settings::resolve };
+    let settings = Settings { verbose: true, ..resolve(&globals, &environment).unwrap() };
+    let (interrupt, mut telegrams, mut sent) = (Interrupt::default(), 0, 0);
+    let wish = interrupt.clone();
+    let mut observe = |event: Event| {
+        if let Event::Telegram { direction, .. } = event {
+            telegrams += 1;
+            sent += usize::from(direction == '>');
+            match end {
+                End::Wish | End::Twice if telegrams == step => wish.press(),
+                End::Twice if telegrams == step + 5 => wish.press(),
+                End::Killed if telegrams == step => resume_unwind(Box::new("kill -9")),
+                _ => {}
+            }
+        }
+    };
+    witness::call(true);
+    witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
+    let mut ask = Agreeable;
+    let mut context = Context {
+        settings: &settings,
+        registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet: antrieb::render::sheet,
+        calls: None,
+    };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let ended = catch_unwind(AssertUnwindSafe(|| runtime.block_on(verb.run(&mut context))));
+    witness::pull_after(None);
+    let killed = ended.is_err();
+    let outcome = ended.unwrap_or_else(|_| Ok(Outcome::default())).unwrap_or_else(Outcome::from);
+    Ended { telegrams, sent, killed, outcome }
 }

@@ -193,6 +193,13 @@ fn an_undo_file_belongs_to_one_drive_and_leaves_what_somebody_changed_since() {
     run(&since, "--force").exits(0);
     let none = run(&file("372 = 1400"), "").exits(7).err;
     assert!(none.contains("has no table [undo]"), "{none}");
+    // That it is none goes before whose it is.
+    let none = run(&file("372 = 1400").replace("[values]", "address = 3\n[values]"), "").exits(7).err;
+    assert!(none.contains("has no table [undo]"), "{none}");
+    // Where nobody can be asked, what would have been asked about is told.
+    let quiet = antrieb("-a 1 dataset undo {dir}/u.toml").on(FRESH).file("u.toml", &undo.replace("address = 3\n", ""));
+    let told = quiet.json().exits(8);
+    assert_eq!((told.data("/ended"), told.data("/values/0/raw")), (&"untouched".into(), &1400.into()));
 }
 
 #[test]

@@ -1,16 +1,12 @@
 //! `init`, `plan`, `apply`, `check`: a plant of several lines, and whatever goes wrong on one of them.
 
-use crate::agreeable::Agreeable;
+use super::ends::{End, Ended, brought_to_end};
 use crate::run::{Document, Run, antrieb};
-use antrieb::args::{Environment, Globals, settings_of_plant};
-use antrieb::command::{Context, VERBS};
-use antrieb::drive::Interrupt;
 use antrieb::failure::Class;
-use antrieb::outcome::{Data, Event, Outcome, Plant, PlantState};
+use antrieb::outcome::{Data, Outcome, Plant, PlantState};
 use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::transport::witness;
-use clap::{Args, FromArgMatches};
 use std::path::Path;
 
 const ACT: &str = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n\"372@1\" = 1440\n\"480@2\" = \"20 Hz\"\n";
@@ -190,37 +186,9 @@ fn a_drive_that_runs_is_left_out() {
 
 /// Runs with a wish to end behind so many telegrams.
 fn wished(directory: &Path, words: &str, after: usize) -> (usize, Outcome) {
-    let tree = VERBS.iter().map(|verb| (verb.command)());
-    let tree = Globals::augment_args(clap::Command::new("antrieb")).subcommands(tree);
-    let matches = tree.get_matches_from(["antrieb"].into_iter().chain(words.split(' ')));
-    let (name, own) = matches.subcommand().unwrap();
-    let verb = (VERBS.iter().find(|verb| verb.name == name).unwrap().typed)(own).unwrap();
-    let globals = Globals { verbose: 1, ..Globals::from_arg_matches(&matches).unwrap() };
-    let environment = Environment { directory: directory.to_owned(), ..Environment::default() };
-    let settings = settings_of_plant(&globals, &environment).unwrap();
-    let (registry, interrupt) = (Registry::open(&[]).unwrap(), Interrupt::default());
-    let (pressed, mut heard) = (interrupt.clone(), 0);
-    let mut observe = |event: Event| {
-        heard += usize::from(matches!(event, Event::Telegram { .. }));
-        if heard == after {
-            heard += 1;
-            pressed.press();
-        }
-    };
-    let mut ask = Agreeable;
-    let mut context = Context {
-        settings: &settings,
-        registry: &registry,
-        ask: &mut ask,
-        observe: &mut observe,
-        interrupt,
-        sheet: antrieb::render::sheet,
-        calls: None,
-    };
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-    witness::call(true);
-    let outcome = runtime.block_on(verb.run(&mut context)).unwrap_or_else(Outcome::from);
-    (heard, outcome)
+    let Ended { telegrams, outcome, .. } =
+        brought_to_end(directory, words, &Registry::open(&[]).unwrap(), End::Wish, after);
+    (telegrams, outcome)
 }
 
 /// Ctrl-C behind every telegram: what is said of each drive is true.
@@ -423,6 +391,17 @@ fn init_writes_what_it_found_and_replaces_nothing_unasked() {
     }
     let nobody = antrieb("-a 3-5 init").on(TWO).exits(1);
     assert!(!nobody.directory().join("antrieb.toml").exists());
+}
+
+#[test]
+fn init_searches_for_the_drives_that_were_named() {
+    let config = "port = \"sim:{dir}/left.bench\"\n[drives.fan]\naddress = 1\n[drives.pump]\naddress = 2\n\
+                  [groups]\none = [\"fan\"]\n";
+    for who in ["fan", "@one", "1"] {
+        let run = antrieb(&format!("-a {who} init {{dir}}/new.toml"));
+        let text = with(run, config, [TWO, TWO, ONE]).exits(0).text_of("new.toml");
+        assert!(text.contains("address = 1\n") && !text.contains("address = 2"), "{who}: {text}");
+    }
 }
 
 /// Every command of docs/plant.md, each in a directory of its own.

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-const ENDS: &[End] = &[
+pub(super) const ENDS: &[End] = &[
     End::Wish,
     End::Twice,
     End::Pulled,
@@ -109,9 +109,16 @@ fn random_file(family: &Family, fresh: &Drive, dice: &mut Dice, count: usize) ->
     (text, lines.into_keys().collect())
 }
 
-/// Every cell of the only drive: number, data set as on the wire.
-fn cells(bench: &Bench, family: &Family) -> BTreeMap<(u32, u8), i64> {
-    let drive = bench.drives().next().unwrap();
+/// Cells of a drive: what stands at each number and data set as on the wire.
+pub(super) type Cells = BTreeMap<(u32, u8), i64>;
+
+/// Every cell of the only drive.
+fn cells(bench: &Bench, family: &Family) -> Cells {
+    cells_of(bench.drives().next().unwrap(), family)
+}
+
+/// Every cell of a drive that a file can reach.
+pub(super) fn cells_of(drive: &Drive, family: &Family) -> Cells {
     let settings = family.params.values().filter(|param| family.files.goes(param) <= Goes::IfAsked);
     let mut cells = BTreeMap::new();
     for param in settings {
@@ -125,7 +132,7 @@ fn cells(bench: &Bench, family: &Family) -> BTreeMap<(u32, u8), i64> {
 }
 
 /// Cells that differ.
-fn differing(one: &BTreeMap<(u32, u8), i64>, other: &BTreeMap<(u32, u8), i64>) -> Vec<(u32, u8)> {
+pub(super) fn differing(one: &Cells, other: &Cells) -> Vec<(u32, u8)> {
     one.iter().filter(|(cell, raw)| other.get(cell) != Some(raw)).map(|(cell, _)| *cell).collect()
 }
 
@@ -135,8 +142,8 @@ struct Trial<'t> {
     family: &'t Family,
     file: String,
     wanted: Vec<(u32, u8)>,
-    before: BTreeMap<(u32, u8), i64>,
-    after: BTreeMap<(u32, u8), i64>,
+    before: Cells,
+    after: Cells,
     most: u64,
     sins: Vec<String>,
 }
@@ -304,11 +311,18 @@ fn trial(files: u64, stride: usize) -> String {
     text
 }
 
+#[expect(clippy::disallowed_methods, reason = "how long a trial is its caller says")]
+fn number(name: &str) -> Option<u64> {
+    std::env::var(name).ok()?.parse().ok()
+}
+
+/// Every how many telegrams an end comes.
+pub(super) fn stride(usual: u64) -> usize {
+    number("LOADS_STRIDE").unwrap_or(usual) as usize
+}
+
 /// LOADS_STRIDE=1 takes every telegram (the long form), LOADS_FILES so many random files.
 #[test]
-#[expect(clippy::disallowed_methods, reason = "how long a trial is its caller says")]
 fn no_end_at_any_telegram_leaves_a_drive_unlike_before_without_naming_it() {
-    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let (files, stride) = (number("LOADS_FILES").unwrap_or(1), number("LOADS_STRIDE").unwrap_or(29));
-    println!("{}", trial(files, stride as usize));
+    println!("{}", trial(number("LOADS_FILES").unwrap_or(1), stride(29)));
 }
