@@ -334,7 +334,10 @@ pub(super) fn undone_outcome(mut report: Load, plan: Plan, theirs: Vec<Failure>,
     let mut failures = failures.into_iter().chain(theirs);
     let failure = failures.next().map(|first| match is_untouched {
         true => unchanged(first),
-        false if ended == LoadEnd::Stored && is_all => Failure { message: stored(&first.message, count), ..first },
+        // Also where the last look was cut short: everything was written, and that is no mere silence.
+        false if ended == LoadEnd::Stored && is_all => {
+            Failure { class: Class::Partial, message: stored(&first.message, count), ..first }
+        }
         false => {
             let message = unlike(&first.message, named);
             Failure { class: Class::Partial, code: "partial.undo".to_owned(), message, ..first }

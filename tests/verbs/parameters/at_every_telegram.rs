@@ -1,14 +1,47 @@
-//! The trial of a plant: `apply`, and every way in which it can end, at every telegram. Afterwards the bench itself is asked: is each
-//! drive as it was wanted, or as it was before, or was every differing value named; and did the EEPROM bear no more than was
-//! announced? `transactions` is the same of `dataset load`.
+//! The trial of the way back and of a plant: `dataset undo` and `apply`, and every way in which they can end, at every telegram.
+//! Afterwards the bench itself is asked: is each drive as it was wanted, or as it was before, or was every differing value named;
+//! and did the EEPROM bear no more than was announced? `transactions` is the same of `dataset load`.
 
-use super::ends::{End, brought_to_end};
+use super::ends::{Case, End, Ended, brought_to_end};
 use super::transactions::{Cells, ENDS, cells_of, differing, stride};
-use antrieb::outcome::{Data, Load, Outcome, Plant, PlantState, WriteResult};
+use antrieb::outcome::{Data, Load, LoadEnd, Outcome, Plant, PlantState, WriteResult};
 use antrieb::profile::Registry;
 use antrieb::simulator::Bench;
 use antrieb::tick::{Span, Tick};
 use antrieb::transport::witness;
+use std::path::Path;
+
+/// What a load has left, and the undo file that it has left: the drive, its keys, the old values, the new ones.
+const LEFT: &[(&str, &str, &str, &str)] = &[
+    (
+        "act",
+        "set = { \"372@1\" = 1440, \"480@2\" = -12.5, \"419\" = 60, \"412@4\" = 1 }",
+        "\"372@1\" = 1390\n\"480@2\" = 5\n419 = 50\n\"412@4\" = 44",
+        "{ \"372@1\" = 1440, \"480@2\" = -12.5, 419 = 60, \"412@4\" = 1 }",
+    ),
+    (
+        "acu",
+        "protocol = \"ascii\"\nset = { \"30\" = 210, \"480\" = 7, \"372@3\" = 1450 }",
+        "30 = 110\n480 = 5\n\"372@3\" = 1390",
+        "{ 30 = 210, 480 = 7, \"372@3\" = 1450 }",
+    ),
+    (
+        "acu",
+        "protocol = \"vabus\"\nset = { \"481@2\" = 7, \"372@3\" = 1450 }",
+        "\"481@2\" = 10\n\"372@3\" = 1390",
+        "{ \"481@2\" = 7, \"372@3\" = 1450 }",
+    ),
+    ("lxm05", "set = { RAMPacc = 3000, HMn = 61, JOGn_slow = 30 }", SERVO_BEFORE, SERVO_AFTER),
+    // What nobody can see stands in its RAM.
+    (
+        "act",
+        "readings = { ram_reads = \"refused\" }\nset = { \"480@2ram\" = 7, \"372@1\" = 1440 }",
+        "\"480@2\" = 5\n\"372@1\" = 1390",
+        "{ \"480@2\" = 7, \"372@1\" = 1440 }",
+    ),
+];
+const SERVO_BEFORE: &str = "RAMPacc = 600\nHMn = 60\nJOGn_slow = 60";
+const SERVO_AFTER: &str = "{ RAMPacc = 3000, HMn = 61, JOGn_slow = 30 }";
 
 /// Every step at which this end comes; what a drive does behind the last proof, nobody sees.
 fn steps(end: End, shift: usize, stride: usize, (telegrams, sent): (usize, usize)) -> impl Iterator<Item = usize> {
@@ -28,6 +61,110 @@ fn is_named((id, set): (u32, u8), load: &Load, warnings: &str) -> bool {
 
 fn text_of(outcome: &Outcome) -> String {
     outcome.warnings.iter().map(|warning| warning.message.en.to_string()).collect()
+}
+
+/// What is wrong with how an undo ended.
+fn judge(outcome: &Outcome, (before, wanted, now): (&Cells, &Cells, &Cells), worn: u64) -> Vec<String> {
+    let mut sins = Vec::new();
+    let exit = outcome.failure.as_ref().map_or(0, |failure| failure.class.exit());
+    let unlike = differing(wanted, now);
+    let Some(Data::Load(load)) = &outcome.data else {
+        let changed = differing(before, now);
+        return if exit == 0 || !changed.is_empty() { vec![format!("no report: {changed:?}")] } else { sins };
+    };
+    if worn > load.eeprom_writes {
+        sins.push(format!("EEPROM written {worn} times, announced were {}", load.eeprom_writes));
+    }
+    let is_right = match load.ended {
+        Some(LoadEnd::Done) => exit == 0 && unlike.is_empty(),
+        Some(LoadEnd::Untouched) | None => exit != 0 && differing(before, now).is_empty(),
+        Some(LoadEnd::Torn | LoadEnd::Stored) => {
+            let told = text_of(outcome);
+            exit == 9 && unlike.iter().all(|cell| is_named(*cell, load, &told))
+        }
+        Some(LoadEnd::Back) => false,
+    };
+    if !is_right {
+        let why = outcome.failure.as_ref().map(|failure| failure.message.en.to_string());
+        sins.push(format!("ended {:?}, exit {exit}, differs from what was wanted: {unlike:?} ({why:?})", load.ended));
+    }
+    sins
+}
+
+#[test]
+fn no_end_at_any_telegram_of_an_undo_is_called_done_and_is_not() {
+    let registry = Registry::open(&[]).unwrap();
+    let (stride, mut runs, mut sins) = (stride(11), 0, Vec::new());
+    let mut seen = std::collections::BTreeSet::new();
+    for (nth, &(model, keys, old, new)) in LEFT.iter().enumerate() {
+        let family = registry.family(model).unwrap();
+        let protocol = keys.split('"').nth(1).filter(|_| keys.starts_with("protocol")).unwrap_or("rtu");
+        let options = format!("--protocol {protocol}").leak();
+        let case = Case { model, keys, options, ram: false };
+        let undo = format!(
+            "antrieb = 1\n[drive]\nfamily = \"{model}\"\n[values]\n{old}\n[undo]\nmemory = \"eeprom\"\nvalues = {new}\n"
+        );
+        let run = |end, step, victim| {
+            let dir = tempfile::tempdir().unwrap();
+            std::fs::write(dir.path().join("bench.toml"), case.bench(end, step, victim)).unwrap();
+            std::fs::write(dir.path().join("u.toml"), &undo).unwrap();
+            (undone(dir.path(), &case, &registry, end, step), dir)
+        };
+        let fresh = Bench::from_toml("bench", &case.bench(End::Whole, 0, (0, 0)), &registry).unwrap();
+        let before = cells_of(fresh.drives().next().unwrap(), &family);
+        let ((whole, bench, _), _) = run(End::Whole, 0, (0, 0));
+        assert!(whole.outcome.failure.is_none(), "{model}: {:?}", whole.outcome.failure);
+        let wanted = cells_of(bench.drives().next().unwrap(), &family);
+        let victims = differing(&before, &wanted);
+        assert!(victims.len() > 1, "{model}: {victims:?}");
+        for (shift, &end) in ENDS.iter().enumerate() {
+            // What stands in a RAM alone goes with the power by itself.
+            if end == End::Power && keys.contains("ram\"") {
+                continue;
+            }
+            for step in steps(end, shift + nth, stride, (whole.telegrams, whole.sent)) {
+                runs += 1;
+                let (id, set) = victims[step % victims.len()];
+                let ((ended, bench, at), dir) = run(end, step, (id, set % 5));
+                let now = cells_of(bench.drives().next().unwrap(), &family);
+                let mut found: Vec<String> = bench.remarks().iter().map(ToString::to_string).collect();
+                if !ended.killed {
+                    found.extend(judge(&ended.outcome, (&before, &wanted, &now), bench.totals().eeprom_writes));
+                }
+                seen.insert(ended.outcome.failure.as_ref().map(|failure| failure.class.exit()));
+                // Once more, when everything is well again.
+                if end != End::Refuses {
+                    let again = |bench, at| {
+                        later(bench, at);
+                        undone(dir.path(), &case, &registry, End::Whole, 0)
+                    };
+                    let (mut again_ended, mut bench, at) = again(bench, at);
+                    // What the drive was to do may have been left for it.
+                    if again_ended.outcome.failure.is_some() {
+                        (again_ended, bench, _) = again(bench, at);
+                    }
+                    let again = again_ended;
+                    let unlike = differing(&wanted, &cells_of(bench.drives().next().unwrap(), &family));
+                    if again.outcome.failure.is_some() || !unlike.is_empty() {
+                        found.push(format!("undone again, differs: {unlike:?} ({:?})", again.outcome.failure));
+                    }
+                }
+                sins.extend(found.into_iter().map(|sin| format!("{model} {keys}: {end:?} at {step}: {sin}")));
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{runs} ends, {} wrong\n{}", sins.len(), sins.join("\n"));
+    assert!([None, Some(9), Some(130)].iter().all(|exit| seen.contains(exit)), "{seen:?}");
+}
+
+fn undone(dir: &Path, case: &Case, registry: &Registry, end: End, step: usize) -> (Ended, Bench, Tick) {
+    let line = format!(
+        "-p sim:{{dir}}/bench.toml --drive {} -a 1 --yes {} dataset undo {{dir}}/u.toml",
+        case.model, case.options
+    );
+    let ended = brought_to_end(dir, &line, registry, end, step);
+    let (bench, at) = witness::left().unwrap();
+    (ended, bench, at)
 }
 
 /// The bench stands there when everything is well again.

@@ -43,6 +43,7 @@ const CASES: &[Case] = &[
     },
     Case { model: "lxm05", keys: "", options: "", ram: false },
     Case { model: "act", keys: OTHER_RAM, options: "", ram: false },
+    Case { model: "act", keys: "readings = { ram_reads = \"refused\" }", options: "", ram: false },
 ];
 
 /// Somebody has written to the RAM what is not stored.
