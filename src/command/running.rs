@@ -3,7 +3,7 @@
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
+    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -37,6 +37,8 @@ pub(super) struct Plan<'p> {
     pub(super) announce: Text,
     /// What to know besides before one agrees.
     pub(super) details: Vec<Text>,
+    /// What is shown of the drive's own settings: still so when somebody has agreed, or nothing is done.
+    pub(super) promises: Vec<Promise>,
     /// How the run is bounded.
     pub(super) args: &'p MotionArgs,
     /// The control word is needed, so it must be obeyed.
@@ -63,6 +65,7 @@ impl<'p> Plan<'p> {
             action,
             announce,
             details,
+            promises: Vec::new(),
             args,
             needs_control: true,
             aim,
@@ -230,7 +233,7 @@ async fn on_drive<'p, C>(
     let checked = checked.map_err(unstopped)?;
     let permit = match plan.relief {
         Some(act) => act.permit(),
-        None => agreed(session, *ask, &target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
+        None => agreed(session, *ask, &mut target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
             .await
             .map_err(|failure| if plan.said { but_said(unstopped(failure)) } else { failure })?,
     };
@@ -298,11 +301,11 @@ async fn first_look(
     }
 }
 
-/// Asks, with what was seen of the node.
+/// Asks, with what was seen of the node; what was shown must still be so behind the answer.
 async fn agreed(
     session: &mut Session<'_>,
     ask: &mut dyn Ask,
-    target: &Target,
+    target: &mut Target,
     plan: &Plan<'_>,
     (node, before): (u8, &Situation),
 ) -> Result<Permit<gate::Motion>, Failure> {
@@ -310,7 +313,11 @@ async fn agreed(
     one.map_err(|error| error.failure(target.address, Some(&target.family)))?;
     session.insist(false);
     session.end_at(None);
-    asking::on_line(session, ask, &question(plan, target, node, before)).await
+    let permit = asking::on_line(session, ask, &question(plan, target, node, before)).await?;
+    for promise in &plan.promises {
+        promise.demand(session, target).await?;
+    }
+    Ok(permit)
 }
 
 /// Sends what stops the drive, before anything is asked that it does not need, and notes in the plan whether something went out.

@@ -12,7 +12,7 @@ use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, offline, offline_family};
 use crate::args::{KeypadArgs, MotionArgs, Takes, below_zero, parse_span};
-use crate::drive::motion::{self, Motor, Situation};
+use crate::drive::motion::{self, Course, Motor, Situation};
 use crate::drive::{Panel, Session, Target, Upper};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -259,6 +259,7 @@ impl Giving<'_> {
         let needs_control = enable && !motion.take_control;
         let mut check = Check { args, session, target, before };
         let wanted = check.run(wanted, enable, needs_control).await?;
+        plan.promises.extend(wanted.promise.clone());
         plan.announce = announce(&wanted, &target.family, enable);
         plan.details.extend(wanted.told_keys(&target.family));
         plan.keys = wanted.shown_keys();
@@ -291,8 +292,9 @@ async fn carry_out(
         motor.change_param(param, *raw).await?;
     }
     if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
-        // A setpoint that still stands from before must not start the shaft.
-        motor.give(&wanted.param, 0, unit).await?;
+        // A setpoint that still stands from before must not start the shaft; nor does 0 where the drive then turns by itself.
+        let first = if enable && wanted.turns_at_zero() { wanted.schedule.at(0) } else { 0 };
+        motor.give(&wanted.param, first, unit).await?;
     }
     if enable {
         motor.walk("operation-enabled").await?;
@@ -322,7 +324,7 @@ async fn carry_out(
 
 /// Gives the last setpoint again and again, or what the keypad has made of it.
 async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, panel: &Panel) -> Result<(), Failure> {
-    let mut given = wanted.schedule.at(u64::MAX);
+    let (mut given, mut course) = (wanted.schedule.at(u64::MAX), Course::default());
     // What was pressed on the way meant nothing yet.
     panel.take_steps();
     motor
@@ -340,7 +342,13 @@ async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, p
                 given = before;
             }
             // Whatever keys come, it is given again.
-            if wanted.mode.zero { motor.refresh(&wanted.param, given).await } else { Ok(()) }
+            if wanted.mode.zero {
+                motor.refresh(&wanted.param, given).await?;
+            }
+            match &wanted.promise {
+                Some(promise) => motor.keeps(promise, &mut course).await,
+                None => Ok(()),
+            }
         })
         .await
 }

@@ -247,8 +247,9 @@ async fn enabling(
     plan: &mut Plan<'_>,
 ) -> Result<(), Failure> {
     if before.state != "operation-enabled" {
-        let told = upon_enabling(session, target).await?;
+        let (told, promises) = upon_enabling(session, target).await?;
         plan.tells(session, told);
+        plan.promises.extend(promises);
     }
     Ok(())
 }

@@ -5,6 +5,9 @@ use super::route::No;
 use crate::exchange::ExchangeError;
 use crate::transport::LinkError;
 
+/// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
+const SETS_DIFFER: u16 = 9;
+
 /// The drive understood the question and said no.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refusal {
@@ -40,6 +43,11 @@ impl AccessError {
     /// Whether the whole session is over, not just this question.
     pub fn is_fatal(&self) -> bool {
         matches!(self, AccessError::Link(_) | AccessError::Interrupted)
+    }
+
+    /// Whether the value is not the same in all data sets, so that set 0 has none.
+    pub fn sets_differ(&self) -> bool {
+        matches!(self, AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. }))
     }
 
     /// Whether the drive said no.

@@ -8,8 +8,6 @@ use crate::exchange::{Answer, ExchangeError};
 use crate::profile::{DataSets, Param, Role, Sets, Type, value};
 use crate::protocol::modbus::pdu::Exception;
 
-/// Error register: the sets have different values, so set 0 cannot be read (CM-485 manual 6.6, 7).
-const SETS_DIFFER: u16 = 9;
 /// Error register: the width of the telegram is not the one of the parameter (CM-485 manual 6.6).
 const WRONG_WIDTH: u16 = 14;
 /// Error register: wrong type (CM-485 manual 6.6).
@@ -42,7 +40,7 @@ impl Target {
         let mut rows = Vec::new();
         for set in sets.wire() {
             let result = self.read_set(session, param, set).await;
-            let differ = matches!(&result, Err(AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. })));
+            let differ = result.as_ref().is_err_and(AccessError::sets_differ);
             if !(differ && (set == 0 || set == DataSets::RAM_OFFSET)) {
                 let fatal = result.as_ref().is_err_and(AccessError::is_fatal);
                 rows.push((set, result));
@@ -92,7 +90,7 @@ impl Target {
         match self.read_as(session, param, cell, second).await {
             Ok(reading) => Ok(self.found(param, reading)),
             // It has this width: refused is set 0, because the four behind it differ.
-            Err(differ @ AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. })) => {
+            Err(differ) if differ.sets_differ() => {
                 self.widths.insert(param.id, second);
                 Err(differ)
             }

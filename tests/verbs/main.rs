@@ -73,6 +73,7 @@ mod motion {
     mod leftovers;
     mod moments;
     mod narrow;
+    mod otherwise;
     mod proofs;
     mod question;
     mod refused;

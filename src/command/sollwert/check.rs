@@ -3,7 +3,7 @@
 use super::wanted::{Total, Wanted, out_of_range};
 use super::{Args, in_hertz};
 use crate::args::StopArg;
-use crate::drive::motion::{Situation, may_change_mode, no_control, role_raw, working};
+use crate::drive::motion::{Own, Promise, Situation, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -52,12 +52,28 @@ impl Check<'_, '_> {
         for raw in wanted.values().filter(|_| !self.args.force) {
             check_range(raw, &wanted.param).map_err(|error| out_of_range(&wanted.param, &error))?;
         }
-        let source = self.source(&wanted).await?;
-        let added = self.added(&wanted, source).await?;
-        let limit = self.limit(&wanted, added.unwrap_or(0)).await?;
-        let least = self.floor(&wanted, source).await?;
+        let promise = Promise::read(self.session, self.target, &wanted.mode, &wanted.settings).await?;
+        let own = promise.own;
+        Self::is_obeyed(&wanted, own)?;
+        let added = self.added(&wanted, own).await?;
+        let limit = self.limit(&wanted, own, added.unwrap_or(0))?;
+        let least = self.floor(&wanted, own);
+        self.tells_unknown(&promise);
         wanted.effective = added.map(|added| Total { added, limit, least });
+        wanted.promise = Some(promise).filter(|_| wanted.mode.source.is_some());
         Ok(wanted)
+    }
+
+    /// What cannot be read may bend the setpoint all the same; told.
+    fn tells_unknown(&mut self, promise: &Promise) {
+        let unknown = promise.unknown(&self.target.family);
+        if !unknown.is_empty() {
+            self.session.tell(Event::Note(both!(
+                "the drive does not tell {unknown}: what it makes of the setpoint may be another one",
+                "der Antrieb nennt {unknown} nicht: was er aus dem Sollwert macht, kann ein anderer sein",
+                unknown = unknown.join(", ")
+            )));
+        }
     }
 
     async fn pole_pairs(&mut self) -> Result<i64, Failure> {
@@ -72,13 +88,11 @@ impl Check<'_, '_> {
         })
     }
 
-    /// What the drive works with, or will in this run; refused if the setpoint is ignored then.
-    async fn source(&mut self, wanted: &Wanted) -> Result<Option<i64>, Failure> {
-        let Some(source) = &wanted.mode.source else { return Ok(None) };
-        let present = self.will_be(source.param, wanted).await?;
-        if present != Some(source.ignored) {
-            return Ok(present);
-        }
+    /// Refused if the setpoint is ignored with what the drive works with, or will in this run.
+    fn is_obeyed(wanted: &Wanted, own: Own) -> Result<(), Failure> {
+        let Some(source) = wanted.mode.source.as_ref().filter(|source| own.source == Some(source.ignored)) else {
+            return Ok(());
+        };
         let ways = source.choices.iter().map(|row| Text::name(format_args!("--source {} ({})", row.slug, row.value)));
         let ways = ways.reduce(|all, way| both!("{all} or {way}", "{all} oder {way}", all, way));
         let hint = both!(
@@ -90,14 +104,14 @@ impl Check<'_, '_> {
     }
 
     /// What the drive adds by itself; told, because it turns the shaft too. `None` if that is not known.
-    async fn added(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<Option<i64>, Failure> {
-        let Some(adds) = wanted.mode.adds.filter(|adds| adds.source.is_none_or(|with| source == Some(with))) else {
+    async fn added(&mut self, wanted: &Wanted, own: Own) -> Result<Option<i64>, Failure> {
+        let Some(adds) = wanted.mode.adds.filter(|adds| adds.source.is_none_or(|with| own.source == Some(with))) else {
             // Who chooses between sources must say which; who has nothing to choose adds nothing.
-            return Ok((wanted.mode.source.is_none() || source.is_some()).then_some(0));
+            return Ok((wanted.mode.source.is_none() || own.source.is_some()).then_some(0));
         };
         let family = self.target.family.clone();
         let (shows, by) = (family.param_or_unknown(adds.param), family.param_or_unknown(adds.by));
-        let Some(value) = working(self.session, self.target, &shows).await? else { return Ok(None) };
+        let Some(value) = own.adds else { return Ok(None) };
         if value != 0 && wanted.keys.is_some() {
             return Err(added_to_keys(&wanted.shown(value, &family), &shows.label()));
         }
@@ -143,12 +157,11 @@ impl Check<'_, '_> {
     }
 
     /// The bound of the setpoint, if there is one; refused beyond it, with what the drive adds.
-    async fn limit(&mut self, wanted: &Wanted, added: i64) -> Result<Option<i64>, Failure> {
-        let Some(id) = wanted.mode.limit else { return Ok(None) };
+    fn limit(&self, wanted: &Wanted, own: Own, added: i64) -> Result<Option<i64>, Failure> {
+        let Some((id, limit)) = wanted.mode.limit.zip(own.limit) else { return Ok(None) };
         let sums = wanted.values().map(|raw| raw.saturating_add(added));
         let peak = sums.max_by_key(|sum| sum.unsigned_abs()).unwrap_or(0);
         let param = self.target.family.param_or_unknown(id);
-        let Some(limit) = self.will_be(id, wanted).await? else { return Ok(None) };
         // What only takes motion away is not refused.
         if self.args.force || wanted.values().all(|raw| raw == 0) || i128::from(peak).abs() <= i128::from(limit) {
             return Ok(Some(limit));
@@ -167,18 +180,15 @@ impl Check<'_, '_> {
     }
 
     /// The least setpoint, if the drive lifts one to it; told.
-    async fn floor(&mut self, wanted: &Wanted, source: Option<i64>) -> Result<Option<i64>, Failure> {
-        let Some(floor) = wanted.mode.floor.as_ref().filter(|floor| source == Some(floor.source)) else {
-            return Ok(None);
-        };
-        let Some(least) = self.will_be(floor.param, wanted).await?.filter(|&least| least > 0) else { return Ok(None) };
+    fn floor(&mut self, wanted: &Wanted, own: Own) -> Option<i64> {
+        let (floor, least) = wanted.mode.floor.as_ref().zip(own.least)?;
         let lifted = self.ends_at_zero() || wanted.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family);
             let why = Text::by(|lang| floor.why.get(lang).replace("{}", least.get(lang)));
             self.session.tell(Event::Note(why));
         }
-        Ok(lifted.then_some(least))
+        lifted.then_some(least)
     }
 
     /// Whether a setpoint of 0 is all that ends the run, because others start and stop the drive.
@@ -187,15 +197,6 @@ impl Check<'_, '_> {
         let enables = self.args.enable || self.args.jog.is_some();
         let is_bounded = motion.hold && motion.on_exit != StopArg::Keep;
         is_bounded && !(enables || self.before.obeys(&self.target.family))
-    }
-
-    /// The value that a parameter will have in this run.
-    async fn will_be(&mut self, id: u32, wanted: &Wanted) -> Result<Option<i64>, Failure> {
-        if let Some((_, raw)) = wanted.settings.iter().find(|(param, _)| param.id == id) {
-            return Ok(Some(*raw));
-        }
-        let param = self.target.family.param_or_unknown(id);
-        working(self.session, self.target, &param).await
     }
 }
 

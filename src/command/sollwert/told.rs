@@ -44,8 +44,10 @@ pub(super) async fn tells_more(
         plan.tells(session, vec![told]);
     }
     if enable && wanted.mode.source.is_none() {
-        let told = motion::own_setpoints(session, target).await?;
+        let promises = motion::own_setpoints(session, target).await?;
+        let told = promises.iter().filter_map(|promise| promise.runs_at(&target.family)).collect();
         plan.tells(session, told);
+        plan.promises.extend(promises);
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use super::Args;
 use super::keys::Keys;
 use crate::args::parse_span;
 use crate::command::stop_meant;
+use crate::drive::motion::Promise;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Decimal, RunKeys};
@@ -110,6 +111,8 @@ pub(super) struct Wanted {
     pub(super) settings: Vec<(Param, i64)>,
     /// What the drive makes of the setpoint, if that is known.
     pub(super) effective: Option<Total>,
+    /// What of the drive's own settings that rests on.
+    pub(super) promise: Option<Promise>,
     /// What the arrows of the keypad do.
     pub(super) keys: Option<Keys>,
 }
@@ -145,6 +148,12 @@ impl Total {
 }
 
 impl Wanted {
+    /// Whether the drive would turn its shaft at a setpoint of 0, as far as its own settings tell.
+    pub(super) fn turns_at_zero(&self) -> bool {
+        self.promise.as_ref().is_some_and(|Promise { own, .. }| own.least.is_some())
+            || self.effective.is_some_and(|total| total.of(0) != Some(0))
+    }
+
     /// Every setpoint that may be given: those of the schedule, and the bounds of the keypad.
     pub(super) fn values(&self) -> impl Iterator<Item = i64> + '_ {
         self.schedule.values().chain(self.keys.iter().flat_map(|keys| [keys.min, keys.max]))
@@ -246,6 +255,7 @@ pub(super) fn understand(args: &Args, spoken: &Spoken, family: &Family) -> Resul
         start: start(args, mode)?,
         settings,
         effective: None,
+        promise: None,
         schedule,
         mode: mode.clone(),
     };

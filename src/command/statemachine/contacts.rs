@@ -86,8 +86,9 @@ async fn heard(
         return Err(unheard(before, &target.family, control.contacts));
     }
     if word != 0 {
-        let told = runs_at(session, target).await?;
+        let (told, promises) = runs_at(session, target).await?;
         plan.tells(session, told);
+        plan.promises.extend(promises);
     }
     Ok(control.contacts)
 }

@@ -1,6 +1,7 @@
 //! What stands in a drive from before, and turns the shaft once it is enabled.
 
-use super::look::{raw, working};
+use super::look::raw;
+use super::own::Promise;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
@@ -31,44 +32,43 @@ pub async fn standing(session: &mut Session<'_>, target: &mut Target) -> Result<
 }
 
 /// What the shaft does once it is enabled, in words: what stands there from before and is set to 0 first, and what the
-/// drive runs at by its own settings even then.
-pub async fn upon_enabling(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
-    let mut told: Vec<Text> = standing(session, target).await?.iter().map(Standing::told).collect();
-    told.extend(own_setpoints(session, target).await?);
-    Ok(told)
+/// drive runs at by its own settings even then; and what of it must still be so when somebody has agreed.
+pub async fn upon_enabling(
+    session: &mut Session<'_>,
+    target: &mut Target,
+) -> Result<(Vec<Text>, Vec<Promise>), Failure> {
+    let told = standing(session, target).await?.iter().map(Standing::told).collect();
+    with_own(session, target, told).await
 }
 
-/// What the shaft runs at once contacts start it, in words: what stands there from before stays.
-pub async fn runs_at(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
+/// The same for contacts that start it: what stands there from before stays.
+pub async fn runs_at(session: &mut Session<'_>, target: &mut Target) -> Result<(Vec<Text>, Vec<Promise>), Failure> {
     let mut told = Vec::new();
     for Standing { param, shown: (shows, value) } in standing(session, target).await? {
         let (label, value) = (param.label(), shown(&shows, value));
         told.push(both!("{label} stands at {value}: it runs at that", "{label} steht auf {value}: damit läuft er"));
     }
-    told.extend(own_setpoints(session, target).await?);
-    Ok(told)
+    with_own(session, target, told).await
+}
+
+async fn with_own(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    mut told: Vec<Text>,
+) -> Result<(Vec<Text>, Vec<Promise>), Failure> {
+    let promises = own_setpoints(session, target).await?;
+    told.extend(promises.iter().filter_map(|promise| promise.runs_at(&target.family)));
+    Ok((told, promises))
 }
 
 /// What the drive runs at by its own settings, whatever the line says.
-pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Text>, Failure> {
+pub async fn own_setpoints(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Promise>, Failure> {
     let family = target.family.clone();
-    let mut told = Vec::new();
-    for mode in &family.modes {
-        let Some(source) = &mode.source else { continue };
-        let chosen = working(session, target, &family.param_or_unknown(source.param)).await?;
-        let is = |with: i64| chosen == Some(with);
-        let own = mode.adds.filter(|adds| is(source.ignored) || adds.source.is_some_and(is)).map(|adds| adds.param);
-        let least = mode.floor.as_ref().filter(|floor| is(floor.source)).map(|floor| floor.param);
-        let Some(param) = own.or(least).map(|id| family.param_or_unknown(id)) else { continue };
-        let Some(value) = working(session, target, &param).await?.filter(|&value| value != 0) else { continue };
-        let (value, label, by) = (shown(&param, value), param.label(), family.param_or_unknown(source.param).label());
-        let chosen = chosen.unwrap_or(0);
-        told.push(both!(
-            "it runs at {value} by itself ({label}, {by} = {chosen})",
-            "er läuft von selbst mit {value} ({label}, {by} = {chosen})"
-        ));
+    let mut found = Vec::new();
+    for mode in family.modes.iter().filter(|mode| mode.source.is_some()) {
+        found.push(Promise::read(session, target, mode, &[]).await?);
     }
-    Ok(told)
+    Ok(found)
 }
 
 impl Standing {

@@ -1,6 +1,6 @@
 //! What is changed for a run, and giving it back.
 
-use super::look::{ram_set, raw};
+use super::look::{raw, read_working};
 use super::watchdog::guard;
 use super::{Lever, Motor, StopChoice, has_power};
 use crate::drive::describe;
@@ -25,8 +25,7 @@ impl Motor<'_, '_> {
 
     /// Changes a setting for the run, in RAM of the data set that the drive works with; it is given back at the end.
     pub async fn change_param(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
-        let set = ram_set(self.session, self.target, param).await?;
-        let reading = self.target.read_set(self.session, param, set).await;
+        let (set, reading) = read_working(self.session, self.target, param).await?;
         let old = reading.map_err(|error| self.failure(&error))?.raw;
         if old == new {
             return Ok(());

@@ -5,6 +5,7 @@ use crate::drive::access::{AccessError, Refusal};
 use crate::drive::describe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
+use crate::drive::transfer::Reading;
 use crate::failure::{Class, Failure};
 use crate::outcome::Decimal;
 use crate::profile::value::format_decimal;
@@ -262,8 +263,24 @@ pub async fn working_raw(session: &mut Session<'_>, target: &mut Target, role: &
 
 /// The raw value of a parameter that the drive works with; `None` if it refuses it.
 pub async fn working(session: &mut Session<'_>, target: &mut Target, param: &Param) -> Result<Option<i64>, Failure> {
+    let (_, reading) = read_working(session, target, param).await?;
+    told(reading, target)
+}
+
+/// Reads a parameter where the drive works with it: says also in which data set. One that is the same in all sets as far as
+/// the catalogue knows may yet differ: then it is that of the active set.
+pub(super) async fn read_working(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+) -> Result<(u8, Result<Reading, AccessError>), Failure> {
     let set = ram_set(session, target, param).await?;
-    raw(session, target, param, set).await
+    let reading = target.read_set(session, param, set).await;
+    if set != DataSets::RAM_OFFSET || !reading.as_ref().is_err_and(AccessError::sets_differ) {
+        return Ok((set, reading));
+    }
+    let set = active_ram_set(session, target).await?;
+    Ok((set, target.read_set(session, param, set).await))
 }
 
 pub(super) async fn raw(
@@ -272,7 +289,12 @@ pub(super) async fn raw(
     param: &Param,
     set: u8,
 ) -> Result<Option<i64>, Failure> {
-    match target.read_set(session, param, set).await {
+    let reading = target.read_set(session, param, set).await;
+    told(reading, target)
+}
+
+fn told(reading: Result<Reading, AccessError>, target: &Target) -> Result<Option<i64>, Failure> {
+    match reading {
         Ok(reading) => Ok(Some(reading.raw)),
         Err(AccessError::Refused(_)) => Ok(None),
         Err(error) => Err(error.failure(target.address, Some(&target.family))),
@@ -280,7 +302,7 @@ pub(super) async fn raw(
 }
 
 /// The RAM data set in which the drive works with a parameter; 0 where there are no data sets.
-pub(super) async fn ram_set(session: &mut Session<'_>, target: &mut Target, param: &Param) -> Result<u8, Failure> {
+async fn ram_set(session: &mut Session<'_>, target: &mut Target, param: &Param) -> Result<u8, Failure> {
     // An actual value has one place, whatever the data set.
     if !target.family.link.route.has_data_sets() || !param.access.writes() {
         return Ok(0);
@@ -288,6 +310,10 @@ pub(super) async fn ram_set(session: &mut Session<'_>, target: &mut Target, para
     if param.sets != Some(Sets::Four) {
         return Ok(DataSets::RAM_OFFSET);
     }
+    active_ram_set(session, target).await
+}
+
+async fn active_ram_set(session: &mut Session<'_>, target: &mut Target) -> Result<u8, Failure> {
     let active = role_raw(session, target, "active-set").await?.unwrap_or(1);
     Ok(DataSets::RAM_OFFSET + u8::try_from(active).unwrap_or(1).clamp(1, 4))
 }

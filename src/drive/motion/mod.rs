@@ -10,6 +10,7 @@ mod changes;
 mod lacking;
 mod leave;
 mod look;
+mod own;
 mod patience;
 mod relief;
 mod setpoint;
@@ -27,6 +28,7 @@ pub use lacking::{missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
+pub use own::{Course, Own, Promise};
 pub use relief::{PROOF, may_turn};
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};

@@ -33,6 +33,10 @@ impl Motor<'_, '_> {
     pub(super) async fn clear(&mut self) -> Result<(), Failure> {
         for row in standing(self.session, self.target).await? {
             let Standing { param, shown } = &row;
+            // What this run has given itself was agreed to.
+            if self.again.as_ref().is_some_and(|(given, raw)| given.id == param.id && *raw == shown.1) {
+                continue;
+            }
             let sent = self.write(param, 0, 0).await;
             let left = match param.id == shown.0.id {
                 true => raw(self.session, self.target, param, 0).await?,

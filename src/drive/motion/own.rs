@@ -1,0 +1,202 @@
+//! What a drive makes of a setpoint by its own settings, and what it runs at without one; and whether that is still so.
+
+use super::Motor;
+use super::before::shown;
+use super::look::{role_raw, working};
+use crate::drive::session::Session;
+use crate::drive::target::Target;
+use crate::failure::{Class, Failure};
+use crate::profile::{Family, Mode, Param};
+use crate::text::{Text, both};
+use crate::tick::{Span, Tick};
+
+/// A source of the drive's own may be an analog one, which is never quite the same: so much of it, and at least so much raw.
+const WAVERS: u64 = 20;
+const WAVERS_RAW: u64 = 50;
+/// How often a run looks whether the drive still leads the shaft to what was agreed to.
+const LOOKS: Span = Span::from_secs(1);
+
+/// What the settings of a drive make of the setpoint of a mode. `None`: it does not tell, or has no such setting.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Own {
+    /// Where its setpoint comes from.
+    pub source: Option<i64>,
+    /// Setpoint of its own, if it works with one.
+    pub adds: Option<i64>,
+    /// Bound in both directions.
+    pub limit: Option<i64>,
+    /// Least magnitude, to which it lifts what is smaller.
+    pub least: Option<i64>,
+}
+
+impl Own {
+    /// Reads it in the data set that the drive works with; what the run itself sets is that.
+    pub async fn read(
+        session: &mut Session<'_>,
+        target: &mut Target,
+        mode: &Mode,
+        sets: &[(Param, i64)],
+    ) -> Result<Own, Failure> {
+        let mut own = Own::default();
+        let mut will_be = async |id: u32| match sets.iter().find(|(param, _)| param.id == id) {
+            Some((_, raw)) => Ok(Some(*raw)),
+            None => {
+                let param = target.family.param_or_unknown(id);
+                working(session, target, &param).await
+            }
+        };
+        if let Some(source) = &mode.source {
+            own.source = will_be(source.param).await?;
+        }
+        if let Some(adds) = mode.adds.filter(|adds| own.takes(mode, adds.source)) {
+            own.adds = will_be(adds.param).await?;
+        }
+        if let Some(limit) = mode.limit {
+            own.limit = will_be(limit).await?;
+        }
+        if let Some(floor) = mode.floor.as_ref().filter(|floor| own.source == Some(floor.source)) {
+            own.least = will_be(floor.param).await?.filter(|&least| least > 0);
+        }
+        Ok(own)
+    }
+
+    /// Whether the drive works with what it adds with this source: in place of the line as well.
+    fn takes(&self, mode: &Mode, with: Option<i64>) -> bool {
+        let ignored = mode.source.as_ref().map(|source| source.ignored);
+        with.is_none() || (self.source.is_some() && (self.source == with || self.source == ignored))
+    }
+
+    fn is_still(&self, now: &Own) -> bool {
+        let near = match (self.adds, now.adds) {
+            (Some(then), Some(now)) => then.abs_diff(now) <= (then.unsigned_abs() / WAVERS).max(WAVERS_RAW),
+            (then, now) => then == now,
+        };
+        near && (self.source, self.limit, self.least) == (now.source, now.limit, now.least)
+    }
+}
+
+/// What somebody was shown of a drive's own settings and agreed to.
+#[derive(Clone, Debug)]
+pub struct Promise {
+    mode: Mode,
+    sets: Vec<(Param, i64)>,
+    /// What they make of a setpoint.
+    pub own: Own,
+}
+
+impl Promise {
+    /// Reads what there is to show of a mode; `sets` is what the run itself sets.
+    pub async fn read(
+        session: &mut Session<'_>,
+        target: &mut Target,
+        mode: &Mode,
+        sets: &[(Param, i64)],
+    ) -> Result<Promise, Failure> {
+        let own = Own::read(session, target, mode, sets).await?;
+        Ok(Promise { mode: mode.clone(), sets: sets.to_vec(), own })
+    }
+
+    /// Fails if it is otherwise now: a contact may have selected another data set while somebody was asked.
+    pub async fn demand(&self, session: &mut Session<'_>, target: &mut Target) -> Result<(), Failure> {
+        let now = Own::read(session, target, &self.mode, &self.sets).await?;
+        if self.own.is_still(&now) { Ok(()) } else { Err(self.broken(&now, &target.family)) }
+    }
+
+    /// What the shaft runs at by itself, in words; `None` if it does not.
+    pub fn runs_at(&self, family: &Family) -> Option<Text> {
+        let source = self.mode.source.as_ref()?;
+        let adds = self.mode.adds.filter(|adds| adds.source.is_some()).map(|adds| (adds.param, self.own.adds));
+        let least = self.mode.floor.as_ref().map(|floor| (floor.param, self.own.least));
+        let (id, value) = adds.into_iter().chain(least).find_map(|(id, value)| Some((id, value?)))?;
+        let (param, by) = (family.param_or_unknown(id), family.param_or_unknown(source.param).label());
+        let (value, label, chosen) = (shown(&param, value), param.label(), self.own.source.unwrap_or(0));
+        Some(both!(
+            "it runs at {value} by itself ({label}, {by} = {chosen})",
+            "er läuft von selbst mit {value} ({label}, {by} = {chosen})"
+        ))
+        .filter(|_| self.own.adds.or(self.own.least) != Some(0))
+    }
+
+    /// The settings of which nothing could be read.
+    pub fn unknown(&self, family: &Family) -> Vec<String> {
+        self.each(&self.own)
+            .filter(|(_, value)| value.is_none())
+            .map(|(id, _)| family.param_or_unknown(id).label())
+            .collect()
+    }
+
+    /// Every setting that counts with the source that the drive works with, and its value.
+    fn each(&self, own: &Own) -> impl Iterator<Item = (u32, Option<i64>)> + use<> {
+        let source = self.mode.source.as_ref().map(|source| (source.param, own.source));
+        let adds = self.mode.adds.filter(|adds| own.takes(&self.mode, adds.source)).map(|adds| (adds.param, own.adds));
+        let limit = self.mode.limit.map(|limit| (limit, own.limit));
+        let floor = self.mode.floor.as_ref().filter(|floor| own.source == Some(floor.source));
+        let floor = floor.map(|floor| (floor.param, own.least));
+        source.into_iter().chain(adds).chain(limit).chain(floor)
+    }
+
+    fn broken(&self, now: &Own, family: &Family) -> Failure {
+        let mut changed: Vec<String> = Vec::new();
+        let then: Vec<_> = self.each(&self.own).collect();
+        let after: Vec<_> = self.each(now).collect();
+        let value = |rows: &[(u32, Option<i64>)], id: u32| rows.iter().find(|row| row.0 == id).and_then(|row| row.1);
+        let mut ids: Vec<u32> = then.iter().chain(&after).map(|row| row.0).collect();
+        ids.dedup();
+        for id in ids {
+            let param = family.param_or_unknown(id);
+            let (old, new) = (value(&then, id), value(&after, id));
+            let word = |value: Option<i64>| value.map_or_else(|| "-".to_owned(), |value| shown(&param, value));
+            let line = format!("{}: {} -> {}", param.label(), word(old), word(new));
+            if old != new && !changed.contains(&line) {
+                changed.push(line);
+            }
+        }
+        let text = both!(
+            "the drive would run otherwise than was agreed to, its own settings in force have changed: {changed}",
+            "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}",
+            changed = changed.join(", ")
+        );
+        Failure::new(Class::Forbidden, "forbidden.otherwise", text).hint(both!(
+            "another data set, an input, or somebody else: say it again to see what it runs at now",
+            "ein anderer Datensatz, ein Eingang oder jemand anderes: noch einmal aufrufen zeigt, womit er jetzt liefe"
+        ))
+    }
+}
+
+/// Whether a run that is held still leads its shaft where was agreed to.
+#[derive(Debug, Default)]
+pub struct Course {
+    looked: Option<Tick>,
+    /// Goal, and how far the ramp was from it.
+    seen: Option<(i64, u64)>,
+}
+
+impl Motor<'_, '_> {
+    /// Fails if the drive leads the shaft away from its goal because its own settings have changed. Asks now and then; that
+    /// no answer comes is for the look at the state to judge.
+    pub async fn keeps(&mut self, promise: &Promise, course: &mut Course) -> Result<(), Failure> {
+        let now = self.session.now();
+        let Some((_, goal)) = self.expects else { return Ok(()) };
+        if course.looked.is_some_and(|looked| now.since(looked) < LOOKS) {
+            return Ok(());
+        }
+        course.looked = Some(now);
+        let retries = self.session.set_retries(0);
+        let strayed = self.strayed(goal, promise, course).await;
+        self.session.set_retries(retries);
+        // A lost port and an interrupt are there for the next question as well.
+        strayed.ok().flatten().map_or(Ok(()), Err)
+    }
+
+    async fn strayed(&mut self, goal: i64, promise: &Promise, course: &mut Course) -> Result<Option<Failure>, Failure> {
+        let Some(ramp) = role_raw(self.session, self.target, "setpoint-ramp").await? else { return Ok(None) };
+        let far = ramp.abs_diff(goal);
+        let before = course.seen.replace((goal, far));
+        let nears = before.is_none_or(|(then, before)| then != goal || far < before);
+        if nears || far <= (goal.unsigned_abs() / WAVERS).max(WAVERS_RAW) {
+            return Ok(None);
+        }
+        let now = Own::read(self.session, self.target, &promise.mode, &promise.sets).await?;
+        Ok((!promise.own.is_still(&now)).then(|| promise.broken(&now, &self.target.family)))
+    }
+}

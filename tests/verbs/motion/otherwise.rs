@@ -1,0 +1,93 @@
+//! What a drive makes of a setpoint by its own settings is what was shown, when somebody agrees and in the run.
+
+use crate::run::antrieb;
+use serde_json::json;
+
+const SUM: &str = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 3, \"228\" = 0, \"418\" = 0 }\n";
+const RUN: &str = "-v -a 1 --yes sollwert 10Hz --enable --hold --duration 8s";
+
+/// Whenever the internal setpoint comes, before the question, behind it or in the run, it is shown or ends the run.
+#[test]
+fn a_source_that_changes_is_never_run_at_unseen() {
+    let telegrams = antrieb(RUN).on(SUM).exits(0).sent().len();
+    assert!(telegrams > 40, "{telegrams}");
+    let mut seen = [0; 2];
+    // It is looked at every second, and told by the way that the ramp goes.
+    for after in (1..telegrams / 2).step_by(11) {
+        for internal in [40, -30] {
+            let bench = format!("{SUM}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"228\" = {internal} }}\n");
+            let run = antrieb(RUN).on(&bench).json();
+            let told = run.value.pointer("/data/setpoint/effective").cloned();
+            if run.exit == 0 {
+                seen[0] += 1;
+                assert_eq!(told, Some(json!(f64::from(10 + internal))), "{after} {internal}: {}", run.value);
+            } else {
+                seen[1] += 1;
+                assert_eq!(
+                    (run.exit, &run.error()["code"]),
+                    (8, &json!("forbidden.otherwise")),
+                    "{after} {internal}: {}",
+                    run.value
+                );
+                assert!(
+                    run.value.pointer("/data/stop").is_none_or(|stop| stop["acknowledged"] == true),
+                    "{}",
+                    run.value
+                );
+            }
+        }
+    }
+    assert!(seen[0] > 3 && seen[1] > 10, "{seen:?}");
+}
+
+#[test]
+fn what_starts_the_shaft_by_itself_is_looked_at_again_behind_the_question() {
+    for verb in ["statemachine enable", "statemachine goto operation-enabled", "statemachine contacts S1IND S2IND"] {
+        let bench = if verb.contains("contacts") { SUM.replace("\"412\" = 1", "\"412\" = 2") } else { SUM.to_owned() };
+        let line = format!("-v -a 1 --yes {verb} --hold --duration 1s");
+        let sent = antrieb(&line).on(&bench).exits(0).sent();
+        // What comes behind the last look is not seen.
+        let looked = sent.iter().take_while(|hex| !hex.starts_with("01 06")).collect::<Vec<_>>();
+        let looked = looked.iter().rposition(|hex| hex.starts_with("01 64 00 E4")).unwrap();
+        let mut refused = 0;
+        for after in 1..=looked {
+            let event = format!("{bench}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"228\" = 40 }}\n");
+            let run = antrieb(&line).on(&event).json();
+            let told = run.err.contains("40.00 Hz by itself");
+            refused += i32::from(run.exit == 8 && run.error()["code"] == "forbidden.otherwise");
+            assert!(told || run.exit == 8, "{verb} {after}: {}", run.err);
+        }
+        assert!(refused > 0, "{verb}");
+    }
+}
+
+/// A zero would turn the shaft by itself until its setpoint comes.
+#[test]
+fn where_zero_turns_the_shaft_its_setpoint_goes_out_before_the_enable() {
+    for (own, setpoint, first) in [
+        ("\"434\" = 2, \"418\" = 10", "-15Hz", "FF FF FA 24"),
+        ("\"434\" = 3, \"228\" = 40, \"418\" = 0", "-35Hz", "FF FF F2 54"),
+    ] {
+        let bench = format!("[[drive]]\nmodel = \"acu\"\nset = {{ \"412\" = 1, {own} }}\n");
+        let line = format!("-v -a 1 --yes sollwert --enable --hold --duration 1s -- {setpoint}");
+        let run = antrieb(&line).on(&bench).run();
+        assert_eq!(run.exit, 0, "{}", run.err);
+        let sent = run.sent();
+        let writes: Vec<_> =
+            sent.iter().filter(|hex| hex.starts_with("01 65 01 E4") || hex.starts_with("01 06 01 9A 00 0F")).collect();
+        let enable = writes.iter().position(|hex| hex.starts_with("01 06")).unwrap();
+        assert!(enable > 0 && writes[..enable].iter().all(|hex| hex.contains(first)), "{writes:#?}");
+        // At the end nothing stands in the drive.
+        assert!(writes.last().unwrap().contains("00 00 00 00"), "{writes:#?}");
+    }
+}
+
+/// Limits that are not the same in all data sets are those of the one that is active.
+#[test]
+fn limits_of_the_active_data_set_count() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [418, 419]\nset = { \"414\" = 2, \"412\" = 1, \"434\" = 2, \"418@1\" = 0, \"418@2\" = 3.5, \"419@2\" = 9 }\n";
+    let lifted = antrieb("-a 1 sollwert 1Hz --enable").on(sets).answered("n").exits(8);
+    assert!(lifted.err.contains("3.50 Hz"), "{}", lifted.err);
+    let beyond = antrieb("-a 1 --yes sollwert 10Hz --enable").on(sets).json().exits(7);
+    assert!(beyond.error()["message"].as_str().unwrap().contains("9.00 Hz"), "{}", beyond.error());
+}
