@@ -6,7 +6,7 @@ use crate::args::{MotionArgs, Settings, StopArg};
 use crate::drive::motion::watchdog_raw;
 use crate::drive::{Cell, Inquiry, decode};
 use crate::failure::Failure;
-use crate::outcome::{Data, Outcome, Plan};
+use crate::outcome::{Data, Outcome, Plan, TelegramDoc};
 use crate::profile::{DataSets, DriveState, Facts, Family, Param, Sets, Type, value};
 use crate::text::{Text, both};
 
@@ -283,6 +283,10 @@ impl<'r> Rehearsal<'r> {
             }
         }
         Ok(told.map(Rehearsal::told).unwrap_or_default())
+    }
+
+    pub(super) fn telegrams(self) -> Vec<TelegramDoc> {
+        self.plan.telegrams
     }
 
     pub(super) fn told(self) -> Outcome {

@@ -191,11 +191,24 @@ struct Said {
 }
 
 /// What a run on an open line needs besides.
-struct Around<'w> {
-    settings: &'w Settings,
-    registry: &'w Registry,
-    interrupt: &'w Interrupt,
-    ask: &'w mut dyn Ask,
+pub(super) struct Around<'w> {
+    pub(super) settings: &'w Settings,
+    pub(super) registry: &'w Registry,
+    pub(super) interrupt: &'w Interrupt,
+    pub(super) ask: &'w mut dyn Ask,
+}
+
+/// A run on a line that is open already, to a drive to which nothing went out yet; asked, stopped and reported as by [`run`].
+pub(super) async fn on_line<'p, C>(
+    session: &mut Session<'_>,
+    around: &mut Around<'_>,
+    address: u8,
+    plan: Plan<'p>,
+    check: impl AsyncFnOnce(&mut Session<'_>, &mut Target, &Situation, &mut Plan<'p>) -> Result<C, Failure>,
+    work: impl AsyncFnOnce(&mut Motor<'_, '_>, C) -> Result<(), Failure>,
+) -> Result<Outcome, Failure> {
+    let said = Said { address, first_word: FirstWord::default(), pressed: false };
+    on_drive(session, around, said, plan, check, work).await
 }
 
 /// A run on one drive of an open line, behind the first word that takes motion away, if there is one.

@@ -5,7 +5,8 @@ use crate::text::Text;
 use serde::Deserialize;
 
 /// What ships, in the order in which it is listed.
-const SHIPPED: [&str; 1] = [include_str!("data/procedures/first-contact.toml")];
+const SHIPPED: [&str; 2] =
+    [include_str!("data/procedures/first-contact.toml"), include_str!("data/procedures/commission.toml")];
 
 /// Guided work.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -72,6 +73,20 @@ pub enum Act {
     Line,
     /// The drive's own watchdog is looked at, and set if a time was given.
     Watchdog,
+    /// The nameplate of a motor is held against itself.
+    Nameplate,
+    /// It goes into the drive.
+    Store,
+    /// The motor turns, and somebody says whether that was the right way.
+    Direction,
+    /// It runs up and down, and both are measured.
+    Ramp,
+    /// It is stopped by a quick stop.
+    Stop,
+    /// Nobody talks to the drive until its watchdog has tripped it.
+    Silence,
+    /// Its fault is acknowledged.
+    Reset,
 }
 
 impl Procedure {
@@ -90,7 +105,7 @@ impl Procedure {
 impl Act {
     /// Whether it can turn a shaft.
     pub fn turns(self) -> bool {
-        false
+        matches!(self, Act::Direction | Act::Ramp | Act::Stop | Act::Silence | Act::Reset)
     }
 }
 

@@ -2,10 +2,12 @@
 
 use super::given::Given;
 use super::guide::row;
+use super::{nameplate, turning};
 use crate::args::Settings;
-use crate::command::{identify, telegram_reader};
+use crate::command::rehearse::Rehearsal;
+use crate::command::{identify, sollwert, telegram_reader};
 use crate::drive::motion::watchdog_raw;
-use crate::drive::{Cell, Inquiry, harmless};
+use crate::drive::{Cell, Inquiry, harmless, job};
 use crate::outcome::{Data, Outcome, Procedure as Told, TelegramDoc};
 use crate::profile::procedure::{Act, Procedure};
 use crate::profile::{Family, Role, Type, value};
@@ -48,8 +50,29 @@ fn telegrams(act: Act, given: &Given, family: &Family, address: u8, settings: &S
         Act::Identify => identify::looks(family),
         Act::Line => vec![harmless(family, settings.protocol)],
         Act::Watchdog => watchdog(given, family),
+        Act::Store => writes(given, family),
+        Act::Nameplate => Vec::new(),
+        Act::Direction | Act::Ramp | Act::Stop | Act::Silence => {
+            let args = turning::rehearsed(act, given);
+            return args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
+        }
+        Act::Reset => {
+            let mut told = Rehearsal::new(settings, family, address);
+            told.command("reset");
+            return told.telegrams();
+        }
     };
     asked.into_iter().filter_map(|inquiry| reader.question(address, inquiry)).collect()
+}
+
+fn writes(given: &Given, family: &Family) -> Vec<Inquiry> {
+    let steps = nameplate::steps(given, family).map(|(steps, _)| steps).unwrap_or_default();
+    let write = |step: &job::Step| {
+        let kind = step.kind.unwrap_or(Type::Word);
+        let bits = value::to_wire(step.raw, family.link.route.carried(kind)).ok()?;
+        Some(Inquiry::Write(Cell { number: step.param.id, set: step.set }, kind, bits))
+    };
+    steps.iter().filter_map(write).collect()
 }
 
 fn watchdog(given: &Given, family: &Family) -> Vec<Inquiry> {

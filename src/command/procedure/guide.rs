@@ -74,13 +74,13 @@ impl Guide<'_> {
             Ok(()) => self.act(turn, &mut deed).await,
             Err(failure) => Err(failure),
         };
-        self.session.end_at(None);
-        self.session.heed(self.interrupt.clone());
+        self.is_free_again();
         (row.found, row.motions, row.earlier, row.time) = (deed.found, deed.motions, false, self.session.utc());
         let failure = done.err();
         row.error = failure.as_ref().map(ErrorDoc::from);
         if failure.as_ref().is_some_and(|failure| UNTOUCHED.contains(&failure.code.as_str())) {
-            // Nothing has happened: it is as it was before.
+            // Nothing has happened: it is as it was before, or at a run before the question.
+            row.result = self.record.step(&turn.step.slug).map_or(StepFate::Open, |kept| kept.result);
             return failure.map(|failure| self.goes_on(failure, turn));
         }
         row.result = if failure.is_some() { StepFate::Failed } else { StepFate::Done };
@@ -88,6 +88,12 @@ impl Guide<'_> {
         let kept = self.keep(turn.step, row.result, &row.found, error);
         // What was done and could not be kept would be done again.
         failure.map(|failure| self.goes_on(failure, turn)).or(kept.err())
+    }
+
+    /// Behind a run: the line is used without an end, and whoever interrupts is heard.
+    pub(super) fn is_free_again(&mut self) {
+        self.session.end_at(None);
+        self.session.heed(self.interrupt.clone());
     }
 
     /// Notes what has become of a step, on the disk.
@@ -127,6 +133,13 @@ impl Guide<'_> {
             Act::Identify => self.identify(turn, deed).await,
             Act::Line => self.line(turn, deed).await,
             Act::Watchdog => self.watchdog(turn, deed).await,
+            Act::Nameplate => self.nameplate(turn, deed),
+            Act::Store => self.store(turn, deed).await,
+            Act::Direction => self.direction(turn, deed).await,
+            Act::Ramp => self.ramp(turn, deed).await,
+            Act::Stop => self.stop(turn, deed).await,
+            Act::Silence => self.silence(turn, deed).await,
+            Act::Reset => self.reset(turn, deed).await,
         }
     }
 

@@ -4,7 +4,9 @@ mod contact;
 mod dry;
 mod given;
 mod guide;
+mod nameplate;
 pub(in crate::command) mod record;
+mod turning;
 
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline_family, running};
@@ -62,6 +64,7 @@ impl Verb for Args {
         "antrieb procedure list",
         "antrieb --port sim -a 1 procedure first-contact --dry-run",
         "antrieb --port sim -a 1 procedure first-contact watchdog=2s --yes",
+        "antrieb --port sim -a 1 procedure commission power=1.5kW voltage=400V current=3.6A frequency=50Hz speed=1390rpm --yes",
     ];
     const UPPER: Upper = Upper::drive(300).besides(motion::WAITS).unless(
         "That is for each step; between them it waits for you, and a shaft that still becomes faster or slower is waited for as \
@@ -88,7 +91,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let kept = if context.settings.force { None } else { record::kept(&path)? };
     let given = Given::of(args, &procedure, context.settings, kept.as_ref())?;
     let family = family(&procedure, kept.as_ref(), context)?;
-    given.fit(&family)?;
+    given.fit(&procedure, &family)?;
     if context.settings.dry_run {
         return Ok(dry::run(&procedure, &given, &family, address, context.settings));
     }

@@ -2,6 +2,7 @@
 
 use super::wanted::Wanted;
 use super::{Args, in_hertz, zero};
+use crate::args::Settings;
 use crate::command::rehearse::Rehearsal;
 use crate::command::{Context, running};
 use crate::failure::{Class, Failure};
@@ -22,21 +23,21 @@ pub(super) fn run(args: &Args, family: &Family, wanted: &Wanted, context: &Conte
         Some(addresses) if !addresses.contains(&0) => addresses,
         _ => vec![running::single_address(context)?],
     };
-    Rehearsal::of_each(&addresses, |address| one(args, family, wanted, (context, address)))
+    Rehearsal::of_each(&addresses, |address| one(args, family, wanted, (context.settings, address)))
 }
 
-fn one<'r>(
+pub(super) fn one<'r>(
     args: &Args,
     family: &'r Family,
     wanted: &Wanted,
-    (context, address): (&Context<'_>, u8),
+    (settings, address): (&Settings, u8),
 ) -> Result<Rehearsal<'r>, Failure> {
     let enable = args.enable || args.jog.is_some();
     let mut motion = args.motion.clone();
     motion.hold |= args.jog.is_some();
     let mut told = match zero::is_meant(args, wanted) {
-        true => Rehearsal::zeroing(context.settings, family, address, &wanted.param, wanted.mode.source.is_some()),
-        false => Rehearsal::new(context.settings, family, address),
+        true => Rehearsal::zeroing(settings, family, address, &wanted.param, wanted.mode.source.is_some()),
+        false => Rehearsal::new(settings, family, address),
     };
     told.bounds(&motion, enable)?;
     wanted.settings.iter().for_each(|(param, raw)| told.change(param, *raw));

@@ -147,6 +147,16 @@ impl Motor<'_, '_> {
         given
     }
 
+    /// Sends nothing for a time, as if this program were gone; whoever interrupts ends it.
+    pub async fn say_nothing(&mut self, span: Span) -> Result<(), Failure> {
+        self.rest(span).await
+    }
+
+    /// The time of the line.
+    pub fn now(&self) -> Tick {
+        self.session.now()
+    }
+
     /// Gives the same setpoint again, so that a run that is held keeps saying what it wants.
     pub async fn refresh(&mut self, param: &Param, raw: i64) -> Result<(), Failure> {
         self.again = Some((param.clone(), raw));

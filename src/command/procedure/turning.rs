@@ -1,0 +1,313 @@
+//! Steps that turn the shaft. Each is a run of `sollwert`, or a reset: asked, bounded, stopped and proven there.
+
+use super::guide::{Deed, Guide, Turn};
+use super::{nameplate, record};
+use crate::args::{MotionArgs, StopArg};
+use crate::command::running::{self, Around, Plan};
+use crate::command::sollwert;
+use crate::drive::Reader;
+use crate::drive::motion::{self, Motor};
+use crate::failure::{Class, Failure};
+use crate::gate::Question;
+use crate::outcome::{Data, KeptStep, Outcome, StepFate};
+use crate::profile::value::{self, format_decimal};
+use crate::profile::{Family, Param, Role};
+use crate::text::both;
+use crate::tick::Span;
+use std::cell::Cell;
+
+/// How long it turns in a test.
+const TURNS: Span = Span::from_secs(3);
+/// The frequency of a test, where none was given.
+const TEST: &str = "5Hz";
+/// The time of the watchdog in its test, where none was given.
+const WATCHDOG: Span = Span::from_secs(2);
+/// What the watchdog of the line trips with (CM-485 manual 6.9).
+const SILENCE: i64 = 0x2010;
+
+impl Guide<'_> {
+    /// Holds the nameplate against itself.
+    pub(super) fn nameplate(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        self.tell(turn);
+        deed.found = nameplate::Nameplate::of(self.given)?.told();
+        Ok(())
+    }
+
+    /// Writes the nameplate into the data set, which must be the one in which the drive works.
+    pub(super) async fn store(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        let mut target = self.known().await?;
+        let (steps, unknown) = nameplate::steps(self.given, &target.family)?;
+        self.write(turn, deed, steps).await?;
+        if !unknown.is_empty() {
+            let keys = unknown.join(", ");
+            deed.found.push(both!(
+                "to be set at the keypad, because no source tells their numbers: {keys}",
+                "an der Bedieneinheit einzustellen, weil keine Quelle ihre Nummern nennt: {keys}"
+            ));
+        }
+        self.allow();
+        let set = nameplate::data_set(self.given)?;
+        let active = Reader::new(&mut self.session, &mut target).vital_role(Role::ActiveSet).await?;
+        match active.and_then(|value| value.raw) {
+            Some(active) if set != 0 && active != i64::from(set) => {
+                let message = both!(
+                    "the drive works in data set {active}, and the nameplate is in {set}: it would be tested with another motor's data",
+                    "der Antrieb arbeitet in Datensatz {active}, das Typenschild steht in {set}: geprüft würde mit Daten eines \
+                     anderen Motors"
+                );
+                let hint =
+                    both!("`antrieb dataset select {set}` selects it", "`antrieb dataset select {set}` wählt ihn");
+                Err(Failure::new(Class::Forbidden, "forbidden.data_set", message).hint(hint))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Turns the motor, and asks whether that was the right way.
+    pub(super) async fn direction(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        self.turns(turn, deed, &run(self.test(), StopArg::Ramp), async |_: &mut Motor<'_, '_>| Ok(())).await?;
+        let asked = both!(
+            "The shaft has turned and stands. Was that clockwise, and the way in which the machine must turn?",
+            "Die Welle hat gedreht und steht. War das rechtsherum, und so, wie die Maschine drehen muss?"
+        );
+        let said = self.confirm(turn, &[asked]).await;
+        said.map_err(|failure| match failure.code.as_str() {
+            "forbidden.not_confirmed" => {
+                let message = both!("the motor turns the wrong way", "der Motor dreht falsch herum");
+                Failure::new(Class::No, "no.direction", message).hint(both!(
+                    "switch the inverter off, wait until it is dead, exchange two motor phases (U and V); then --again",
+                    "den Umrichter ausschalten, Spannungsfreiheit abwarten, zwei Motorphasen tauschen (U und V); dann --again"
+                ))
+            }
+            _ => failure,
+        })
+    }
+
+    /// Runs up and down, and measures both.
+    pub(super) async fn ramp(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        let family = self.known().await?.family;
+        let param = family.role(Role::SetpointFrequency).cloned().ok_or_else(motion::no_control_word)?;
+        let (low, high) = (raw(self.test(), &param)?, raw(&goal(self.given.get("ramp"), self.given)?, &param)?);
+        let times = Cell::new([Span::ZERO; 2]);
+        let top = value::written(&param, high);
+        self.turns(turn, deed, &run(&format!("{top}Hz"), StopArg::Ramp), async |motor: &mut Motor<'_, '_>| {
+            let down = slope(motor, &param, low).await?;
+            let up = slope(motor, &param, high).await?;
+            times.set([down, up]);
+            Ok(())
+        })
+        .await?;
+        let way = (high - low).unsigned_abs();
+        let shown = |span: Span| {
+            let hundredths = way * 1_000_000 / span.as_micros().max(1);
+            (
+                format_decimal((span.as_micros() / 100_000) as i64, 1),
+                format_decimal(hundredths as i64, param.decimals_or_zero()),
+            )
+        };
+        let [(down_s, down), (up_s, up)] = times.get().map(shown);
+        deed.found.push(both!("up in {up_s} s: {up} Hz/s", "hinauf in {up_s} s: {up} Hz/s"));
+        deed.found.push(both!("down in {down_s} s: {down} Hz/s", "hinab in {down_s} s: {down} Hz/s"));
+        Ok(())
+    }
+
+    /// Stops it by a quick stop.
+    pub(super) async fn stop(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        self.turns(turn, deed, &run(self.test(), StopArg::QuickStop), async |_: &mut Motor<'_, '_>| Ok(())).await
+    }
+
+    /// Says nothing until the drive must have tripped by itself.
+    pub(super) async fn silence(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        let watchdog = self.given.span("watchdog")?.unwrap_or(WATCHDOG);
+        let silent = watchdog + Span::from_secs(1);
+        let args = run(self.test(), StopArg::Ramp);
+        let args = sollwert::Args { motion: MotionArgs { watchdog: Some(watchdog), ..args.motion.clone() }, ..args };
+        let proven = Cell::new(false);
+        let ended = self
+            .turns(turn, deed, &args, async |motor: &mut Motor<'_, '_>| {
+                motor.say_nothing(silent).await?;
+                let seen = motor.look().await?;
+                proven.set(seen.state.starts_with("fault") && seen.fault == Some(SILENCE));
+                if proven.get() { Ok(()) } else { Err(not_tripped(silent)) }
+            })
+            .await;
+        match ended {
+            // Its trip is what was to be seen.
+            Err(failure) if proven.get() && failure.code == "forbidden.fault" => {}
+            ended => return ended,
+        }
+        let seconds = format_decimal((silent.as_micros() / 100_000) as i64, 1);
+        deed.found.push(both!(
+            "after {seconds} s without a telegram: F2010, without power",
+            "nach {seconds} s ohne Telegramm: F2010, ohne Strom"
+        ));
+        let stands = deed.motions.last().and_then(|motion| motion.standing) == Some(true);
+        let unseen = || both!("whether the shaft stands was not shown", "ob die Welle steht, zeigte nichts");
+        deed.found.extend((!stands).then(unseen));
+        Ok(())
+    }
+
+    /// Acknowledges the fault.
+    pub(super) async fn reset(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        let motion = bounded(StopArg::Coast, None);
+        let plan = Plan::of("reset", turn.title(), &motion);
+        let details = turn.details();
+        let begun = self.begin(turn);
+        let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
+        let address = record.address;
+        let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
+        let told = running::on_line(
+            session,
+            &mut around,
+            address,
+            plan,
+            async |_, _, before, plan| {
+                plan.details.extend(details);
+                if before.state.starts_with("fault") { Ok(()) } else { Err(motion::no_fault()) }
+            },
+            async |motor, ()| {
+                record.keep(begun);
+                record::save(path, record)?;
+                motor.reset().await
+            },
+        )
+        .await;
+        came(told?, deed)
+    }
+
+    fn test(&self) -> &str {
+        self.given.get("test").unwrap_or(TEST)
+    }
+
+    /// A step of which is known that it was begun.
+    fn begin(&self, turn: Turn<'_>) -> KeptStep {
+        let (step, title) = (turn.step.slug.clone(), turn.step.title.clone());
+        let (time, found, error) = (self.session.utc(), Vec::new(), None);
+        KeptStep { step, title, turns: true, result: StepFate::Begun, time, found, error }
+    }
+
+    /// A bounded run, and something more before its stop. That it was begun is on the disk before it begins.
+    pub(super) async fn turns(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        args: &sollwert::Args,
+        then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let question = Question { hazards: Vec::new(), title: turn.title(), details: turn.details() };
+        let begun = self.begin(turn);
+        let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
+        let address = record.address;
+        let mut around = Around { settings, registry, interrupt, ask: &mut **ask };
+        let begins = || {
+            record.keep(begun);
+            record::save(path, record)
+        };
+        let told = sollwert::led(session, &mut around, address, (args, question), begins, then).await;
+        self.is_free_again();
+        came(told?, deed)
+    }
+}
+
+/// What a run has come to.
+fn came(told: Outcome, deed: &mut Deed) -> Result<(), Failure> {
+    if let Some(Data::Motion(motion)) = told.data {
+        deed.found.extend(motion.setpoint.iter().filter_map(|setpoint| {
+            let actual = setpoint.actual?;
+            let actual = format_decimal(actual.raw, actual.decimals);
+            let value = format_decimal(setpoint.value.raw, setpoint.value.decimals);
+            let unit = &setpoint.unit;
+            Some(both!(
+                "setpoint {value} {unit}, actual value {actual} {unit}",
+                "Sollwert {value} {unit}, Istwert {actual} {unit}"
+            ))
+        }));
+        deed.found.extend(motion.stop.iter().filter(|stop| stop.acknowledged && stop.standing == Some(true)).map(
+            |stop| {
+                let choice = stop.choice;
+                both!("stop ({choice}) proven, at standstill", "Halt ({choice}) belegt, im Stillstand")
+            },
+        ));
+        deed.motions.push(motion);
+    }
+    told.failure.map_or(Ok(()), Err)
+}
+
+/// A run at a setpoint, that ends with this stop.
+fn run(setpoint: &str, stop: StopArg) -> sollwert::Args {
+    sollwert::Args::run_at(setpoint, bounded(stop, Some(TURNS)))
+}
+
+/// Bounds of a run that takes control.
+fn bounded(on_exit: StopArg, duration: Option<Span>) -> MotionArgs {
+    MotionArgs {
+        hold: true,
+        duration,
+        on_exit,
+        watchdog: None,
+        take_control: true,
+        wait: None,
+        view: false,
+        dead_man: false,
+    }
+}
+
+/// Where the ramp leads: as given, or half of the rated frequency.
+fn goal(given: Option<&str>, all: &super::given::Given) -> Result<String, Failure> {
+    match given {
+        Some(given) => Ok(given.to_owned()),
+        None => Ok(format!("{:.2}Hz", nameplate::Nameplate::of(all)?.frequency / 2.0)),
+    }
+}
+
+fn raw(text: &str, param: &Param) -> Result<i64, Failure> {
+    value::parse(text, param, &[]).map_err(|error| super::given::bad("test, ramp", &error.text()))
+}
+
+/// Gives a setpoint and takes the time until it is reached.
+async fn slope(motor: &mut Motor<'_, '_>, param: &Param, raw: i64) -> Result<Span, Failure> {
+    let begun = motor.now();
+    motor.expects = Some((raw, raw));
+    motor.give(param, raw, param.unit.as_deref().unwrap_or("")).await?;
+    motor.until_reached().await?;
+    Ok(motor.now().since(begun))
+}
+
+fn not_tripped(silent: Span) -> Failure {
+    let seconds = format_decimal((silent.as_micros() / 100_000) as i64, 1);
+    let message = both!(
+        "nobody talked to the drive for {seconds} s, and it ran on: its watchdog does not act",
+        "{seconds} s lang sprach niemand mit dem Antrieb, und er lief weiter: sein Watchdog wirkt nicht"
+    );
+    Failure::new(Class::No, "no.watchdog", message)
+}
+
+/// Refuses what cannot be run, before anything is opened.
+///
+/// # Errors
+/// A nameplate that cannot be so, or a setpoint that is none.
+pub(super) fn fit(given: &super::given::Given, family: &Family) -> Result<(), Failure> {
+    nameplate::steps(given, family)?;
+    if let Some(param) = family.role(Role::SetpointFrequency) {
+        raw(given.get("test").unwrap_or(TEST), param)?;
+        raw(&goal(given.get("ramp"), given)?, param)?;
+    }
+    Ok(())
+}
+
+/// What a step would run, for a dry run.
+pub(super) fn rehearsed(act: crate::profile::procedure::Act, given: &super::given::Given) -> Option<sollwert::Args> {
+    use crate::profile::procedure::Act;
+    let test = given.get("test").unwrap_or(TEST);
+    match act {
+        Act::Direction => Some(run(test, StopArg::Ramp)),
+        Act::Ramp => Some(run(&goal(given.get("ramp"), given).ok()?, StopArg::Ramp)),
+        Act::Stop => Some(run(test, StopArg::QuickStop)),
+        Act::Silence => {
+            let args = run(test, StopArg::Ramp);
+            let watchdog = Some(given.span("watchdog").ok()?.unwrap_or(WATCHDOG));
+            Some(sollwert::Args { motion: MotionArgs { watchdog, ..args.motion.clone() }, ..args })
+        }
+        _ => None,
+    }
+}

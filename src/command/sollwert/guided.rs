@@ -1,0 +1,73 @@
+//! A run that a procedure leads: what `sollwert` does with a setpoint, on a line that is open already.
+
+use super::{Args, Giving, Until, dry, spoken, understand};
+use crate::args::{KeypadArgs, MotionArgs, Settings};
+use crate::command::running::{self, Around, Plan};
+use crate::drive::Session;
+use crate::drive::motion::Motor;
+use crate::failure::Failure;
+use crate::gate::Question;
+use crate::outcome::{Outcome, TelegramDoc};
+use crate::profile::Family;
+use crate::text::Text;
+
+impl Args {
+    /// A run at a setpoint that is waited for, which nothing is added to.
+    pub(in crate::command) fn run_at(setpoint: &str, motion: MotionArgs) -> Self {
+        Args {
+            value: Some(setpoint.to_owned()),
+            mode: None,
+            options: Vec::new(),
+            start: None,
+            until: Some(Until::Reached),
+            enable: true,
+            source: Some("line".to_owned()),
+            ramp: None,
+            profile: None,
+            jog: None,
+            force: false,
+            motion,
+            keypad: Box::new(KeypadArgs { step: None, min: None, max: None }),
+        }
+    }
+}
+
+/// Asks, runs, does something more, stops and reports. `begins` is called when somebody agreed, before anything is sent that moves.
+pub(in crate::command) async fn led(
+    session: &mut Session<'_>,
+    around: &mut Around<'_>,
+    address: u8,
+    (args, question): (&Args, Question),
+    begins: impl FnOnce() -> Result<(), Failure>,
+    then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
+) -> Result<Outcome, Failure> {
+    let Some(spoken) = spoken(args)? else { return Ok(Outcome::default()) };
+    let panel = around.interrupt.panel().clone();
+    let giving = Giving { args, spoken: &spoken, motion: &args.motion, panel: &panel, enable: true, bare: false };
+    let plan = Plan { runs: true, ..Plan::of("procedure", Text::default(), &args.motion) };
+    running::on_line(
+        session,
+        around,
+        address,
+        plan,
+        async |session, target, before, plan| {
+            let checked = giving.check(session, target, before, plan).await?;
+            plan.announce = Text::join([&question.title, &plan.announce], ": ");
+            plan.details.splice(0..0, question.details);
+            Ok(checked)
+        },
+        async |motor, checked| {
+            begins()?;
+            giving.work(motor, checked).await?;
+            then(motor).await
+        },
+    )
+    .await
+}
+
+/// What a run would send.
+pub(in crate::command) fn rehearse(args: &Args, family: &Family, settings: &Settings, address: u8) -> Vec<TelegramDoc> {
+    let wanted = spoken(args).ok().flatten().and_then(|said| understand(args, &said, family).ok());
+    let Some(wanted) = wanted else { return Vec::new() };
+    dry::one(args, family, &wanted, (settings, address)).map_or_else(|_| Vec::new(), |told| told.telegrams())
+}
