@@ -8,6 +8,7 @@
 
 mod agreeable;
 mod gathering;
+mod commissioning;
 mod german;
 mod guided;
 mod judge;

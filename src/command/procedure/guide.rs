@@ -239,13 +239,17 @@ impl Guide<'_> {
 
     /// The failure with what goes on from there.
     fn goes_on(&self, failure: Failure, turn: Turn<'_>) -> Failure {
-        let name = &self.procedure.slug;
-        let goes_on = both!(
-            "the same command goes on with step {nth} of {of} ({name})",
-            "derselbe Befehl macht mit Schritt {nth} von {of} weiter ({name})",
-            nth = turn.nth,
-            of = turn.of
-        );
+        let (nth, of, name) = (turn.nth, turn.of, &self.procedure.slug);
+        let goes_on = match turn.step.act.turns() && self.record.step(&turn.step.slug).is_some() {
+            true => both!(
+                "the same command with --again repeats step {nth} of {of} ({name}) and goes on",
+                "derselbe Befehl mit --again wiederholt Schritt {nth} von {of} ({name}) und macht weiter"
+            ),
+            false => both!(
+                "the same command goes on with step {nth} of {of} ({name})",
+                "derselbe Befehl macht mit Schritt {nth} von {of} weiter ({name})"
+            ),
+        };
         let mut failure = failure;
         let hints: Vec<Text> = failure.hint.take().map(|hint| *hint).into_iter().chain([goes_on]).collect();
         failure.hint(Text::join(&hints, "; "))

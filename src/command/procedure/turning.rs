@@ -1,5 +1,6 @@
 //! Steps that turn the shaft. Each is a run of `sollwert`, or a reset: asked, bounded, stopped and proven there.
 
+use super::given::{Given, bad};
 use super::guide::{Deed, Guide, Turn};
 use super::{nameplate, record};
 use crate::args::{MotionArgs, StopArg};
@@ -10,6 +11,7 @@ use crate::drive::motion::{self, Motor};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
 use crate::outcome::{Data, KeptStep, Outcome, StepFate};
+use crate::profile::procedure::Act;
 use crate::profile::value::{self, format_decimal};
 use crate::profile::{Family, Param, Role};
 use crate::text::both;
@@ -20,7 +22,7 @@ use std::cell::Cell;
 const TURNS: Span = Span::from_secs(3);
 /// The frequency of a test, where none was given.
 const TEST: &str = "5Hz";
-/// The time of the watchdog in its test, where none was given.
+/// The time of the watchdog, where none was given.
 const WATCHDOG: Span = Span::from_secs(2);
 /// What the watchdog of the line trips with (CM-485 manual 6.9).
 const SILENCE: i64 = 0x2010;
@@ -65,7 +67,8 @@ impl Guide<'_> {
 
     /// Turns the motor, and asks whether that was the right way.
     pub(super) async fn direction(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
-        self.turns(turn, deed, &run(self.test(), StopArg::Ramp), async |_: &mut Motor<'_, '_>| Ok(())).await?;
+        self.turns(turn, deed, &run(self.test(), StopArg::Ramp, self.given)?, async |_: &mut Motor<'_, '_>| Ok(()))
+            .await?;
         let asked = both!(
             "The shaft has turned and stands. Was that clockwise, and the way in which the machine must turn?",
             "Die Welle hat gedreht und steht. War das rechtsherum, und so, wie die Maschine drehen muss?"
@@ -90,12 +93,17 @@ impl Guide<'_> {
         let (low, high) = (raw(self.test(), &param)?, raw(&goal(self.given.get("ramp"), self.given)?, &param)?);
         let times = Cell::new([Span::ZERO; 2]);
         let top = value::written(&param, high);
-        self.turns(turn, deed, &run(&format!("{top}Hz"), StopArg::Ramp), async |motor: &mut Motor<'_, '_>| {
-            let down = slope(motor, &param, low).await?;
-            let up = slope(motor, &param, high).await?;
-            times.set([down, up]);
-            Ok(())
-        })
+        self.turns(
+            turn,
+            deed,
+            &run(&format!("{top}Hz"), StopArg::Ramp, self.given)?,
+            async |motor: &mut Motor<'_, '_>| {
+                let down = slope(motor, &param, low).await?;
+                let up = slope(motor, &param, high).await?;
+                times.set([down, up]);
+                Ok(())
+            },
+        )
         .await?;
         let way = (high - low).unsigned_abs();
         let shown = |span: Span| {
@@ -113,15 +121,14 @@ impl Guide<'_> {
 
     /// Stops it by a quick stop.
     pub(super) async fn stop(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
-        self.turns(turn, deed, &run(self.test(), StopArg::QuickStop), async |_: &mut Motor<'_, '_>| Ok(())).await
+        self.turns(turn, deed, &run(self.test(), StopArg::QuickStop, self.given)?, async |_: &mut Motor<'_, '_>| Ok(()))
+            .await
     }
 
     /// Says nothing until the drive must have tripped by itself.
     pub(super) async fn silence(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
-        let watchdog = self.given.span("watchdog")?.unwrap_or(WATCHDOG);
-        let silent = watchdog + Span::from_secs(1);
-        let args = run(self.test(), StopArg::Ramp);
-        let args = sollwert::Args { motion: MotionArgs { watchdog: Some(watchdog), ..args.motion.clone() }, ..args };
+        let silent = watchdog(self.given)? + Span::from_secs(1);
+        let args = run(self.test(), StopArg::Ramp, self.given)?;
         let proven = Cell::new(false);
         let ended = self
             .turns(turn, deed, &args, async |motor: &mut Motor<'_, '_>| {
@@ -149,7 +156,7 @@ impl Guide<'_> {
 
     /// Acknowledges the fault.
     pub(super) async fn reset(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
-        let motion = bounded(StopArg::Coast, None);
+        let motion = bounded(StopArg::Coast, None, watchdog(self.given)?);
         let plan = Plan::of("reset", turn.title(), &motion);
         let details = turn.details();
         let begun = self.begin(turn);
@@ -234,26 +241,23 @@ fn came(told: Outcome, deed: &mut Deed) -> Result<(), Failure> {
 }
 
 /// A run at a setpoint, that ends with this stop.
-fn run(setpoint: &str, stop: StopArg) -> sollwert::Args {
-    sollwert::Args::run_at(setpoint, bounded(stop, Some(TURNS)))
+fn run(setpoint: &str, stop: StopArg, given: &Given) -> Result<sollwert::Args, Failure> {
+    Ok(sollwert::Args::run_at(setpoint, bounded(stop, Some(TURNS), watchdog(given)?)))
 }
 
-/// Bounds of a run that takes control.
-fn bounded(on_exit: StopArg, duration: Option<Span>) -> MotionArgs {
-    MotionArgs {
-        hold: true,
-        duration,
-        on_exit,
-        watchdog: None,
-        take_control: true,
-        wait: None,
-        view: false,
-        dead_man: false,
-    }
+/// The time of the drive's watchdog in every run.
+fn watchdog(given: &Given) -> Result<Span, Failure> {
+    Ok(given.span("watchdog")?.unwrap_or(WATCHDOG))
+}
+
+/// Bounds of a run that takes control, with a watchdog that stops the drive if the line breaks.
+fn bounded(on_exit: StopArg, duration: Option<Span>, watchdog: Span) -> MotionArgs {
+    let (hold, take_control, wait, view, dead_man) = (true, true, None, false, false);
+    MotionArgs { hold, duration, on_exit, watchdog: Some(watchdog), take_control, wait, view, dead_man }
 }
 
 /// Where the ramp leads: as given, or half of the rated frequency.
-fn goal(given: Option<&str>, all: &super::given::Given) -> Result<String, Failure> {
+fn goal(given: Option<&str>, all: &Given) -> Result<String, Failure> {
     match given {
         Some(given) => Ok(given.to_owned()),
         None => Ok(format!("{:.2}Hz", nameplate::Nameplate::of(all)?.frequency / 2.0)),
@@ -261,7 +265,7 @@ fn goal(given: Option<&str>, all: &super::given::Given) -> Result<String, Failur
 }
 
 fn raw(text: &str, param: &Param) -> Result<i64, Failure> {
-    value::parse(text, param, &[]).map_err(|error| super::given::bad("test, ramp", &error.text()))
+    value::parse(text, param, &[]).map_err(|error| bad("test, ramp", &error.text()))
 }
 
 /// Gives a setpoint and takes the time until it is reached.
@@ -286,7 +290,7 @@ fn not_tripped(silent: Span) -> Failure {
 ///
 /// # Errors
 /// A nameplate that cannot be so, or a setpoint that is none.
-pub(super) fn fit(given: &super::given::Given, family: &Family) -> Result<(), Failure> {
+pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
     nameplate::steps(given, family)?;
     if let Some(param) = family.role(Role::SetpointFrequency) {
         raw(given.get("test").unwrap_or(TEST), param)?;
@@ -296,18 +300,11 @@ pub(super) fn fit(given: &super::given::Given, family: &Family) -> Result<(), Fa
 }
 
 /// What a step would run, for a dry run.
-pub(super) fn rehearsed(act: crate::profile::procedure::Act, given: &super::given::Given) -> Option<sollwert::Args> {
-    use crate::profile::procedure::Act;
+pub(super) fn rehearsed(act: Act, given: &Given) -> Option<sollwert::Args> {
     let test = given.get("test").unwrap_or(TEST);
     match act {
-        Act::Direction => Some(run(test, StopArg::Ramp)),
-        Act::Ramp => Some(run(&goal(given.get("ramp"), given).ok()?, StopArg::Ramp)),
-        Act::Stop => Some(run(test, StopArg::QuickStop)),
-        Act::Silence => {
-            let args = run(test, StopArg::Ramp);
-            let watchdog = Some(given.span("watchdog").ok()?.unwrap_or(WATCHDOG));
-            Some(sollwert::Args { motion: MotionArgs { watchdog, ..args.motion.clone() }, ..args })
-        }
-        _ => None,
+        Act::Ramp => run(&goal(given.get("ramp"), given).ok()?, StopArg::Ramp, given).ok(),
+        Act::Stop => run(test, StopArg::QuickStop, given).ok(),
+        _ => run(test, StopArg::Ramp, given).ok(),
     }
 }

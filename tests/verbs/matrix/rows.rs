@@ -34,6 +34,7 @@ pub(super) fn rows(document: &Value) -> Vec<Map<String, Value>> {
         "check" => of_whole(&list(&data["drives"]), "differences", |one| places(one, &["called", "port", "address"])),
         "sniff" => list(&data["telegrams"]),
         "plot" => list(&data["curves"]),
+        "procedure" if data["procedures"].is_array() => list(&data["procedures"]),
         "procedure" => {
             let row = |mut step: Value| {
                 step.as_object_mut().unwrap().retain(|_, value| !value.is_array());
