@@ -110,7 +110,7 @@ fn the_wrong_way_ends_it_and_is_not_repeated_unasked() {
     let again = first.then("-a 1 -v --yes procedure commission").on(ACT).exits(8);
     assert!(again.err.contains("with --again repeats step 5 of 9"), "{}", again.err);
     assert!(!again.sent().iter().any(|sent| sent.starts_with("01 06")), "{:?}", again.sent());
-    let on = again.then("-a 1 --yes --again procedure commission").on(ACT).exits(0);
+    let on = again.then("-a 1 --yes procedure commission --again").on(ACT).exits(0);
     assert!(!on.err.contains("[4/9]") && on.err.contains("[5/9]"), "{}", on.err);
 }
 

@@ -418,8 +418,6 @@ cases! {
     decode_basic_control: 0, "decode basic-control 0x4051";
 
 procedure_fine: 0, "-a 1 --yes procedure first-contact watchdog=2s --record {dir}/p.json";
-    procedure_commission: 0, "-a 1 --yes procedure commission power=1.5kW voltage=400V current=3.6A frequency=50Hz speed=1390rpm --record {dir}/p.json";
-    procedure_list: 0, "procedure list";
     procedure_planned: 0, "-a 1 --dry-run procedure first-contact watchdog=2s";
     procedure_silence: 4, "-a 7 --yes procedure first-contact --record {dir}/p.json";
     procedure_refused: 6, "-a 9 --drive acu --yes procedure first-contact --record {dir}/p.json";

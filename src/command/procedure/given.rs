@@ -1,12 +1,12 @@
 //! What a procedure must know from elsewhere: KEY=VALUE on the command line, or a TOML file.
 
-use super::{Args, turning};
+use super::Args;
 use crate::args::{Settings, in_directory};
 use crate::drive::motion::watchdog_raw;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{GivenValue, ProcedureRecord};
-use crate::profile::procedure::{Act, Procedure};
+use crate::profile::procedure::Procedure;
 use crate::profile::{Family, stumbled};
 use crate::text::{Text, both};
 use crate::tick::Span;
@@ -87,10 +87,9 @@ impl Given {
     ///
     /// # Errors
     /// A value that does not do.
-    pub(super) fn fit(&self, procedure: &Procedure, family: &Family) -> Result<(), Failure> {
+    pub(super) fn fit(&self, family: &Family) -> Result<(), Failure> {
         self.span("watchdog")?.map(|span| watchdog_raw(family, span)).transpose()?;
-        let is_for_a_motor = procedure.steps.iter().any(|step| step.act == Act::Store);
-        if is_for_a_motor { turning::fit(self, family) } else { Ok(()) }
+        Ok(())
     }
 }
 

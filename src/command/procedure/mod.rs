@@ -18,7 +18,7 @@ use crate::outcome::{
     Data, Document, OrListed, Outcome, ProcedureRecord, ProcedureStep, ProcedureTold, Procedures, StepFate, Warning,
 };
 use crate::profile::Family;
-use crate::profile::procedure::Procedure;
+use crate::profile::procedure::{Act, Procedure};
 use crate::text::both;
 use clap::Args as ClapArgs;
 use given::Given;
@@ -64,7 +64,6 @@ impl Verb for Args {
         "antrieb procedure list",
         "antrieb --port sim -a 1 procedure first-contact --dry-run",
         "antrieb --port sim -a 1 procedure first-contact watchdog=2s --yes",
-        "antrieb --port sim -a 1 procedure commission power=1.5kW voltage=400V current=3.6A frequency=50Hz speed=1390rpm --yes",
     ];
     const UPPER: Upper = Upper::drive(300).besides(motion::WAITS).unless(
         "That is for each step; between them it waits for you, and a shaft that still becomes faster or slower is waited for as \
@@ -91,7 +90,10 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let kept = if context.settings.force { None } else { record::kept(&path)? };
     let given = Given::of(args, &procedure, context.settings, kept.as_ref())?;
     let family = family(&procedure, kept.as_ref(), context)?;
-    given.fit(&procedure, &family)?;
+    given.fit(&family)?;
+    if procedure.steps.iter().any(|step| step.act == Act::Store) {
+        turning::fit(&given, &family)?;
+    }
     if context.settings.dry_run {
         return Ok(dry::run(&procedure, &given, &family, address, context.settings));
     }

@@ -183,14 +183,14 @@ pub(super) fn data_set(given: &Given) -> Result<u8, Failure> {
 ///
 /// # Errors
 /// A value that its parameter cannot hold.
-pub(super) fn steps(given: &Given, family: &Family) -> Result<(Vec<job::Step>, Vec<&'static str>), Failure> {
+pub(super) fn steps(given: &Given, family: &Family) -> Result<(Vec<job::Step>, Vec<Text>), Failure> {
     let (plate, set) = (Nameplate::of(given)?, data_set(given)?);
     let place = |param: &Param| if param.sets == Some(Sets::Four) { set } else { 0 };
     let (mut steps, mut unknown) = (Vec::new(), Vec::new());
-    for (key, slug) in KEPT {
+    for (key, slug, name) in KEPT {
         let Some(text) = given.get(key) else { continue };
         let Some(param) = family.params.values().find(|param| param.slug == slug) else {
-            unknown.push(key);
+            unknown.push(name);
             continue;
         };
         let raw = value::parse(text, param, &[]).map_err(|error| bad(key, &error.text()))?;
@@ -205,11 +205,11 @@ pub(super) fn steps(given: &Given, family: &Family) -> Result<(Vec<job::Step>, V
 }
 
 /// What stands on a nameplate, and its parameter where a catalogue has one.
-const KEPT: [(&str, &str); 6] = [
-    ("speed", "rated-speed"),
-    ("frequency", "rated-frequency"),
-    ("power", "rated-mechanical-power"),
-    ("voltage", "rated-voltage"),
-    ("current", "rated-current"),
-    ("cos-phi", "rated-cos-phi"),
+const KEPT: [(&str, &str, Text); 6] = [
+    ("speed", "rated-speed", Text::new("speed", "Drehzahl")),
+    ("frequency", "rated-frequency", Text::new("frequency", "Frequenz")),
+    ("power", "rated-mechanical-power", Text::new("power", "Leistung")),
+    ("voltage", "rated-voltage", Text::new("voltage", "Spannung")),
+    ("current", "rated-current", Text::new("current", "Strom")),
+    ("cos-phi", "rated-cos-phi", Text::new("cos phi", "cos phi")),
 ];

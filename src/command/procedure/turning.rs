@@ -14,7 +14,7 @@ use crate::outcome::{Data, KeptStep, Outcome, StepFate};
 use crate::profile::procedure::Act;
 use crate::profile::value::{self, format_decimal};
 use crate::profile::{Family, Param, Role};
-use crate::text::both;
+use crate::text::{Text, both};
 use crate::tick::Span;
 use std::cell::Cell;
 
@@ -41,10 +41,11 @@ impl Guide<'_> {
         let (steps, unknown) = nameplate::steps(self.given, &target.family)?;
         self.write(turn, deed, steps).await?;
         if !unknown.is_empty() {
-            let keys = unknown.join(", ");
+            let names = Text::join(&unknown, ", ");
             deed.found.push(both!(
-                "to be set at the keypad, because no source tells their numbers: {keys}",
-                "an der Bedieneinheit einzustellen, weil keine Quelle ihre Nummern nennt: {keys}"
+                "to be set at the keypad, because no source tells their numbers: {names}",
+                "an der Bedieneinheit einzustellen, weil keine Quelle ihre Nummern nennt: {names}",
+                names
             ));
         }
         self.allow();
