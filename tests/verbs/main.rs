@@ -7,8 +7,8 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
 mod agreeable;
-mod gathering;
 mod commissioning;
+mod gathering;
 mod german;
 mod guided;
 mod judge;
