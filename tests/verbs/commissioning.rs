@@ -164,9 +164,16 @@ fn interrupted(directory: &Path, bench: &str, more: &str, step: usize) -> Seen {
     };
     witness::call(true);
     let (mut ask, registry) = (Agreeable, Registry::open(&[]).unwrap());
-    let sheet = antrieb::render::sheet;
-    let mut context =
-        Context { settings: &settings, registry: &registry, ask: &mut ask, observe: &mut observe, interrupt, sheet };
+    let (sheet, calls) = (antrieb::render::sheet, None);
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet,
+        calls,
+    };
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let Verb::Procedure(args) = &cli.verb;
     let outcome = runtime.block_on(procedure::run(args, &mut context)).unwrap_or_else(Outcome::from);
