@@ -24,7 +24,7 @@ use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::stop_each;
-use whom::{meant, stop_harder, whom};
+use whom::{first_said, meant, stop_harder, whom};
 
 /// The modes of a family in which something is meant.
 pub(super) type Modes<'m> = dyn Fn(&Family) -> Vec<Mode> + 'm;
@@ -175,9 +175,9 @@ pub(super) async fn run<'p, C>(
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let mut first_word = FirstWord::default();
     for (drive, act) in meant(settings, registry, &[address])?.iter().zip(goes_first) {
-        first_word = said_of(&mut session, registry, drive, act, &mut plan).await?;
+        first_word = first_said(&mut session, (settings, registry), drive, act, &mut plan).await?;
     }
-    let said = Said { address, first_word, pressed: false };
+    let said = Said { address, pressed: first_word.pressed, first_word };
     let mut around = Around { settings, registry, interrupt, ask: *ask };
     on_drive(&mut session, &mut around, said, plan, check, work).await
 }
@@ -230,7 +230,7 @@ async fn on_drive<'p, C>(
     }
     let (begun, said) = (session.now(), plan.said);
     let unstopped = |failure: Failure| goes_first.map_or(failure.clone(), |act| unstopped(failure, act, said));
-    let passing = first_word.passing().filter(|_| session.is_shared() && settings.named_drive().is_none());
+    let passing = first_word.passing(session.is_shared()).filter(|_| settings.named_drive().is_none());
     let mut target = match &passing {
         Some(kind) => Target::new(address, kind.clone()),
         None => {

@@ -99,7 +99,7 @@ fn telegram_event(protocol: Protocol, known: Option<&Known>, record: &Record) ->
         Verdict::Request | Verdict::Fence | Verdict::Farewell => ('>', Some(true)),
         Verdict::Reply => ('<', Some(false)),
         Verdict::Echo => ('~', Some(true)),
-        Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
+        Verdict::Copy | Verdict::Stray { .. } | Verdict::Garbage => ('~', Some(false)),
     };
     let family = known.map(|known| &*known.family);
     let order = known.map(|known| known.order);
@@ -109,6 +109,11 @@ fn telegram_event(protocol: Protocol, known: Option<&Known>, record: &Record) ->
     let meaning = match record.verdict {
         Verdict::Fence => both!("fence: {said}", "Sperrfrage: {said}", said),
         Verdict::Echo => both!("echo of the adapter: {said}", "Echo des Adapters: {said}", said),
+        Verdict::Copy => both!(
+            "the answer, or the echo of the adapter: {said}",
+            "die Antwort, oder das Echo des Adapters: {said}",
+            said
+        ),
         Verdict::Stray { station } => both!(
             "not the answer, from address {station}: {said}",
             "nicht die Antwort, von Adresse {station}: {said}",

@@ -74,7 +74,7 @@ impl<'a> OpenLine<'a> {
 
     fn keep(&mut self, records: Vec<Record>) {
         let Some(overheard) = &mut self.overheard else { return };
-        let is_answer = |record: &Record| matches!(record.verdict, Verdict::Reply | Verdict::Echo);
+        let is_answer = |record: &Record| matches!(record.verdict, Verdict::Reply | Verdict::Echo | Verdict::Copy);
         let room = MOST_OVERHEARD.saturating_sub(overheard.len());
         overheard.extend(records.into_iter().filter(|record| !is_answer(record)).take(room));
     }

@@ -42,6 +42,8 @@ pub struct Session<'a> {
     /// The station of which notes tell, where several are talked to.
     named: Option<u8>,
     limits: Limits,
+    /// How long an answer is waited for where nothing presses: as the user says, or as long as a drive may take.
+    usual: Span,
     /// System-bus node behind every drive that is asked; 0 is the drive itself.
     node: u8,
     interrupt: Interrupt,
@@ -101,6 +103,7 @@ impl<'a> Session<'a> {
             seat: None,
             named: None,
             limits,
+            usual: limits.reply_timeout.longer(Limits::default().reply_timeout),
             node: 0,
             interrupt,
             insists: false,
@@ -184,10 +187,23 @@ impl<'a> Session<'a> {
         self.put(station, question, limits).await
     }
 
-    /// Asks a station although the line may echo: for a stop, which must not wait until that is known. What comes back may be
-    /// its own echo, and proves nothing.
+    /// Asks a station although the line may echo: for a stop, which must not wait until that is known. Where what comes back
+    /// may be the answer or the echo, something else is asked at once that tells which; it proves nothing all the same.
     pub(super) async fn blurt(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        self.put(station, question, self.limits()).await
+        let said = self.put(station, question.clone(), self.limits()).await;
+        let is_open = said.as_ref().is_err_and(|error| !error.is_fatal());
+        if !(is_open && self.line.borrow().master.may_be_answered(station, &question)) {
+            return said;
+        }
+        let patient = self.patient();
+        self.end_at(Some(self.now() + patient.reply_timeout + INSIST));
+        let told = self.put(station, sounding().into(), patient).await;
+        let now = self.now();
+        match (self.line.borrow_mut().master.answered_after_all(now), told) {
+            (Some(answer), _) => Ok(answer),
+            (None, Err(error)) if error.is_fatal() => Err(error),
+            (None, _) => said,
+        }
     }
 
     /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.
@@ -371,6 +387,11 @@ impl<'a> Session<'a> {
     pub fn set_limits(&mut self, limits: Limits) {
         self.limits = limits;
         self.line.borrow_mut().master.set_limits(limits);
+    }
+
+    /// The same with as much time for an answer as a drive may take: asked again sooner, nobody knows which one came.
+    pub(super) fn patient(&self) -> Limits {
+        Limits { reply_timeout: self.usual, ..self.limits }
     }
 
     /// Works within these time limits; afterwards those from before hold again.

@@ -23,6 +23,7 @@ use crate::protocol::Protocol;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::BROADCAST;
 use crate::tick::{Span, Tick};
+use copied::Copied;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The master of one line.
@@ -37,6 +38,8 @@ pub struct Master {
     echo: Echo,
     /// A question that cannot be taken for a reply came back: whatever the last reply tells, another echo may come.
     echoed: bool,
+    /// A write of ours came back, and nobody knows whether that is its answer.
+    copied: Option<Copied>,
     job: Option<Job>,
     /// A question that was given up before its time, and whose reply may be on its way.
     orphan: Option<Orphan>,
@@ -80,6 +83,7 @@ impl Master {
             debts: Debts::default(),
             echo: Echo::default(),
             echoed: false,
+            copied: None,
             job: None,
             orphan: None,
             known: BTreeMap::new(),
@@ -405,6 +409,7 @@ impl Conversation for Master {
 }
 
 mod believe;
+mod copied;
 mod loose;
 mod missed;
 mod parting;

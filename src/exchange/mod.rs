@@ -82,6 +82,8 @@ pub enum Verdict {
     Reply,
     /// What we sent, as the adapter heard it.
     Echo,
+    /// What we sent, as the adapter heard it or as the station answered: nobody knows yet which.
+    Copy,
     /// A valid telegram, but not the answer to what we asked: late, doubled, or from somebody else.
     Stray {
         /// The station that it names.

@@ -320,7 +320,7 @@ impl Survey {
                     self.reject(record.at);
                 }
             }
-            Verdict::Farewell | Verdict::Reply | Verdict::Echo => {}
+            Verdict::Farewell | Verdict::Reply | Verdict::Echo | Verdict::Copy => {}
         }
     }
 

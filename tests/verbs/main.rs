@@ -65,6 +65,7 @@ mod motion {
     mod clock;
     mod coasting;
     mod counted;
+    mod first_telegram;
     mod hasty;
     mod held;
     mod in_turns;

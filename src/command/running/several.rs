@@ -79,6 +79,7 @@ async fn stop_one<'p, C>(
         }
         None => said_of(session, around.registry, drive, act, &mut plan).await?,
     };
+    let pressed = pressed || first_word.pressed;
     let said = Said { address: drive.address, first_word, pressed };
     on_drive(session, around, said, plan, check, work).await
 }

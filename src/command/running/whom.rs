@@ -1,9 +1,9 @@
 //! Who it is that a run or a stop is for: as the settings say for the first word, and as the drive says behind it.
 
-use super::{is_command, unstopped};
+use super::{Plan, is_command, said_of, unstopped};
 use crate::args::Settings;
 use crate::command::{named_family, target, target_to_change, terms};
-use crate::drive::motion::{Meant, PROOF, shout_once};
+use crate::drive::motion::{FirstWord, Meant, PROOF, shout_once};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -42,6 +42,24 @@ pub(super) fn meant(settings: &Settings, registry: &Registry, addresses: &[u8]) 
     let family = settings.drive.as_deref().map(|name| named_family(settings, registry, name)).transpose()?;
     let one = |&address: &u8| Meant { address, family: family.clone(), order: settings.word_order };
     Ok(addresses.iter().map(one).collect())
+}
+
+/// The first word of the only drive that is meant. Whoever interrupts one that nobody acknowledges gets a stronger one.
+pub(super) async fn first_said(
+    session: &mut Session<'_>,
+    (settings, registry): (&Settings, &Registry),
+    drive: &Meant,
+    act: Relief,
+    plan: &mut Plan<'_>,
+) -> Result<FirstWord, Failure> {
+    match said_of(session, registry, drive, act, plan).await {
+        Err(failure) if failure.class == Class::Interrupted && is_command(Some(act)) => {
+            plan.said = true;
+            stop_harder(session, (settings, registry), drive.address, Some(act)).await?;
+            Ok(FirstWord::interrupted())
+        }
+        said => said,
+    }
 }
 
 /// Somebody interrupts before anybody knows what the drive is: the stronger word goes out, whatever it is.

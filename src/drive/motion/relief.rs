@@ -196,8 +196,9 @@ impl Motor<'_, '_> {
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status).slug;
         let mut mode = None;
-        if self.session.is_shared() && self.target.family.motion.stator.is_some() {
-            // Where others wait, a standstill under power may be over before the next look; and who is in a quick stop obeys.
+        let waits = self.session.is_shared() || self.first_word.is_late;
+        if waits && self.target.family.motion.stator.is_some() {
+            // Where others wait, or every answer takes long, a standstill under power may be over before the next look; and who is in a quick stop obeys.
             self.shaft().await?;
             if self.sight.must_look() {
                 self.status().await?;

@@ -71,13 +71,22 @@ pub struct FirstWord {
     pub(super) instead: bool,
     /// One of the kind that it is, once that is known.
     kind: Option<Rc<Family>>,
+    /// Somebody interrupted meanwhile, so a stronger one follows.
+    pub pressed: bool,
+    /// The drive took long to acknowledge it.
+    pub(super) is_late: bool,
 }
 
 impl FirstWord {
+    /// Somebody did not wait for what comes of it.
+    pub fn interrupted() -> Self {
+        FirstWord { pressed: true, ..FirstWord::default() }
+    }
+
     /// One of the kind of drive that has acknowledged it, if a standstill of these shows only for a while: then it is looked at before
-    /// it is asked which of them it is.
-    pub fn passing(&self) -> Option<Rc<Family>> {
-        self.kind.clone().filter(|family| family.motion.stator.is_some())
+    /// it is asked which of them it is. `waits`: others wait as well, so that this would take long.
+    pub fn passing(&self, waits: bool) -> Option<Rc<Family>> {
+        self.kind.clone().filter(|family| (waits || self.is_late) && family.motion.stator.is_some())
     }
 }
 
@@ -117,8 +126,9 @@ pub async fn shout_round<'m>(
         let mut call = Call { tell: if sounded { Tell::First } else { Tell::Unsounded }, ..Call::new(meant, act) };
         session.speaks_of(Some(meant.address));
         interrupted |= call.said(session, registry).await;
-        sounded =
-            sounded || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
+        sounded = sounded
+            || session.echoes().is_some()
+            || at_once(session, async |session: &mut Session<'_>| sound(session, meant.address).await).await;
         call.tell = Tell::Again;
         calls.push(call);
     }
@@ -201,7 +211,7 @@ impl<'m> Call<'m> {
             }
         }
         let kind = self.kind();
-        self.ended.unwrap_or(Ok(())).map(|()| FirstWord { kind, ..self.first })
+        self.ended.unwrap_or(Ok(())).map(|()| FirstWord { kind, pressed: interrupted, ..self.first })
     }
 
     /// Says one word more, at once; whether somebody interrupted that.
@@ -287,6 +297,8 @@ impl<'m> Call<'m> {
             Tell::Unsounded => GLANCE,
             // What comes later would come in the turn of another; but at first others are not kept waiting for that.
             Tell::Again if self.said > EARLY * self.words.len() => TURN,
+            // Who is slower than that has heard it by now: said again and again, nobody could tell his answers apart.
+            Tell::Alone if self.said / (self.words.len() + 1) == 1 => session.patient().reply_timeout,
             Tell::Alone | Tell::First | Tell::Again => SHORT.longer(by.since(session.now())),
         };
         let limits = Limits { reply_timeout: waits, ..session.limits() };
@@ -295,8 +307,9 @@ impl<'m> Call<'m> {
         let (answer, pressed) = session.within(limits, said).await;
         self.said += 1;
         match answer {
-            Ok(Answer::Reply { said, .. }) => match no(&said) {
+            Ok(Answer::Reply { said, after }) => match no(&said) {
                 None => {
+                    self.first.is_late = after > GLANCE;
                     self.ended = Some(Ok(()));
                     if !self.widened {
                         self.families = Some(vec![family.clone()]);

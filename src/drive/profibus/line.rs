@@ -131,7 +131,7 @@ fn told(record: &Record) -> Event {
     let direction = match record.verdict {
         Verdict::Request | Verdict::Fence | Verdict::Farewell => '>',
         Verdict::Reply => '<',
-        Verdict::Echo | Verdict::Stray { .. } | Verdict::Garbage => '~',
+        Verdict::Echo | Verdict::Copy | Verdict::Stray { .. } | Verdict::Garbage => '~',
     };
     let reader = Reader { family: None, cyclic: None };
     let said = reader.telegram(&record.bytes).meaning;

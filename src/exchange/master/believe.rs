@@ -74,8 +74,7 @@ impl Master {
             return Some(Weight::Answer);
         }
         let sample = self.sample(job, sent_end, bytes, at);
-        let least = self.dialect.least_turnaround(self.line).as_micros();
-        if self.wired && sample.after + SLACK_US < i64::try_from(least).unwrap_or(0) {
+        if self.is_too_soon(&sample) {
             return None;
         }
         if job.is_fenced() {
@@ -84,7 +83,13 @@ impl Master {
         Some(self.heard.weigh(&sample, doubtful))
     }
 
-    fn sample<'a>(&self, job: &'a Job, sent_end: Tick, bytes: &'a [u8], at: Tick) -> Sample<'a> {
+    /// Whether this came sooner than question, reply and the silence between them allow on a line of wires.
+    pub(super) fn is_too_soon(&self, sample: &Sample<'_>) -> bool {
+        let least = self.dialect.least_turnaround(self.line).as_micros();
+        self.wired && sample.after + SLACK_US < i64::try_from(least).unwrap_or(0)
+    }
+
+    pub(super) fn sample<'a>(&self, job: &'a Job, sent_end: Tick, bytes: &'a [u8], at: Tick) -> Sample<'a> {
         let micros = |tick: Tick| i64::try_from(tick.as_micros()).unwrap_or(i64::MAX);
         let reply = i64::try_from(self.dialect.duration(self.line, bytes.len()).as_micros()).unwrap_or(0);
         let (question, function) = (job.asks(), job.asks().function());

@@ -11,7 +11,10 @@ impl Master {
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         let (came, sent, deadline) = (std::mem::take(&mut waiting.came), waiting.sent.clone(), waiting.deadline);
         let restless = !came.is_empty() && now < waiting.last + self.dialect.straggle(&came);
-        let rest = self.judge(now, &came, &sent);
+        let (rest, is_open) = self.judge(now, &came, &sent);
+        if let Some(step) = is_open.then(|| self.leaves_open(now)).flatten() {
+            return step;
+        }
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         waiting.echoed |= rest.len() < came.len();
         let kind = ear::kind(self.dialect, rest);
@@ -40,15 +43,12 @@ impl Master {
         self.miss(now, due, error)
     }
 
-    /// Notes bytes that hold no answer; what stands behind our own echo.
-    fn judge<'c>(&mut self, at: Tick, came: &'c [u8], sent: &[u8]) -> &'c [u8] {
+    /// Notes bytes that hold no answer; what stands behind our own echo, and whether that may be the answer itself.
+    fn judge<'c>(&mut self, at: Tick, came: &'c [u8], sent: &[u8]) -> (&'c [u8], bool) {
         let rest = self.dialect.behind_echo(came, sent);
-        if rest.len() < came.len() {
-            self.echo = Echo::Present;
-            self.note_echo(at, sent);
-        }
+        let is_open = rest.len() < came.len() && self.comes_back(at, sent) && rest.is_empty();
         self.note_stray(at, rest);
-        rest
+        (rest, is_open)
     }
 
     /// No answer came: repeat, or end. What came may have been it: then nothing is due.

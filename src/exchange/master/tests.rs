@@ -1,6 +1,7 @@
 //! The master on a line on which bytes come at set times.
 
 mod babble;
+mod copied;
 mod counts;
 mod doubts;
 mod fences;

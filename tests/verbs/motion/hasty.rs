@@ -101,6 +101,29 @@ fn an_interrupt_of_a_stop_that_nobody_answers_leaves_no_family_out() {
     }
 }
 
+/// The word came back, and it is asked whether that was the answer or the echo: what was pressed is passed on.
+#[test]
+fn an_interrupt_of_the_question_behind_a_word_makes_the_stop_stronger() {
+    let pressed_once = std::cell::Cell::new(false);
+    let came = pressed(
+        &drive(RUNNING, ""),
+        |_, hex| hex.starts_with("01 03 01 9B") && !pressed_once.replace(true),
+        async |session, registry| {
+            let meant = Meant { address: 1, family: registry.family("acu"), order: None };
+            let first = shout(session, registry, &meant, Relief::QuickStop).await.unwrap();
+            assert!(first.pressed);
+            let mut target = Target::new(1, registry.family("acu").unwrap());
+            let permit = Relief::QuickStop.permit();
+            let mut motor = Motor::new(session, &mut target, &permit, None);
+            let relief = async |motor: &mut Motor<'_, '_>| Err::<(), _>(motor.breaks_off());
+            let ended = motor.run(false, StopChoice::beyond(Relief::QuickStop), relief).await;
+            let stop = ended.stop.unwrap();
+            assert_eq!((stop.choice, stop.because, stop.acknowledged), ("coast", "interrupted", true), "{stop:?}");
+        },
+    );
+    assert!(came.sent.iter().any(|hex| hex.starts_with("01 06 01 9A 00 00")), "{:?}", came.sent);
+}
+
 /// The ramp went out, and nobody has looked yet.
 #[test]
 fn an_interrupt_of_the_first_look_behind_a_stop_makes_it_stronger() {

@@ -7,7 +7,7 @@ use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
-use crate::exchange::{Limits, Question};
+use crate::exchange::Question;
 use crate::failure::Class;
 use crate::gate::Relief;
 use crate::outcome::Event;
@@ -101,7 +101,7 @@ async fn asked(
     let mut target = Target::new(meant.address, family.clone());
     let by = by.unwrap_or(session.now() + TO_TELL);
     session.end_at(Some(by));
-    let patient = Limits { reply_timeout: Limits::default().reply_timeout, ..session.limits() };
+    let patient = session.patient();
     let tell = async |session: &mut Session<'_>| loop {
         match raw(session, &mut target, param, set).await {
             Err(failure) if matches!(failure.class, Class::Silence | Class::Garbled) && session.now() < by => {}

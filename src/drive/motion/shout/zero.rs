@@ -1,7 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
+use super::{PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
@@ -146,7 +146,7 @@ async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Qu
     Ok(refused)
 }
 
-/// The raw value of a role, if the drive tells it in a short time.
+/// The raw value of a role, if the drive tells it in the time that it may take.
 async fn told(
     session: &mut Session<'_>,
     meant: &Meant,
@@ -154,6 +154,8 @@ async fn told(
     role: &str,
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
-    session.end_at(Some(session.now() + BRIEF));
-    in_short(role_raw(session, &mut target, role).await)
+    let patient = session.patient();
+    session.end_at(Some(session.now() + patient.reply_timeout));
+    let tell = async |session: &mut Session<'_>| role_raw(session, &mut target, role).await;
+    in_short(session.within(patient, tell).await)
 }
