@@ -35,7 +35,7 @@ fn a_proof_that_was_made_stays_one_whatever_is_lost_later() {
     for (verb, word) in [("quick-stop", "00 02"), ("disable", "00 07")] {
         for dead in 1..30 {
             let event = format!("[[drive.event]]\nafter_telegrams = {dead}\nsilent = \"600s\"");
-            let bench = drive(&format!("{RUNNING}, \"424\" = 999, \"425\" = 999"), &event);
+            let bench = drive(&format!("{RUNNING}, \"424\" = 999, \"425\" = 999, \"638\" = \"0.2\""), &event);
             let run = antrieb(&format!("-v -b 115200 -a 1 --drive acu statemachine {verb}")).on(&bench).json();
             assert_eq!(run.data("/from"), &json!(null), "it was not looked at before the stop");
             if run.data("/running") == &json!(false) {
