@@ -117,7 +117,8 @@ impl Verb for Args {
     const UPPER: Upper = Upper::drive(60).besides(motion::WAITS).unless(
         "A shaft that still becomes faster or slower is waited for as well, at most 10 min for each ramp; `reset` waits for the \
          15 s of the drive's lock, and --hold for --duration or Ctrl-C. `disable`, `disable-voltage` and `quick-stop` are said \
-         at once, and end within 20 s unless the shaft becomes slower.",
+         at once, and end within 20 s unless the shaft becomes slower; of several drives each has \
+         that besides the time that the others take.",
     );
     const ALIAS: Option<&'static str> = Some("state");
     const TURNS: bool = true;

@@ -29,8 +29,8 @@ impl<'a> OpenLine<'a> {
     /// Asks a station, and tells what came.
     pub(super) async fn put(
         &mut self,
-        (station, question): (u8, Question),
-        limits: Limits,
+        station: u8,
+        (question, limits): (Question, Limits),
         interrupt: &Interrupt,
         ends_at: Option<Tick>,
     ) -> Result<Result<Answer, ExchangeError>, PumpError> {

@@ -227,10 +227,8 @@ impl<'a> Session<'a> {
                 return Err(self.too_late());
             }
             let tries = self.tries(limits.retries.saturating_sub(asked));
-            let (question, limits) = (question.clone(), Limits { retries: tries, ..limits });
-            let put = async |line: &mut OpenLine<'a>| {
-                line.put((station, question), limits, &self.interrupt, self.ends_at).await
-            };
+            let once = (question.clone(), Limits { retries: tries, gives_way: self.gives_way(), ..limits });
+            let put = async |line: &mut OpenLine<'a>| line.put(station, once, &self.interrupt, self.ends_at).await;
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             match outcome {

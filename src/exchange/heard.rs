@@ -2,13 +2,14 @@
 //! else, is told from the answer, although both may have the right form.
 //!
 //! * A repeater, a radio link or a second drive at one address may send a reply once more, up to 500 ms later
-//!   (docs/measured.md). So bytes that were heard within that time prove nothing on a line that is known to do so.
+//!   (docs/measured.md). So bytes that were heard within that time prove nothing of a station of which copies have come. Of the
+//!   others on that line they are asked for again, until it is known that these say the same of many things.
 //! * On a line that has shown nothing of the kind, an answer that comes sooner than this station has ever answered is waited
 //!   upon for as long as the true one may take. On a quiet line this costs nothing.
 
 use super::dialect::Question;
 use crate::tick::{Span, Tick};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// A copy comes within this time (docs/measured.md: 500 ms), and a little for the telegram itself.
 pub(super) const COPY_WITHIN: Span = Span::from_millis(600);
@@ -20,6 +21,10 @@ const DAWDLE_US: i64 = 20_000;
 /// An answer that came sooner than ever is waited upon for no longer than this, and so long beyond the slowest one.
 const LONGEST_HOLD: Span = Span::from_millis(150);
 const MARGIN: Span = Span::from_millis(5);
+/// So long a copy is listened for that was never heard, because it met our questions: they go out 2 ms behind an answer.
+const UNHEARD_COPY: Span = Span::from_millis(60);
+/// A copy that comes later is not waited for: what must not wait waits no longer for a busy line either.
+const LONGEST_COPY: Span = Span::from_millis(100);
 /// So often answers in the words of others must have been said again until a station is one that says the same of many things.
 const ALIKE: u8 = 2;
 /// Telegrams that are remembered: more than fit into the time.
@@ -30,6 +35,8 @@ struct Telegram {
     at: Tick,
     bytes: Vec<u8>,
     answered: Option<Question>,
+    /// A copy of it has come.
+    copied: bool,
 }
 
 /// How soon a station answers one kind of question, in microseconds from the end of the question to the start of the reply;
@@ -45,12 +52,16 @@ struct Pace {
 pub(super) struct Heard {
     telegrams: VecDeque<Telegram>,
     paces: BTreeMap<(u8, u8), Pace>,
-    /// A reply came twice, or one that nobody had asked for.
-    surplus: bool,
+    /// Stations of which a reply came twice, or one that nobody had asked for.
+    surplus: BTreeSet<u8>,
     /// Garbage came, or what nobody had asked for: more than replies that are late or lost.
     rough: bool,
     /// How often a station said in the words of another answer what it then said again.
     alike: BTreeMap<u8, u8>,
+    /// How long after an answer of a station its copy was over; before any was heard, how long it is listened for.
+    delays: BTreeMap<u8, Span>,
+    /// The copy of the last answer is over then.
+    copy_due: Option<(u8, Tick)>,
 }
 
 /// An answer, as far as time and bytes tell of it.
@@ -78,8 +89,10 @@ pub(super) enum Weight {
     Wait(Span),
     /// It answers the question, but the true reply may still come.
     Stale(Span),
-    /// It may be a copy of the answer to another question, on a line that sends copies.
-    Copy,
+    /// It may be a copy of the answer to another question, of a station of which copies come; the usual answer comes so soon.
+    Copy(Span),
+    /// Another one came, in other words: neither is believed.
+    Rival,
     /// The same words came a moment ago, and this comes late or behind noise, or where much goes wrong: said again, it is the
     /// answer.
     Again,
@@ -91,7 +104,7 @@ impl Heard {
         while self.telegrams.front().is_some_and(|old| at.since(old.at) > COPY_WITHIN || self.telegrams.len() >= MOST) {
             self.telegrams.pop_front();
         }
-        self.telegrams.push_back(Telegram { at, bytes: bytes.to_vec(), answered: answered.cloned() });
+        self.telegrams.push_back(Telegram { at, bytes: bytes.to_vec(), answered: answered.cloned(), copied: false });
     }
 
     /// Telegrams with these bytes that may be copied now.
@@ -109,14 +122,42 @@ impl Heard {
         self.telegrams.back().map_or(now, |last| last.at + COPY_WITHIN).max(now)
     }
 
-    /// Whether the line has brought more than was asked for.
-    pub(super) fn has_surplus(&self) -> bool {
-        self.surplus
+    /// Whether more than was asked for has come from a station.
+    pub(super) fn has_surplus(&self, station: u8) -> bool {
+        self.surplus.contains(&station)
     }
 
-    /// The line brings more than was asked for.
-    pub(super) fn sees_surplus(&mut self) {
-        self.surplus = true;
+    /// More than was asked for comes from a station; another one may be next.
+    pub(super) fn sees_surplus(&mut self, station: u8) {
+        self.surplus.insert(station);
+        self.rough = true;
+    }
+
+    /// A copy has come; the first answer that it may be one of had none yet.
+    pub(super) fn sees_copy(&mut self, station: u8, at: Tick, bytes: &[u8]) {
+        self.sees_surplus(station);
+        self.copy_due.take_if(|due| due.0 == station);
+        let mut answers = self.telegrams.iter_mut().filter(|old| old.answered.is_some() && old.bytes == bytes);
+        if let Some(first) = answers.find(|old| !old.copied && at.since(old.at) <= COPY_WITHIN) {
+            first.copied = true;
+            self.delays.insert(station, at.since(first.at));
+        }
+    }
+
+    /// Something follows the answers of a station that meets our next question.
+    pub(super) fn meets_copies(&mut self, station: u8) {
+        self.delays.entry(station).or_insert(UNHEARD_COPY);
+    }
+
+    /// A station has answered: its copy is let pass, unless that is far too late.
+    pub(super) fn awaits_copy(&mut self, station: u8, at: Tick) {
+        let delay = self.delays.get(&station).filter(|&&delay| delay <= LONGEST_COPY);
+        self.copy_due = delay.map(|&delay| (station, at + delay + MARGIN));
+    }
+
+    /// The line is left to the copy of the last answer until then.
+    pub(super) fn copy_due(&self) -> Option<Tick> {
+        self.copy_due.map(|due| due.1)
     }
 
     /// Garbage came, or what nobody had asked for: the first copy may come in place of an answer.
@@ -130,7 +171,7 @@ impl Heard {
         *alike = alike.saturating_add(1);
     }
 
-    /// Whether words of a moment ago may be a copy, although this line has brought none yet.
+    /// Whether words of a moment ago may be a copy, although none of this station has come yet.
     fn may_copy(&self, station: u8) -> bool {
         self.rough && self.alike.get(&station).is_none_or(|&alike| alike < ALIKE)
     }
@@ -145,8 +186,9 @@ impl Heard {
         let is_new = alike.peek().is_none();
         let other = alike.any(|old| old.answered.as_ref() != Some(sample.question));
         let late = pace.is_some_and(|pace| sample.after > pace.slowest + DAWDLE_US);
-        match (is_new, self.surplus || doubtful || late) {
-            (false, true) if other && self.surplus => Weight::Copy,
+        let surplus = self.has_surplus(sample.station);
+        match (is_new, surplus || doubtful || late) {
+            (false, true) if other && surplus => Weight::Copy(slowest),
             (false, true) if other => Weight::Again,
             (false, true) => Weight::Stale(slowest),
             (false, false) if other && sample.again && self.may_copy(sample.station) => Weight::Again,
@@ -224,9 +266,13 @@ mod tests {
         assert_eq!(weigh(&heard, &asked, 1_100, 15_000, true), stale, "behind garbage too");
         assert_eq!(weigh(&heard, &other, 1_100, 15_000, true), Weight::Again, "it was the answer to something else");
         assert_eq!(weigh(&heard, &other, 1_100, 50_001, false), Weight::Again);
-        heard.sees_surplus();
-        assert!(heard.has_surplus());
-        assert_eq!(weigh(&heard, &other, 1_100, 15_000, false), Weight::Copy, "of which copies come here");
+        heard.sees_surplus(1);
+        assert!(heard.has_surplus(1) && !heard.has_surplus(2));
+        assert_eq!(
+            weigh(&heard, &other, 1_100, 15_000, false),
+            Weight::Copy(Span::from_millis(35)),
+            "of which copies come here"
+        );
         assert_eq!(weigh(&heard, &asked, 1_600, 15_000, false), stale);
         assert_eq!(weigh(&heard, &asked, 1_601, 15_000, false), Weight::Answer, "nothing is copied so late");
         assert_eq!(heard.weigh(&sample(&other, &[9], 1_100, 15_000), true), Weight::Answer, "new bytes are no copy");
@@ -259,6 +305,44 @@ mod tests {
         assert_eq!(weigh(50_001, true, true), Weight::Again);
         let others = [weigh(50_000, true, true), weigh(50_001, false, true), weigh(50_001, true, false)];
         assert_eq!(others, [Weight::Answer; 3]);
+    }
+
+    #[test]
+    fn copies_of_one_station_tell_nothing_of_another_but_that_it_is_to_be_asked_again() {
+        let (mut heard, asked, other) = (known(), question(1), question(2));
+        heard.note(at(1_000), &BYTES, Some(&asked));
+        heard.sees_copy(2, at(1_010), &[9]);
+        let weigh = |heard: &Heard| heard.weigh(&sample(&other, &BYTES, 1_100, 15_000), false);
+        assert_eq!(weigh(&heard), Weight::Again, "a repeater copies everybody");
+        (0..ALIKE).for_each(|_| heard.vouches(1));
+        assert_eq!(weigh(&heard), Weight::Answer);
+        heard.sees_copy(1, at(1_020), &BYTES);
+        assert!(matches!(weigh(&heard), Weight::Copy(_)));
+    }
+
+    #[test]
+    fn the_line_is_left_to_a_copy_as_long_as_they_take_and_no_longer_than_a_stop_may_wait() {
+        let (mut heard, asked) = (Heard::default(), question(1));
+        let due = |heard: &mut Heard, ms| {
+            heard.note(at(ms), &BYTES, Some(&asked));
+            heard.awaits_copy(1, at(ms));
+            heard.copy_due()
+        };
+        assert_eq!(due(&mut heard, 0), None);
+        heard.meets_copies(1);
+        assert_eq!(due(&mut heard, 10), Some(at(75)), "none was ever heard");
+        // Each is one of the first answer that had none yet.
+        heard.sees_copy(1, at(30), &BYTES);
+        assert_eq!(heard.copy_due(), None);
+        assert_eq!(due(&mut heard, 40), Some(at(75)));
+        heard.sees_copy(1, at(60), &BYTES);
+        assert_eq!(due(&mut heard, 100), Some(at(155)));
+        heard.sees_copy(2, at(110), &BYTES);
+        assert_eq!(heard.copy_due(), Some(at(155)), "somebody else's");
+        let mut late = Heard::default();
+        late.note(at(0), &BYTES, Some(&asked));
+        late.sees_copy(1, at(101), &BYTES);
+        assert_eq!(due(&mut late, 200), None);
     }
 
     #[test]

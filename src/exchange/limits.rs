@@ -29,6 +29,8 @@ pub struct Limits {
     pub since: Option<Tick>,
     /// So long behind the answer a second one is listened for, which only two drives at one address give.
     pub listen: Span,
+    /// Others wait for the line: until no copy of anything can come is their time, so what may be one ends the question.
+    pub gives_way: bool,
 }
 
 impl Default for Limits {
@@ -42,6 +44,7 @@ impl Default for Limits {
             witness: true,
             since: None,
             listen: Span::ZERO,
+            gives_way: false,
         }
     }
 }

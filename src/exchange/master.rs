@@ -273,7 +273,10 @@ impl Master {
         let Some(job) = &self.job else { return Step::Wait(now) };
         match &job.phase {
             Phase::Gap(since) => {
-                let (free, last) = job.slot(*since, self.ready_at, self.orphan.as_ref().map(|orphan| orphan.deadline));
+                // Alone, whoever is copied meets his own questions only, and late replies are no copies.
+                let copied = self.heard.copy_due().filter(|_| job.limits.gives_way);
+                let ready_at = copied.unwrap_or(now).max(self.ready_at);
+                let (free, last) = job.slot(*since, ready_at, self.orphan.as_ref().map(|orphan| orphan.deadline));
                 match now < free {
                     true if now < last => Step::Wait(free.min(last)),
                     true => self.give_up(now),

@@ -221,6 +221,45 @@ fn no_signal_that_can_be_heard_leaves_a_shaft_turning() {
     }
 }
 
+/// Neither the signal nor the terminal that goes away is a wish for a stronger stop of several, and the exit code is that of the stop.
+#[test]
+fn a_hang_up_ends_no_stop_of_several() {
+    let _alone = alone();
+    let drive = |address: u8| {
+        format!(
+            "[[drive]]\nmodel = \"acu\"\naddress = {address}\nbaud = 19200\n\
+             set = {{ \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 10, \"418\" = 0, \"424\" = 4, \"425\" = 4 }}\n"
+        )
+    };
+    let (directory, _) = bench(&[drive(1), drive(2)].concat());
+    let (file, link) = (directory.path().join("bench.toml"), directory.path().join("bus"));
+    for is_signal in [true, false] {
+        let mut line = AtTerminal::start(&format!("simulate {} --link {}", file.display(), link.display()));
+        let begun = Instant::now();
+        while !link.exists() {
+            assert!(begun.elapsed() < Duration::from_secs(30), "{}", line.seen);
+            thread::sleep(Duration::from_millis(20));
+        }
+        // They run up.
+        thread::sleep(Duration::from_secs(1));
+        let mut run = AtTerminal::start(&format!("-v -p {} -a 1,2 statemachine quick-stop", link.display()));
+        run.shows("> 02 64 00 D2");
+        // Whether a look fell into the second in which the drives hold their shafts is the machine's that runs this.
+        let exit = match is_signal {
+            true => {
+                run.signal("-HUP");
+                let exit = run.ends();
+                assert!(!run.seen.contains("interrupted"), "{}", run.seen);
+                exit
+            }
+            false => run.hangs_up(),
+        };
+        assert!([0, 8, 9].map(Some).contains(&exit), "{is_signal} {exit:?}");
+        line.signal("-TERM");
+        line.ends();
+    }
+}
+
 #[test]
 fn a_run_is_not_suspended() {
     let _alone = alone();

@@ -64,6 +64,7 @@ mod motion {
     mod beside;
     mod clock;
     mod coasting;
+    mod copies;
     mod counted;
     mod first_telegram;
     mod hasty;

@@ -65,7 +65,12 @@ impl<'a> Session<'a> {
 
     /// How often a question is repeated within one turn.
     pub(super) fn tries(&self, retries: u8) -> u8 {
-        if self.seat.as_ref().is_none_or(|seat| seat.is_alone()) { retries } else { 0 }
+        if self.gives_way() { 0 } else { retries }
+    }
+
+    /// Whether others wait for the line.
+    pub(super) fn gives_way(&self) -> bool {
+        self.seat.as_ref().is_some_and(|seat| !seat.is_alone())
     }
 
     /// Takes note of whether the station answers.

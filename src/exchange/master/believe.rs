@@ -105,16 +105,16 @@ impl Master {
     fn rivals(&mut self, at: Tick, bytes: &[u8]) -> bool {
         let Some(Job { phase: Phase::Reply(waiting), station, .. }) = &mut self.job else { return false };
         let Some(held) = waiting.held.as_mut().filter(|held| held.bytes != bytes) else { return false };
-        if matches!(held.weight, Weight::Copy | Weight::Stale(_)) {
+        if matches!(held.weight, Weight::Copy(_) | Weight::Rival | Weight::Stale(_)) {
             return false;
         }
-        (held.weight, held.until) = (Weight::Copy, waiting.deadline);
+        (held.weight, held.until) = (Weight::Rival, waiting.deadline);
         // One of the two may have been overtaken: that makes no second drive.
         match self.debts.arrives(*station, &held.said, held.at) {
             true => self.twins.suspects(*station),
             false => self.twins.marks(*station, at),
         }
-        self.heard.sees_surplus();
+        self.heard.sees_surplus(*station);
         true
     }
 
@@ -160,6 +160,7 @@ impl Master {
         if let Some(job) = self.job.take() {
             let sample = self.sample(&job, sent_end, bytes, at);
             self.heard.note(at, bytes, Some(sample.question));
+            self.heard.awaits_copy(sample.station, at);
             if is_sure && !job.is_fenced() {
                 self.heard.learn(sample.station, sample.function, sample.after);
             }
@@ -177,12 +178,13 @@ impl Master {
         let (sent, echoed, garbage) = (waiting.sent.clone(), waiting.echoed, waiting.garbage.clone());
         waiting.echoed |= before.ends_with(&sent);
         let doubted = self.is_doubtful(before, &garbage, &sent);
-        let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return };
+        let Some(Job { phase: Phase::Reply(waiting), limits, .. }) = &mut self.job else { return };
+        let length = self.dialect.duration(self.line, reply.len());
+        let usual = |span| (waiting.sent_end + span + length).min(waiting.deadline).max(at);
         let until = match weight {
-            Some(Weight::Wait(span) | Weight::Stale(span)) => {
-                let reply = self.dialect.duration(self.line, reply.len());
-                (waiting.sent_end + span + reply).min(waiting.deadline).max(at)
-            }
+            Some(Weight::Wait(span) | Weight::Stale(span)) => usual(span),
+            // Others wait: as long as the true one usually takes.
+            Some(Weight::Copy(span)) if limits.gives_way => usual(span),
             _ => waiting.deadline,
         };
         let held = weight.map(|weight| Held { said, bytes: reply.to_vec(), at, weight, doubted, until });
@@ -221,11 +223,11 @@ impl Master {
         }
         let is_sure = matches!(held.weight, Weight::Wait(_));
         // Sooner than ever, on a line that is known to bring more than was asked for: once more, then it is believed.
-        let is_doubted = is_sure && self.heard.has_surplus() && job.rounds == 0;
+        let is_doubted = is_sure && self.heard.has_surplus(station) && job.rounds == 0;
         let is_stale = matches!(held.weight, Weight::Stale(_));
         if !is_doubted && (is_sure || is_stale) {
             (job.doubted, job.noisy) = (held.doubted || spoilt, false);
-            let copies = self.heard.has_surplus();
+            let copies = self.heard.has_surplus(station);
             self.reply(held.at, sent_end, &held.bytes, is_sure || !copies);
             self.take(held.at, sent_end, held.said);
             if !is_sure {
@@ -234,11 +236,14 @@ impl Master {
             }
             return Some(self.step(now));
         }
-        self.discard(held.at, held.bytes);
+        let (gives_way, asked) = (job.limits.gives_way, job.asked);
+        self.discard(held.at, held.bytes, Some(&question).filter(|_| held.weight != Weight::Rival));
         self.debts.owes(station, question, sent_end + LATEST_REPLY, now);
-        let quiet = self.heard.quiet_at(now);
         self.tally.garbled += 1;
-        Some(self.ask_anew(now, Parting::Quiet(quiet)))
+        if gives_way {
+            return Some(self.finish(Err(unproven(&self.twins, station, asked))));
+        }
+        Some(self.ask_anew(now, Parting::Quiet(self.heard.quiet_at(now))))
     }
 }
 

@@ -93,7 +93,7 @@ impl Master {
             true if !owed.is_empty() && self.debts.is_late(station, said.as_ref()) => return,
             true => {
                 self.suspect(station, at);
-                return self.heard.sees_surplus();
+                return self.heard.sees_copy(station, at, bytes);
             }
             false => {}
         }
@@ -116,16 +116,17 @@ impl Master {
         });
         let alone = self.job.as_ref().is_none_or(|job| job.station != station || !job.asks().is_answered_by(&said));
         if second && alone && !overtaken {
-            self.heard.sees_surplus();
+            self.heard.sees_surplus(station);
             self.twins.marks(station, at);
         } else {
             self.suspect(station, at);
         }
     }
 
-    /// An answer that we do not believe: our doubt is no sign that more came than was asked for.
-    pub(super) fn discard(&mut self, at: Tick, bytes: Vec<u8>) {
-        self.heard.note(at, &bytes, None);
+    /// An answer that we do not believe: our doubt is no sign that more came than was asked for. Said again, it is no copy of an
+    /// answer to something else, if it was the only one to what was `asked`.
+    pub(super) fn discard(&mut self, at: Tick, bytes: Vec<u8>, asked: Option<&Question>) {
+        self.heard.note(at, &bytes, asked);
         self.tally.strays += 1;
         let Some(station) = self.job.as_ref().map(|job| job.station) else { return };
         self.record(Record { at, verdict: Verdict::Stray { station }, bytes });

@@ -40,6 +40,7 @@ impl Master {
         let (Some(job), Some((last, _, then))) = (&self.job, &self.answered) else { return };
         let Phase::Reply(waiting) = &job.phase else { return };
         if *last == station && waiting.sent_at.since(*then) < RIGHT_BEHIND && self.twins.loses(station) {
+            self.heard.meets_copies(station);
             self.suspect(station, now);
         }
     }

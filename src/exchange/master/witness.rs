@@ -50,7 +50,7 @@ impl Master {
             self.job.as_mut()?.phase = Phase::Done(Err(error));
             return None;
         }
-        let more = self.heard.has_surplus() || self.twins.is_marked(job.station);
+        let more = self.heard.has_surplus(job.station) || self.twins.is_marked(job.station);
         let mixed = self.debts.mixes() || more && job.limits.insist.is_none();
         if job.witnesses.len() + 1 >= WITNESSES && !mixed {
             let pair = job.witnesses.windows(2).find(|pair| pair.first() == pair.last());

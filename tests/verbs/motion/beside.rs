@@ -14,7 +14,7 @@ use antrieb::transport::{Port, witness};
 use std::cell::RefCell;
 
 /// A drive at 10 Hz: a quick stop by so many hertz a second, and more.
-fn drive(address: u8, quick: &str, more: &str) -> String {
+pub(super) fn drive(address: u8, quick: &str, more: &str) -> String {
     format!(
         "[[drive]]\nmodel = \"acu\"\naddress = {address}\nbaud = 19200\nset = {{ {RUNNING}, \"424\" = \"{quick}\", \"425\" = \"{quick}\" }}\n\
          ramps = {{ up_right = 50, down_right = 5, up_left = 50, down_left = 5 }}\n{more}\n"
@@ -26,7 +26,7 @@ const REFUSES: &str = "[[drive.event]]\nat = \"0s\"\nrefuses = 410";
 const SERVO: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 6\nbaud = 19200\n";
 
 /// A verb on drives that run for a second.
-fn running(line: &str, bench: &str) -> crate::run::Run {
+pub(super) fn running(line: &str, bench: &str) -> crate::run::Run {
     antrieb("-b 19200 -a 1 --timeout 1ms --retries 0 --drive acu read 411").on(bench).run();
     let (mut left, at) = witness::left().unwrap();
     let at = at + Span::from_secs(1);
@@ -36,7 +36,7 @@ fn running(line: &str, bench: &str) -> crate::run::Run {
 }
 
 /// What is told of a drive: `(standing, exit of its error)`.
-fn of(run: &Document, at: usize) -> (Option<bool>, Option<u64>) {
+pub(super) fn of(run: &Document, at: usize) -> (Option<bool>, Option<u64>) {
     let told = |pointer: &str| run.value.pointer(&format!("/data/drives/{at}/{pointer}")).cloned().unwrap_or_default();
     (told("motion/standing").as_bool(), told("error/exit").as_u64())
 }
@@ -136,26 +136,27 @@ fn a_zero_that_must_be_asked_is_left_out_and_the_others_stop() {
     assert_eq!(run.data("/drives/0/error/exit"), 8, "{:#}", run.value);
 }
 
-/// What came of two drives that were told to stop by a quick stop, 10 s long, where Ctrl-C was pressed.
+/// What came of drives that were told to stop by a quick stop, 10 s long, where somebody wished for the end meanwhile.
 struct Pressed {
     ended: Vec<Ended<()>>,
     sent: Vec<String>,
     took: Span,
 }
 
-fn pressed(bench: &str, addresses: &[u8], presses: &[&str]) -> Pressed {
+fn pressed(bench: &str, addresses: &[u8], presses: &[&str], wish: fn(&Interrupt)) -> Pressed {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("bench.toml");
     std::fs::write(&file, bench).unwrap();
     let registry = Registry::open(&[]).unwrap();
-    let (port, interrupt) = (Port::Sim(Some(file)), Interrupt::default());
+    let (port, mut interrupt) = (Port::Sim(Some(file)), Interrupt::default());
+    interrupt.hear_only_keys();
     let (signals, sent) = (interrupt.clone(), RefCell::new(Vec::<String>::new()));
     let mut left = presses.to_vec();
     let mut observe = |event: Event| {
         if let Event::Telegram { direction: '>', hex, .. } = event {
             if left.first().is_some_and(|next| hex.starts_with(next)) {
                 left.remove(0);
-                signals.press();
+                wish(&signals);
             }
             sent.borrow_mut().push(hex);
         }
@@ -190,7 +191,7 @@ fn an_interrupt_makes_the_stop_of_all_stronger_at_once() {
     // Behind the looks at each, as all are ramping.
     let looks = ["03 64 00 D2", "03 64 00 D2", "01 64 00 D2"];
     for presses in [&looks[..1], &["02 03 01 9B"], &["01 03 01 9B"]] {
-        let came = pressed(&bench, &[1, 2, 3], presses);
+        let came = pressed(&bench, &[1, 2, 3], presses, Interrupt::press);
         for (address, ended) in (1u8..).zip(&came.ended) {
             let stop = ended.stop.as_ref().unwrap();
             assert_eq!(
@@ -205,5 +206,19 @@ fn an_interrupt_makes_the_stop_of_all_stronger_at_once() {
         let (first, last) = ((1..=3).map(word).min().unwrap(), (1..=3).map(word).max().unwrap());
         assert!(last - first <= 14, "{presses:?} {:?}", &came.sent[first..=last]);
         assert!(came.took < Span::from_secs(6), "{}", came.took);
+    }
+}
+
+/// The terminal is gone, which is nobody's wish: the stop goes on as it was chosen, and is proven.
+#[test]
+fn a_hang_up_ends_no_stop_of_several() {
+    let bench = [drive(1, "5", ""), drive(2, "5", "")].concat();
+    for hangs_up in ["02 64 00 D2", "01 03 01 9B"] {
+        let came = pressed(&bench, &[1, 2], &[hangs_up], Interrupt::raise);
+        for ended in &came.ended {
+            assert!(ended.result.is_ok() && ended.stop.is_none(), "{hangs_up} {:?}", ended.stop);
+        }
+        let coasts = came.sent.iter().filter(|hex| hex.contains(" 06 01 9A 00 00")).count();
+        assert_eq!(coasts, 0, "{hangs_up} {:?}", came.sent);
     }
 }

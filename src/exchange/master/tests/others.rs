@@ -29,7 +29,7 @@ fn the_answer_to_another_master_is_not_ours() {
 #[test]
 fn what_came_before_another_master_asked_does_not_pay_what_he_is_owed() {
     let mut line = Line::new(Framing::Rtu);
-    line.master.heard.sees_surplus();
+    line.master.heard.sees_surplus(1);
     line.master.feed(line.now, &[rtu::encode(1, &READ.encode()), value(1390)].concat());
     line.now += Span::from_millis(450);
     let his = [rtu::encode(1, &OTHER.encode()), value(7)].concat();

@@ -254,12 +254,12 @@ fn answers_that_never_agree_are_waited_out_where_telegrams_are_mixed_up_and_not_
     assert!(line.now < Tick::from_micros(1_000_000) && line.sent.len() == 3);
     // On a line that keeps the order, but brings more than was asked for, nobody waits for what never comes.
     let mut line = overtaken(&READ, false);
-    line.master.heard.sees_surplus();
+    line.master.heard.sees_surplus(1);
     assert!(line.ask(1, OTHER, &answers).is_err());
     assert!(line.now < Tick::from_micros(1_000_000) && line.sent.len() == 3, "{:?}", line.now);
     // Under a stop the last of them will do there.
     let mut line = overtaken(&READ, false);
-    line.master.heard.sees_surplus();
+    line.master.heard.sees_surplus(1);
     line.master.set_limits(Limits { retries: 0, insist: Some(INSIST), ..Limits::default() });
     assert_eq!(taken(line.ask(1, OTHER, &answers)), Reply::Registers(vec![3]));
 }

@@ -79,7 +79,7 @@ fn two_answers_in_other_words_are_two_drives_and_the_question_is_asked_anew() {
 fn sooner_than_ever_is_doubted_once_where_more_comes_than_was_asked_for() {
     let mut line = once();
     taken(line.ask(1, READ, &[&[(20, value(1390))]]));
-    line.master.heard.sees_surplus();
+    line.master.heard.sees_surplus(1);
     let soon: &[(u64, Vec<u8>)] = &[(6, value(8))];
     assert_eq!(
         sent(&mut line, |line| assert_eq!(taken(line.ask(1, OTHER, &[soon, soon])), Reply::Registers(vec![8]))),
@@ -148,7 +148,7 @@ fn garbage_as_long_as_the_shortest_reply_was_the_reply() {
     taken(line.ask(1, READ, &[&[(10, value(7))]]));
     assert!(line.ask(1, READ, &[&[(10, vec![0x55; 7])]]).is_err());
     line.master.feed(line.now, &value(7));
-    assert!(line.master.heard.has_surplus());
+    assert!(line.master.heard.has_surplus(1));
 }
 
 #[test]
@@ -269,7 +269,7 @@ fn an_echo_before_an_answer_that_is_waited_upon_is_one() {
 fn what_is_new_takes_the_place_of_a_copy_and_is_decided_upon_when_its_time_comes() {
     let mut line = once();
     taken(line.ask(1, READ, &[&[(20, value(1390))]]));
-    line.master.heard.sees_surplus();
+    line.master.heard.sees_surplus(1);
     let begun = line.now;
     let copy_first = [(3, value(1390)), (8, value(9))];
     let replies: [&[(u64, Vec<u8>)]; 4] = [&copy_first, &[(20, value(9))], &[(20, fence_reply())], &[(20, value(9))]];
@@ -303,7 +303,7 @@ fn of_two_answers_none_is_believed_because_it_is_said_again_or_because_it_is_the
     for (second, differs) in [(one, false), (two, true)] {
         let mut line = once();
         taken(line.ask(1, READ, &[&[(20, value(1390))]]));
-        line.master.heard.sees_surplus();
+        line.master.heard.sees_surplus(1);
         _ = line.ask(1, OTHER, &[soon, second]);
         assert_eq!((line.master.differs(1), line.master.tally().replies), (differs, if differs { 1 } else { 2 }));
     }
