@@ -1,6 +1,5 @@
 //! How long something may take: looks and their pauses, what a bad line may cost, and when waiting ends.
 
-use super::relief::UNCHANGED;
 use super::shaft::Watch;
 use super::{Motor, look};
 use crate::failure::{Class, Failure};
@@ -11,6 +10,9 @@ use crate::tick::{Span, Tick};
 /// How long a state may take that needs no ramp, and how long a line without answers is borne where the drive has no
 /// watchdog.
 pub(super) const USUAL: Span = Span::from_secs(3);
+/// What takes motion away ends 12 s after its word, so it is asked before that why nothing changes, however long somebody is ready to
+/// wait: the drive may hold its shaft.
+const UNCHANGED: Span = Span::from_secs(10);
 /// Nothing is waited for longer, however evenly the shaft still changes, unless `--wait` itself is longer.
 const LONGEST: Span = Span::from_secs(600);
 /// How long the state is not looked at while the frequency of the stator falls.

@@ -43,8 +43,6 @@ impl StopChoice {
 pub const PROOF: Span = Span::from_secs(6);
 /// And so long answers may come that prove nothing, unless the shaft becomes slower.
 const PROVING: Span = Span::from_secs(12);
-/// Before that it is asked why nothing changes, however long somebody is ready to wait: the drive may hold its shaft.
-pub(super) const UNCHANGED: Span = Span::from_secs(10);
 
 impl Motor<'_, '_> {
     /// The drive has answered: what takes motion away is waited for on.
