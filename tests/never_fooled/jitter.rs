@@ -66,7 +66,7 @@ impl Cost {
             Verdict::Reply => "reply",
             Verdict::Stray { .. } => "stray",
             Verdict::Garbage => "garbage",
-            Verdict::Farewell | Verdict::Echo => "other",
+            Verdict::Farewell | Verdict::Echo | Verdict::Copy => "other",
         };
         let (mut then, mut what) = (began, "begin");
         let records = records.into_iter().map(|record| (record.at, name(record.verdict)));

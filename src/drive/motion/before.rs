@@ -1,12 +1,11 @@
 //! What stands in a drive from before, and turns the shaft once it is enabled.
 
 use super::look::raw;
-use super::own::Promise;
+use super::own::{Promise, shown};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::Failure;
 use crate::profile::Param;
-use crate::profile::value::format_decimal;
 use crate::text::{Text, both};
 
 /// A setpoint, or the source of one, that stands in the drive from before and turns the shaft once it is enabled.
@@ -79,9 +78,4 @@ impl Standing {
             "{label} steht noch auf {value}: wird vor der Freigabe auf 0 gesetzt"
         )
     }
-}
-
-pub(super) fn shown(param: &Param, value: i64) -> String {
-    let number = format_decimal(value, param.decimals_or_zero());
-    param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }

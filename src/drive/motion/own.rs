@@ -1,11 +1,11 @@
 //! What a drive makes of a setpoint by its own settings, and what it runs at without one; and whether that is still so.
 
 use super::Motor;
-use super::before::shown;
 use super::look::{role_raw, working};
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
+use crate::profile::value::format_decimal;
 use crate::profile::{Family, Mode, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
@@ -199,4 +199,10 @@ impl Motor<'_, '_> {
         let now = Own::read(self.session, self.target, &promise.mode, &promise.sets).await?;
         Ok((!promise.own.is_still(&now)).then(|| promise.broken(&now, &self.target.family)))
     }
+}
+
+/// A value with its unit.
+pub(super) fn shown(param: &Param, value: i64) -> String {
+    let number = format_decimal(value, param.decimals_or_zero());
+    param.unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }

@@ -1,7 +1,8 @@
 //! Operating modes, setpoints and contacts: giving them, waiting until they are reached, and holding a run.
 
-use super::before::{Standing, shown, standing};
+use super::before::{Standing, standing};
 use super::look::{raw, working_raw};
+use super::own::shown;
 use super::patience::ROUND;
 use super::shaft::Watch;
 use super::{Lever, Motor};
