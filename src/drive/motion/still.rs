@@ -43,6 +43,8 @@ pub(super) struct Sight {
     rested: bool,
     /// The stop goes as a setting says, which may be by direct current: that takes the frequency away, not the speed.
     by_setting: bool,
+    /// The drive has said what a 0 under power is worth then; whoever interrupts that question has no answer to it.
+    settled: bool,
 }
 
 impl Sight {
@@ -86,7 +88,11 @@ impl Sight {
     }
 
     pub(super) fn standing(&self) -> Option<bool> {
-        if self.turns { Some(false) } else { (self.held || self.rested).then_some(true) }
+        if self.turns {
+            Some(false)
+        } else {
+            ((self.held && (self.settled || !self.by_setting)) || self.rested).then_some(true)
+        }
     }
 }
 
@@ -268,6 +274,7 @@ impl Motor<'_, '_> {
     async fn doubt(&mut self) -> Result<(), Failure> {
         if self.sight.held && self.sight.by_setting {
             self.sight.held = self.ending().await?.is_none_or(|row| row.coasts);
+            self.sight.settled = true;
         }
         Ok(())
     }

@@ -108,7 +108,7 @@ fn a_lost_answer_keeps_the_view_from_asking_only_where_it_was_its_own() {
         let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"lost\"");
         let (value, look) = waited(&run((model, &keys, line), "--view --duration 8s", &mut |_, _, _| {}));
         // What the run asks itself is waited for, and asked again.
-        if look > 700 {
+        if look > 600 {
             others += 1;
             assert!(value < 2_000, "{once}: {value} {look}");
         } else {
@@ -135,13 +135,13 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
 fn a_value_that_was_refused_is_left_out_of_the_view() {
     let (model, keys, line) = DRIVES[1];
     let mut refused = 0;
-    for once in 61..=66 {
+    for once in 67..=72 {
         let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"exception\"");
         let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
         let asked = |from: usize, hex: &str| seen.sent[from..].iter().filter(|sent| sent.1 == hex).count();
         let (other, hex) = (&seen.sent[once - 2].1, &seen.sent[once - 1].1);
-        // The frequency (P.210) is asked by the stop as well.
-        if !hex.starts_with("01 64 00 D2") {
+        // The frequency (P.210) is asked by the stop as well, and what the ramp asks for (P.283) by the run.
+        if !["01 64 00 D2", "01 64 01 1B"].iter().any(|asked| hex.starts_with(asked)) {
             refused += 1;
             assert_eq!(asked(once, hex), 0, "{once}: {hex}");
         }

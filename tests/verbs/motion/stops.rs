@@ -382,3 +382,16 @@ fn no_end_at_any_step_leaves_a_shaft_turning_or_a_false_report() {
 fn no_end_on_a_line_that_is_always_late_leaves_a_shaft_turning_or_a_false_report() {
     println!("{}", trial(late_cases(), 31));
 }
+
+/// Whoever interrupts the question how the drive ends a ramp has no answer to it: direct current shows 0 as well.
+#[test]
+fn an_interrupt_of_the_last_question_of_a_stop_proves_nothing() {
+    let registry = Registry::open(&[]).unwrap();
+    for case in cases().into_iter().filter(|case| case.keys == BRAKES) {
+        let whole = case.run(&registry, End::Duration, 0).telegrams;
+        for step in whole - 80..whole {
+            let seen = case.run(&registry, End::Twice, step);
+            assert_eq!(case.sins(&registry, End::Twice, &seen), Vec::<String>::new(), "{step} of {whole}");
+        }
+    }
+}
