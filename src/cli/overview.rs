@@ -70,10 +70,7 @@ pub(super) fn of(root: Command) -> Command {
         let is_told = OPTIONS.contains(&arg.get_id().as_str());
         arg.help_heading(None::<&str>).hide_short_help(!is_told)
     });
-    root.help_template(format!(
-        "{{about}}\n{{usage-heading}} {{usage}}\n{}Options (more with --help):\n{{options}}\n{SHORT}\n",
-        commands()
-    ))
+    root.help_template(format!("{{about}}\n{{usage-heading}} {{usage}}\n{}{{options}}\n{SHORT}\n", commands()))
 }
 
 /// What it ends with.
