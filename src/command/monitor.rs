@@ -111,7 +111,7 @@ pub struct Args {
     /// On the bench: do not follow the wall clock
     ///
     /// Minutes of the bench take milliseconds.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub unpaced: bool,
 }
 

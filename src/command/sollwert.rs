@@ -50,7 +50,7 @@ pub struct Args {
     /// What is set, where the unit does not tell
     ///
     /// frequency, percent (ACTIVE); velocity, position, homing, current, speed, gear, jog (LXM05)
-    #[arg(long, value_name = "MODE")]
+    #[arg(long, value_name = "MODE", hide_short_help = true)]
     pub mode: Option<String>,
 
     /// Set a parameter first, such as RAMPacc=2000
