@@ -56,25 +56,21 @@ impl Page {
     pub(super) fn changes(self, values: &[Written]) -> String {
         let several = values.iter().any(|row| Some(row.address) != values.first().map(|first| first.address));
         let alike = values.chunk_by(|one, next| self.width.is_some() && are_alike(one, next));
-        let rows = alike.filter_map(|sets| Some(self.change(sets.first()?, sets.last()?, several)));
+        let alike: Vec<(&Written, &Written)> = alike.filter_map(|sets| Some((sets.first()?, sets.last()?))).collect();
+        let rows = alike.iter().map(|(first, last)| self.change(first, last, several));
         let head = [">addr", ">param", "set", "name", ">old", ">new", "unit", "result"];
         let mut text = self.table(head.get(usize::from(!several)..).unwrap_or_default(), rows.collect());
         let sent = values.iter().any(|row| self.to_send(row).is_some());
         text += if sent { "\n" } else { "" };
-        text + &values.iter().map(|row| self.remarks(row)).collect::<String>()
+        text + &alike.iter().map(|(first, last)| self.remarks(first, last)).collect::<String>()
     }
 
     fn change(self, row: &Written, last: &Written, several: bool) -> Vec<String> {
         let address = several.then(|| row.address.to_string());
-        let set = |row: &Written| match (row.data_set, row.store) {
-            (0, "ram") => "ram".to_owned(),
-            (set, store) => set_name(set, store),
-        };
-        let (first, last) = (set(row), set(last));
         let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
         let cells = [
             row.param.to_string(),
-            if first == last { first } else { format!("{}-{last}", row.data_set) },
+            sets(row, last),
             self.say(&row.name),
             old(row),
             shown(row.value, false) + &text.unwrap_or_default(),
@@ -85,8 +81,8 @@ impl Page {
     }
 
     /// Why a value did not go, what is odd about it, and the telegram of one that is only planned.
-    fn remarks(self, row: &Written) -> String {
-        let place = format!("{}@{}", row.param, set_name(row.data_set, row.store));
+    fn remarks(self, row: &Written, last: &Written) -> String {
+        let place = format!("{}@{}", row.param, sets(row, last));
         let error = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
         let note = row.note.as_ref().map(|note| self.say(note));
         let told = error.into_iter().chain(note).map(|told| match told.contains(&format!("P.{}", row.param)) {
@@ -104,15 +100,24 @@ impl Page {
     }
 }
 
+/// The data sets of a row: `1`, `1-4`, `2ram`, or `ram` where there is but one.
+fn sets(first: &Written, last: &Written) -> String {
+    match (first.data_set, first.store) {
+        (0, "ram") => "ram".to_owned(),
+        (set, _) if set != last.data_set => format!("{set}-{}", set_name(last.data_set, last.store)),
+        (set, store) => set_name(set, store),
+    }
+}
+
 fn is_planned(row: &Written) -> bool {
     row.result == WriteResult::Planned
 }
 
-/// Whether a data set went the same way as the one before it, and nothing else is to be said of either.
+/// Whether a data set went the same way as the one before it, and the same is to be said of both.
 fn are_alike(one: &Written, next: &Written) -> bool {
     let way = |row: &Written| (row.address, row.param, row.store, row.old_raw, row.raw, row.result);
-    let is_plain = |row: &Written| row.error.is_none() && row.note.is_none() && !is_planned(row);
-    way(one) == way(next) && one.data_set + 1 == next.data_set && is_plain(one) && is_plain(next)
+    let said = |row: &Written| (row.error.as_ref().map(|error| error.message.clone()), row.note.clone());
+    way(one) == way(next) && one.data_set + 1 == next.data_set && said(one) == said(next) && !is_planned(one)
 }
 
 fn old(row: &Written) -> String {
