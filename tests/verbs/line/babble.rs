@@ -27,7 +27,7 @@ const BAD: [(&str, &str); 13] = [
 ];
 
 /// Verbs, of how many things in all they ask beside what they ask every drive, and an earlier end where one is promised.
-const TYPED: [(&str, u64, Option<u64>); 21] = [
+const TYPED: [(&str, u64, Option<u64>); 22] = [
     ("-a 1 read 372", 1, None),
     ("-a 1 read 372@all 480-483", 5, None),
     ("-a 1 write 372@1=1400 --yes", 1, None),
@@ -51,6 +51,7 @@ const TYPED: [(&str, u64, Option<u64>); 21] = [
     ("plan --config {dir}/plant.toml", 2, None),
     ("apply --yes --config {dir}/plant.toml", 2, None),
     ("check --config {dir}/plant.toml", 2, None),
+    ("-a 1 procedure first-contact --yes --record {dir}/first.json", 0, None),
 ];
 
 /// What a plant is to have.

@@ -129,7 +129,9 @@ pub(super) fn brought_to_end(dir: &Path, line: &str, registry: &Registry, end: E
         }
     };
     witness::call(true);
-    witness::pull_after((end == End::Pulled).then_some(step as u64 / 2));
+    if end == End::Pulled {
+        witness::pull_after(Some(step as u64 / 2));
+    }
     let mut ask = Agreeable;
     let mut context = Context {
         settings: &settings,
