@@ -1,7 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::{PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
+use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
@@ -10,11 +10,13 @@ use crate::exchange::{Answer, Limits, Question};
 use crate::outcome::Event;
 use crate::profile::{Family, Mode, Registry, Type};
 use crate::text::both;
-use crate::tick::Span;
+use crate::tick::{Span, Tick};
 use std::rc::Rc;
 
 /// How long it is looked whether a setpoint of zero only slows the shaft.
 const LOOKING: Span = Span::from_millis(600);
+/// And when the last of these questions ends: a drive that is slow has told both by then.
+const LOOKED: Span = Span::from_millis(900);
 
 /// Gives a setpoint of zero before anything is asked that it does not need; says whether one went out. `modes`: those of a
 /// family that may be meant.
@@ -90,7 +92,8 @@ async fn acting(
     family: &Rc<Family>,
     modes: Vec<Mode>,
 ) -> Result<Vec<Mode>, AccessError> {
-    let active = told(session, meant, family, "mode-active").await?;
+    let by = session.now() + BRIEF;
+    let active = told(session, meant, family, ("mode-active", by)).await?;
     let known = |active: &i64| family.modes.iter().any(|mode| mode.value == Some(*active));
     let Some(active) = active.filter(known) else { return Ok(modes) };
     Ok(modes.into_iter().filter(|mode| mode.value.is_none_or(|value| value == active)).collect())
@@ -99,14 +102,15 @@ async fn acting(
 /// Whether a line setpoint of zero cannot turn the shaft faster, nor the other way, as far as that is told in time.
 async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family>) -> Result<bool, AccessError> {
     let begun = session.now();
+    let by = begun + LOOKED;
     let (mut internal, mut line) = (None, None);
     while session.now().since(begun) < LOOKING {
         if internal.is_none() {
-            internal = told(session, meant, family, "setpoint-internal").await?;
+            internal = told(session, meant, family, ("setpoint-internal", by)).await?;
         }
         // One after the other: the same asked again needs no fence between.
         if internal.is_some_and(|internal| internal != 0) && line.is_none() {
-            line = told(session, meant, family, "setpoint-bus").await?;
+            line = told(session, meant, family, ("setpoint-bus", by)).await?;
         }
         match (internal, line) {
             (Some(0), _) | (_, Some(0)) => return Ok(true),
@@ -146,16 +150,16 @@ async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Qu
     Ok(refused)
 }
 
-/// The raw value of a role, if the drive tells it in the time that it may take.
+/// The raw value of a role, if the drive tells it in the time that it may take, and by then.
 async fn told(
     session: &mut Session<'_>,
     meant: &Meant,
     family: &Rc<Family>,
-    role: &str,
+    (role, by): (&str, Tick),
 ) -> Result<Option<i64>, AccessError> {
     let mut target = Target::new(meant.address, family.clone());
     let patient = session.patient();
-    session.end_at(Some(session.now() + patient.reply_timeout));
+    session.end_at(Some(by.min(session.now() + patient.reply_timeout)));
     let tell = async |session: &mut Session<'_>| role_raw(session, &mut target, role).await;
     in_short(session.within(patient, tell).await)
 }
