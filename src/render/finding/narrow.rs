@@ -113,7 +113,8 @@ mod tests {
     #[test]
     fn a_name_is_broken_behind_a_hyphen_and_a_number_nowhere() {
         assert_eq!(broken("fixed-frequency-1 x", 10), "fixed-\nfrequency-\n1 x");
-        assert_eq!(broken("-999.00 … 999.00", 8), "-999.00\n…\n999.00");
+        assert_eq!(broken("-999.00 … 999.00", 8), "-999.00\n… 999.00");
+        assert_eq!(broken("-999.00 … 999.00", 7), "-999.00\n…\n999.00");
         assert_eq!(broken("1-4", 2), "1-4");
     }
 }
