@@ -181,7 +181,7 @@ impl Check<'_, '_> {
 
     /// The least setpoint, if the drive lifts one to it; told.
     fn floor(&mut self, wanted: &Wanted, own: Own) -> Option<i64> {
-        let (floor, least) = wanted.mode.floor.as_ref().zip(own.least)?;
+        let (floor, least) = wanted.mode.floor.as_ref().zip(own.least.filter(|&least| least > 0))?;
         let lifted = self.ends_at_zero() || wanted.values().any(|raw| raw.saturating_abs() < least);
         if lifted {
             let least = wanted.shown(least, &self.target.family);

@@ -150,7 +150,7 @@ impl Total {
 impl Wanted {
     /// Whether the drive would turn its shaft at a setpoint of 0, as far as its own settings tell.
     pub(super) fn turns_at_zero(&self) -> bool {
-        self.promise.as_ref().is_some_and(|Promise { own, .. }| own.least.is_some())
+        self.promise.as_ref().is_some_and(|Promise { own, .. }| own.least.is_some_and(|least| least > 0))
             || self.effective.is_some_and(|total| total.of(0) != Some(0))
     }
 

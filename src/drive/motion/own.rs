@@ -55,7 +55,7 @@ impl Own {
             own.limit = will_be(limit).await?;
         }
         if let Some(floor) = mode.floor.as_ref().filter(|floor| own.source == Some(floor.source)) {
-            own.least = will_be(floor.param).await?.filter(|&least| least > 0);
+            own.least = will_be(floor.param).await?;
         }
         Ok(own)
     }

@@ -86,6 +86,9 @@ fn where_zero_turns_the_shaft_its_setpoint_goes_out_before_the_enable() {
 #[test]
 fn limits_of_the_active_data_set_count() {
     let sets = "[[drive]]\nmodel = \"acu\"\nfour = [418, 419]\nset = { \"414\" = 2, \"412\" = 1, \"434\" = 2, \"418@1\" = 0, \"418@2\" = 3.5, \"419@2\" = 9 }\n";
+    let plain =
+        antrieb("-a 1 sollwert 1Hz --enable").on(&sets.replace("\"414\" = 2", "\"414\" = 1")).answered("n").exits(8);
+    assert!(!plain.err.contains("does not tell"), "{}", plain.err);
     let lifted = antrieb("-a 1 sollwert 1Hz --enable").on(sets).answered("n").exits(8);
     assert!(lifted.err.contains("3.50 Hz"), "{}", lifted.err);
     let beyond = antrieb("-a 1 --yes sollwert 10Hz --enable").on(sets).json().exits(7);
