@@ -68,11 +68,21 @@ impl Own {
 
     fn is_still(&self, now: &Own) -> bool {
         let near = match (self.adds, now.adds) {
-            (Some(then), Some(now)) => then.abs_diff(now) <= (then.unsigned_abs() / WAVERS).max(WAVERS_RAW),
+            (Some(then), Some(now)) => then.abs_diff(now) <= wavers(then),
             (then, now) => then == now,
         };
         near && (self.source, self.limit, self.least) == (now.source, now.limit, now.least)
     }
+
+    /// In the order of [`Promise::params`].
+    fn values(&self) -> [Option<i64>; 4] {
+        [self.source, self.adds, self.limit, self.least]
+    }
+}
+
+/// How far a source may be from what it was.
+fn wavers(value: i64) -> u64 {
+    (value.unsigned_abs() / WAVERS).max(WAVERS_RAW)
 }
 
 /// What somebody was shown of a drive's own settings and agreed to.
@@ -107,54 +117,47 @@ impl Promise {
         let source = self.mode.source.as_ref()?;
         let adds = self.mode.adds.filter(|adds| adds.source.is_some()).map(|adds| (adds.param, self.own.adds));
         let least = self.mode.floor.as_ref().map(|floor| (floor.param, self.own.least));
-        let (id, value) = adds.into_iter().chain(least).find_map(|(id, value)| Some((id, value?)))?;
+        let own = adds.into_iter().chain(least).find_map(|(id, value)| Some((id, value?)));
+        let (id, value) = own.filter(|&(_, value)| value != 0)?;
         let (param, by) = (family.param_or_unknown(id), family.param_or_unknown(source.param).label());
         let (value, label, chosen) = (shown(&param, value), param.label(), self.own.source.unwrap_or(0));
         Some(both!(
             "it runs at {value} by itself ({label}, {by} = {chosen})",
             "er läuft von selbst mit {value} ({label}, {by} = {chosen})"
         ))
-        .filter(|_| self.own.adds.or(self.own.least) != Some(0))
     }
 
     /// The settings of which nothing could be read.
     pub fn unknown(&self, family: &Family) -> Vec<String> {
-        self.each(&self.own)
-            .filter(|(_, value)| value.is_none())
-            .map(|(id, _)| family.param_or_unknown(id).label())
+        let rows = self.params(&self.own).into_iter().zip(self.own.values());
+        rows.filter_map(|(id, value)| id.filter(|_| value.is_none()))
+            .map(|id| family.param_or_unknown(id).label())
             .collect()
     }
 
-    /// Every setting that counts with the source that the drive works with, and its value.
-    fn each(&self, own: &Own) -> impl Iterator<Item = (u32, Option<i64>)> + use<> {
-        let source = self.mode.source.as_ref().map(|source| (source.param, own.source));
-        let adds = self.mode.adds.filter(|adds| own.takes(&self.mode, adds.source)).map(|adds| (adds.param, own.adds));
-        let limit = self.mode.limit.map(|limit| (limit, own.limit));
-        let floor = self.mode.floor.as_ref().filter(|floor| own.source == Some(floor.source));
-        let floor = floor.map(|floor| (floor.param, own.least));
-        source.into_iter().chain(adds).chain(limit).chain(floor)
+    /// Every setting that counts with the source that the drive works with.
+    fn params(&self, own: &Own) -> [Option<u32>; 4] {
+        let Mode { source, adds, limit, floor, .. } = &self.mode;
+        [
+            source.as_ref().map(|source| source.param),
+            adds.filter(|adds| own.takes(&self.mode, adds.source)).map(|adds| adds.param),
+            *limit,
+            floor.as_ref().filter(|floor| own.source == Some(floor.source)).map(|floor| floor.param),
+        ]
     }
 
     fn broken(&self, now: &Own, family: &Family) -> Failure {
-        let mut changed: Vec<String> = Vec::new();
-        let then: Vec<_> = self.each(&self.own).collect();
-        let after: Vec<_> = self.each(now).collect();
-        let value = |rows: &[(u32, Option<i64>)], id: u32| rows.iter().find(|row| row.0 == id).and_then(|row| row.1);
-        let mut ids: Vec<u32> = then.iter().chain(&after).map(|row| row.0).collect();
-        ids.dedup();
-        for id in ids {
-            let param = family.param_or_unknown(id);
-            let (old, new) = (value(&then, id), value(&after, id));
+        let params = self.params(&self.own).into_iter().zip(self.params(now)).map(|(then, now)| then.or(now));
+        let values = self.own.values().into_iter().zip(now.values());
+        let changed = params.zip(values).filter(|(_, (old, new))| old != new).filter_map(|(id, (old, new))| {
+            let param = family.param_or_unknown(id?);
             let word = |value: Option<i64>| value.map_or_else(|| "-".to_owned(), |value| shown(&param, value));
-            let line = format!("{}: {} -> {}", param.label(), word(old), word(new));
-            if old != new && !changed.contains(&line) {
-                changed.push(line);
-            }
-        }
+            Some(format!("{}: {} -> {}", param.label(), word(old), word(new)))
+        });
+        let changed = changed.collect::<Vec<_>>().join(", ");
         let text = both!(
             "the drive would run otherwise than was agreed to, its own settings in force have changed: {changed}",
-            "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}",
-            changed = changed.join(", ")
+            "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}"
         );
         Failure::new(Class::Forbidden, "forbidden.otherwise", text).hint(both!(
             "another data set, an input, or somebody else: say it again to see what it runs at now",
@@ -193,7 +196,7 @@ impl Motor<'_, '_> {
         let far = ramp.abs_diff(goal);
         let before = course.seen.replace((goal, far));
         let nears = before.is_none_or(|(then, before)| then != goal || far < before);
-        if nears || far <= (goal.unsigned_abs() / WAVERS).max(WAVERS_RAW) {
+        if nears || far <= wavers(goal) {
             return Ok(None);
         }
         let now = Own::read(self.session, self.target, &promise.mode, &promise.sets).await?;
