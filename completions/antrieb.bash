@@ -4703,7 +4703,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__sniff)
-            opts="-p -a -b -q -v -h --for --duration --count --pcap --filter --trigger --pre --post --once --statistics --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
+            opts="-p -a -b -q -v -h --for --duration --count --search --pcap --filter --trigger --pre --post --once --statistics --port --address --baud --parity --stop-bits --data-bits --rs485 --rs485-before --rs485-after --protocol --drive --word-order --format --json --lang --quiet --verbose --trace --color --no-progress --catalogue --config --no-config --dry-run --force --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

@@ -2624,6 +2624,7 @@ always\t'Always'
 never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
+complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l search -d 'Find the setting of the line first, by listening'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l once -d 'End behind the first trigger'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand sniff" -s q -l quiet -d 'Less on stderr'

@@ -3021,6 +3021,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--color', '--color', [CompletionResultType]::ParameterName, 'Colour [default: auto]')
             [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
+            [CompletionResult]::new('--search', '--search', [CompletionResultType]::ParameterName, 'Find the setting of the line first, by listening')
             [CompletionResult]::new('--once', '--once', [CompletionResultType]::ParameterName, 'End behind the first trigger')
             [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
             [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')

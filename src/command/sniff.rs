@@ -2,10 +2,10 @@
 
 use super::verb::{Flow, Verb, Working};
 use super::{Context, connect, offline_family, output, telegram_reader};
-use crate::args::{Takes, parse_span};
-use crate::drive::{Filter, Listening, Port, sniff};
+use crate::args::{self, Origin, Settings, Takes, parse_span};
+use crate::drive::{Filter, Listening, Port, Unknown, sniff};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff};
+use crate::outcome::{Data, Document, OrPlan, Outcome, Plan, Sniff, SniffSearch};
 use crate::text::both;
 use crate::tick::Span;
 use clap::Args as ClapArgs;
@@ -15,7 +15,7 @@ use std::str::FromStr;
 /// Listens on a line and tells every telegram. Never sends.
 ///
 /// When it came, who speaks, the bytes, and what they say.
-/// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`. Parameters are named as in the
+/// The line is not asked what is spoken on it: name `--protocol`, `--baud` and `--parity`, or let --search find them. Parameters are named as in the
 /// catalogue of --drive (acu, if none is named). Every telegram is a line as it comes, with `--format ndjson` a
 /// record; --json and CSV tell all at the end.
 ///
@@ -36,6 +36,13 @@ pub struct Args {
     /// End after this many telegrams
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub count: Option<u64>,
+
+    /// Find the setting of the line first, by listening
+    ///
+    /// For 1.25 s at each setting, the likeliest first: all of 49 take a minute. What is typed (`--baud`, `--parity`, `--protocol`) stays; `auto` in its place is
+    /// looked for without --search too. Once through, or again and again until --duration is over. It finds who polls once a second or more often.
+    #[arg(long)]
+    pub search: bool,
 
     /// Keep a capture for Wireshark; - is stdout
     ///
@@ -112,12 +119,17 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     if let Some(path) = args.pcap.as_deref().filter(|path| *path != Path::new("-")) {
         output::check(path, settings.force)?;
     }
+    let unknown = unknown(args, settings);
+    if unknown.any() && matches!(settings.port, Some(Port::Tape(_))) {
+        return Err(recorded());
+    }
     let is_virtual = matches!(settings.port, Some(Port::Sim(_) | Port::Tape(_)));
     let plan = Listening {
         duration: args.duration,
         quiet: (is_virtual && args.duration.is_none()).then_some(QUIET),
         count: args.count,
         keep: settings.tells_at_the_end(),
+        unknown,
         statistics: args.statistics,
         filters: args.filter.clone(),
         triggers: args.trigger.clone(),
@@ -125,15 +137,63 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         post: args.post.unwrap_or(POST),
         once: args.once,
     };
+    // What is looked for is known to nobody yet.
+    let settings = &Settings { unknown: args::Unknown::default(), ..(*settings).clone() };
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let (heard, error) = sniff(&mut session, &telegram_reader(settings, &family), plan).await;
     let failure = error.map(|error| error.failure(0, None)).or_else(|| unheard(&heard));
     Ok(Outcome { data: Some(Data::Sniff(heard)), warnings: Vec::new(), failure })
 }
 
+/// What is to be found: whatever was said to be auto, and with --search whatever was not typed.
+fn unknown(args: &Args, settings: &Settings) -> Unknown {
+    let args::Unknown { baud, parity, protocol } = settings.unknown;
+    let sought = |name| args.search && !matches!(settings.origin(name), Origin::Flag);
+    Unknown {
+        baud: baud || sought("baud"),
+        parity: parity || sought("parity"),
+        protocol: protocol || sought("protocol"),
+    }
+}
+
+/// Why no setting was found.
+fn unfound(port: &str, search: SniffSearch) -> Failure {
+    let SniffSearch { tried, characters, .. } = search;
+    let again = both!(
+        "`antrieb sniff --search --duration 10m` goes through them again and again",
+        "`antrieb sniff --search --duration 10m` geht sie immer wieder durch"
+    );
+    if characters == 0 {
+        let text = both!(
+            "nothing was heard on {port}, at {tried} settings",
+            "auf {port} war nichts zu hören, bei {tried} Einstellungen"
+        );
+        return Failure::new(Class::Silence, "silence.nothing_heard", text).hint(both!(
+            "sniff never sends: is a master asking on this line, once a second? Check A and B; {again}",
+            "sniff sendet nie: Fragt ein Master auf dieser Leitung, jede Sekunde? A und B prüfen; {again}",
+            again
+        ));
+    }
+    let text = both!(
+        "somebody speaks on {port}, but at {tried} settings no two telegrams came ({characters} characters)",
+        "auf {port} spricht jemand, aber bei {tried} Einstellungen kamen keine zwei Telegramme ({characters} Zeichen)"
+    );
+    Failure::new(Class::Garbled, "garbled.nothing_valid", text).hint(both!(
+        "is another protocol spoken there? Check A and B, termination and bias; {again}",
+        "Wird dort ein anderes Protokoll gesprochen? A und B, Abschluss und Ruhepegel prüfen; {again}",
+        again
+    ))
+}
+
 /// Why it was of no use to listen.
 fn unheard(sniff: &Sniff) -> Option<Failure> {
     let summary = &sniff.summary;
+    match summary.search {
+        Some(search) if !search.found => return Some(unfound(&summary.port, search)),
+        // The telegrams by which it was found were heard.
+        Some(_) if summary.count.heard == 0 => return None,
+        _ => {}
+    }
     let (line, protocol, heard) = (&summary.line, summary.protocol, summary.count.heard);
     let failure = match (heard, heard - summary.count.garbled) {
         (0, _) => Failure::new(
@@ -160,12 +220,21 @@ fn unheard(sniff: &Sniff) -> Option<Failure> {
             ),
         )
         .hint(both!(
-            "try other settings: --protocol rtu, ascii or vabus, --baud, --parity",
-            "andere Einstellungen versuchen: --protocol rtu, ascii oder vabus, --baud, --parity"
+            "`antrieb sniff --search` finds the setting of the line",
+            "`antrieb sniff --search` findet die Einstellung der Leitung"
         )),
         _ => return None,
     };
     Some(failure)
+}
+
+fn recorded() -> Failure {
+    let text = both!(
+        "a recording has the setting at which it was made: there is none to look for",
+        "eine Aufzeichnung hat die Einstellung, bei der sie entstand: es gibt keine zu suchen"
+    );
+    Failure::new(Class::Usage, "usage.search", text)
+        .hint(both!("its first line names the setting", "ihre erste Zeile nennt die Einstellung"))
 }
 
 fn no_line() -> Failure {

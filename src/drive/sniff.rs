@@ -2,11 +2,13 @@
 
 mod census;
 mod filter;
+mod search;
 
 pub use filter::Filter;
 
 use super::access::AccessError;
 use super::decode::Reader;
+use super::scan::Unknown;
 use super::session::Session;
 use crate::exchange::Cutter;
 use crate::outcome::{Event, Record, Sniff, SniffSummary, TelegramDoc};
@@ -14,6 +16,7 @@ use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
 use crate::transport::Wake;
 use census::{Came, Census, Terms};
+use search::{Sought, search};
 use std::collections::VecDeque;
 use std::iter::repeat_n;
 
@@ -28,6 +31,8 @@ pub struct Listening {
     pub count: Option<u64>,
     /// Whether the telegrams are part of the result, beside the records on the way.
     pub keep: bool,
+    /// What of the setting is not known: it is looked for first.
+    pub unknown: Unknown,
     /// Tell what was counted so often.
     pub statistics: Option<Span>,
     /// Only what one of these lets through is told; everything if there are none.
@@ -46,11 +51,22 @@ pub struct Listening {
 /// an error only if the port is lost. Never sends.
 pub async fn sniff(session: &mut Session<'_>, reader: &Reader<'_>, plan: Listening) -> (Sniff, Option<AccessError>) {
     let begin = session.now();
-    let (mut ear, mut log) = (Ear::of(session, *reader), Log::new(plan));
-    let (because, error) = listen(session, &mut ear, &mut log, begin).await;
+    let mut reader = *reader;
+    let until = plan.duration.map(|span| begin + span);
+    let sought = match plan.unknown.any() {
+        true => Some(search(session, &mut reader, plan.unknown, until).await),
+        false => None,
+    };
+    let (mut ear, mut log) = (Ear::of(session, reader), Log::new(plan));
+    let (because, error) = match &sought {
+        Some(Sought { found: false, because, .. }) => (*because, None),
+        _ => listen(session, &mut ear, &mut log, begin).await,
+    };
+    let (search, cut) = sought.map_or((None, None), |sought| (Some(sought.told()), sought.cut));
     // What was begun is told as it is.
     log.tell(session, ear.silence());
-    let summary = summary(session, &ear, because);
+    let summary = SniffSummary { search, ..summary(session, &ear, because) };
+    let error = error.or(cut);
     (Sniff { summary, telegrams: log.kept }, error)
 }
 
@@ -111,6 +127,7 @@ fn summary(session: &Session<'_>, ear: &Ear<'_>, because: &'static str) -> Sniff
         port: session.port().to_owned(),
         line: session.line().to_string(),
         protocol: session.protocol().name(),
+        search: None,
         count: ear.census.count(session.now()),
         unseen: unseen(),
     }

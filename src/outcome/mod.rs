@@ -45,8 +45,8 @@ pub use relocation::{Moves, Place, Relocation, RelocationResult, RelocationStep,
 pub use report::{Form, Logo, Report, ReportedDrive};
 pub use stream::{
     Before, Column, LineNews, Monitor, PortChange, Record, Repeats, RunKeys, RunNews, Sample, SampleValue, Sniff,
-    SniffCount, SniffSummary, SniffedStation, StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip, Waits,
-    WatchedDrive,
+    SniffCount, SniffSearch, SniffSummary, SniffedStation, StreamEnd, StreamStart, StreamSummary, TriggerNews, Trip,
+    Waits, WatchedDrive,
 };
 pub use systembus::{
     BusCharge, BusDrive, BusLink, BusLoad, BusPlan, BusRate, BusReceiver, BusRelation, BusRemark, BusSetting, BusTotal,

@@ -315,7 +315,7 @@ pub struct Sniff {
 /// What `sniff` heard, in numbers.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SniffSummary {
-    /// Why it ended: `count`, `duration`, `quiet`, `trigger` (--once), `interrupted`, `lost`.
+    /// Why it ended: `count`, `duration`, `quiet`, `trigger` (--once), `search` (no setting was found), `interrupted`, `lost`.
     pub because: &'static str,
     /// Port.
     pub port: String,
@@ -323,11 +323,25 @@ pub struct SniffSummary {
     pub line: String,
     /// Protocol.
     pub protocol: &'static str,
+    /// What came of looking for the setting; missing where it was known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub search: Option<SniffSearch>,
     /// What was counted.
     #[serde(flatten)]
     pub count: SniffCount,
     /// What a serial adapter does not tell of a line.
     pub unseen: Text,
+}
+
+/// What came of looking for the setting of a line by listening alone.
+#[derive(Clone, Copy, Debug, Default, Serialize, JsonSchema)]
+pub struct SniffSearch {
+    /// Whether telegrams came at one; the line setting and the protocol are those, then.
+    pub found: bool,
+    /// How many settings were listened to; again and again counts again and again.
+    pub tried: u64,
+    /// Characters that came meanwhile, whatever they were.
+    pub characters: u64,
 }
 
 /// What `sniff` has counted so far, whether it was told or not.

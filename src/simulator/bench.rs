@@ -2,6 +2,7 @@
 
 use super::judge::{Judge, MasterTelegram, Remark, Sin, Spelt, wrong_format};
 use super::line::disturb::{Disturber, Outgoing};
+use super::line::port::Port;
 use super::line::speech::Spoken;
 use super::line::wire::{Sender, Slot, Wire, fits};
 use super::station::Drive;
@@ -30,6 +31,8 @@ pub struct Bench {
     judge: Judge,
     /// Setting of the master's last telegram.
     master: Option<LineSetting>,
+    /// What the master hears with, once it is known how he is set.
+    port: Option<Port>,
     /// What the master hears, in order of time.
     heard: VecDeque<(Tick, u8)>,
     totals: Totals,
@@ -60,6 +63,7 @@ impl Bench {
             disturber,
             judge: Judge::default(),
             master: None,
+            port: None,
             heard: VecDeque::new(),
             totals: Totals::default(),
         }
@@ -80,6 +84,7 @@ impl Bench {
         }
         self.judge.sends(at, line, bytes);
         self.master = Some(line);
+        self.listens(line);
         self.wire.put(Sender::Master, line, at, bytes);
         let station = addressee(bytes);
         if let Some(by) = self.disturber.echoes(at, station) {
@@ -89,12 +94,19 @@ impl Bench {
         }
     }
 
+    /// The master's port is set so from now on, whether or not he sends.
+    pub fn listens(&mut self, line: LineSetting) {
+        if self.port.as_ref().map(Port::line) != Some(line) {
+            self.port = Some(Port::new(line, self.now));
+        }
+    }
+
     /// The next moment at which something may change if the master stays silent.
     pub fn next_event(&self) -> Option<Tick> {
         let drives = self.drives.iter().filter_map(Drive::next_event);
         let delayed = self.delayed.iter().map(|delayed| delayed.at);
         let heard = self.heard.front().map(|heard| heard.0);
-        drives.chain(delayed).chain(self.wire.next()).chain(heard).chain(self.disturber.next_babble()).min()
+        drives.chain(delayed).chain(self.wire.next()).chain(heard).chain(self.alone()).min()
     }
 
     /// Runs until `to`, inclusive; returns every byte that came to the master since the last call, each with the time
@@ -163,7 +175,13 @@ impl Bench {
     fn next_inside(&self) -> Option<Tick> {
         let drives = self.drives.iter().filter_map(Drive::next_event);
         let delayed = self.delayed.iter().map(|delayed| delayed.at);
-        drives.chain(delayed).chain(self.wire.next()).chain(self.disturber.next_babble()).min()
+        drives.chain(delayed).chain(self.wire.next()).chain(self.alone()).min()
+    }
+
+    /// What happens by itself: somebody speaks unasked, the master's port makes out a character of another setting.
+    fn alone(&self) -> impl Iterator<Item = Tick> {
+        let heard = self.port.as_ref().and_then(Port::due).filter(|&due| !self.wire.speaks_before(due));
+        self.disturber.next_babble().into_iter().chain(heard)
     }
 
     /// Everything that is due now: first what was on the wire, then what the drives do about it.
@@ -171,6 +189,11 @@ impl Bench {
         let now = self.now;
         while let Some(slot) = self.wire.take(now) {
             self.deliver(&slot);
+        }
+        if let Some(port) = self.port.as_mut().filter(|port| port.due().is_some_and(|due| due <= now))
+            && !self.wire.speaks_before(now)
+        {
+            self.heard.extend(port.rest(now));
         }
         if let Some(telegram) = self.judge.settle(now) {
             self.classify(&telegram);
@@ -180,8 +203,10 @@ impl Bench {
             self.put(delayed);
         }
         let setting = self.master.or(self.drives.first().map(Drive::line));
-        while let Some((bytes, line)) = setting.and_then(|line| self.disturber.babble(now, line)) {
-            self.wire.put(Sender::Stranger, line, now, &bytes);
+        while let Some((line, (bytes, own))) = setting.and_then(|line| Some((line, self.disturber.babble(now, line)?)))
+        {
+            let sender = if own.is_some() { Sender::Stranger } else { Sender::Noise };
+            self.wire.put(sender, own.unwrap_or(line), now, &bytes);
         }
         for index in 0..self.drives.len() {
             while let Some(reply) = self.drives.get_mut(index).and_then(|drive| drive.run(now)) {
@@ -198,9 +223,11 @@ impl Bench {
 
     fn deliver(&mut self, slot: &Slot) {
         if slot.sender != Sender::Master {
-            // The master may have another setting; then it reads something else.
-            let readable = self.master.is_none_or(|master| fits(master, slot.line));
-            self.heard.push_back((slot.end, if readable { slot.byte } else { !slot.byte }));
+            let is_clear = |port: &Port| slot.sender == Sender::Noise || fits(port.line(), slot.line);
+            match self.port.as_mut().filter(|port| !is_clear(port)) {
+                Some(port) => self.heard.extend(port.hear(slot)),
+                None => self.heard.push_back((slot.end, slot.byte)),
+            }
         }
         if let Sender::Drive(index) = slot.sender {
             let rest = self.drives.get(index).map_or(Span::ZERO, Drive::rest);

@@ -13,6 +13,9 @@ pub trait Served {
     /// The master puts `bytes` on the wire, back to back from `at` on.
     fn master_sends(&mut self, at: Tick, line: LineSetting, bytes: &[u8]);
 
+    /// The master's port is set so from now on.
+    fn listens(&mut self, _line: LineSetting) {}
+
     /// The next moment at which something may change if the master stays silent.
     fn next_event(&self) -> Option<Tick>;
 
@@ -35,6 +38,10 @@ impl Served for Bench {
 
     fn master_sends(&mut self, at: Tick, line: LineSetting, bytes: &[u8]) {
         Bench::master_sends(self, at, line, bytes);
+    }
+
+    fn listens(&mut self, line: LineSetting) {
+        Bench::listens(self, line);
     }
 
     fn next_event(&self) -> Option<Tick> {

@@ -47,7 +47,8 @@ const AHEAD: Duration = Duration::from_millis(2);
 
 impl SimLink {
     pub(super) fn new(bench: Bench, line: LineSetting) -> Self {
-        let (bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
+        let (mut bench, now) = witness::standing().unwrap_or((bench, Tick::ZERO));
+        bench.listens(line);
         SimLink { bus: Bus::Bench(Box::new(bench)), line, now, pace: None, is_pulled: false }
     }
 
@@ -78,8 +79,9 @@ impl SimLink {
         self.pace.is_some()
     }
 
-    /// The setting of what is sent from now on.
+    /// The setting of what is sent and heard from now on.
     pub(super) fn set_line(&mut self, line: LineSetting) {
+        self.bus.served().listens(line);
         self.line = line;
     }
 
@@ -99,7 +101,11 @@ impl SimLink {
                 pace.reach(next).await;
             }
             let bytes: Vec<u8> = self.bus.served().advance(next).into_iter().map(|(_, byte)| byte).collect();
-            let stuck = next == self.now && next < until && bytes.is_empty();
+            let is_still_there = |event: Tick| event <= next;
+            let stuck = next == self.now
+                && next < until
+                && bytes.is_empty()
+                && self.bus.served().next_event().is_some_and(is_still_there);
             self.now = next;
             if !bytes.is_empty() {
                 return Ok(Wake::Bytes(bytes));

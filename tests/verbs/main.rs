@@ -51,6 +51,7 @@ mod line {
     mod relocation;
     mod scanning;
     mod searching;
+    mod seeking;
     mod sniffing;
     mod talkers;
     mod tape;

@@ -20,6 +20,7 @@ use crate::protocol::line::LineSetting;
 use crate::text::both;
 use crate::tick::Span;
 pub use order::Unknown;
+pub(super) use order::tunings;
 pub use plan::{Asked, First, Manner, ScanPlan};
 use search::Search;
 use std::collections::BTreeSet;

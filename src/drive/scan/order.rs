@@ -63,7 +63,7 @@ const PROTOCOLS: [(Protocol, &str); 3] = [
 
 /// The settings to try, for what is unknown of `known`: those of the factory, then the others; one that differs from the usual in
 /// one thing is likelier than one that differs in two.
-pub(super) fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
+pub(in crate::drive) fn tunings(known: Tuning, unknown: Unknown) -> Vec<Tuning> {
     if !unknown.any() {
         return vec![known];
     }

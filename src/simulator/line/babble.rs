@@ -21,6 +21,9 @@ pub(crate) enum Pattern {
     Master(Spoken),
 }
 
+/// What somebody says, and at which setting; `None`: at that of whoever listens.
+pub(crate) type Said = (Vec<u8>, Option<LineSetting>);
+
 /// Somebody who speaks whatever the others do.
 #[derive(Clone, Debug)]
 pub(crate) struct Babbler {
@@ -56,8 +59,8 @@ impl Babbler {
         Some(self.next).filter(|&next| self.until.is_none_or(|until| next < until))
     }
 
-    /// What it says from now on, to who listens at `line`, and at which setting it does.
-    pub(crate) fn speak(&mut self, now: Tick, line: LineSetting, dice: &mut Dice) -> Option<(Vec<u8>, LineSetting)> {
+    /// What it says from now on, to who listens at `line`, and at which setting of its own.
+    pub(crate) fn speak(&mut self, now: Tick, line: LineSetting, dice: &mut Dice) -> Option<Said> {
         let line = self.line.unwrap_or(line);
         let bytes = match &self.pattern {
             Pattern::Bytes(bytes) => bytes.clone(),
@@ -68,7 +71,7 @@ impl Babbler {
         self.asked = !self.asked;
         let pause = self.reply_delay.filter(|_| self.asked).unwrap_or(self.pause);
         self.next = now + line.chars(bytes.len() as u64) + pause.longer(Span::from_micros(1));
-        Some((bytes, line))
+        Some((bytes, self.line))
     }
 
     /// The question or the answer of another master: P.372 of a station far away.
@@ -127,7 +130,7 @@ mod tests {
         let mut babbler = Babbler::new(Pattern::Bytes(vec![0x55]), Tick::ZERO, Span::from_millis(20), lasts);
         let mut said = 0;
         while let Some(next) = babbler.next() {
-            assert_eq!(babbler.speak(next, LINE, &mut Dice::new(1)), Some((vec![0x55], LINE)));
+            assert_eq!(babbler.speak(next, LINE, &mut Dice::new(1)), Some((vec![0x55], None)));
             said += 1;
         }
         assert_eq!(said, 5);

@@ -1,6 +1,6 @@
 //! Faults of the line, by script: what happens to a reply on its way to the master.
 
-use super::babble::{Babbler, other_value};
+use super::babble::{Babbler, Said, other_value};
 use super::speech::Spoken;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::LAST_STATION;
@@ -103,8 +103,8 @@ impl Disturber {
         self.babblers.iter().filter_map(Babbler::next).min()
     }
 
-    /// What somebody says now unasked, and at which setting.
-    pub(crate) fn babble(&mut self, now: Tick, line: LineSetting) -> Option<(Vec<u8>, LineSetting)> {
+    /// What somebody says now unasked.
+    pub(crate) fn babble(&mut self, now: Tick, line: LineSetting) -> Option<Said> {
         let dice = &mut self.dice;
         self.babblers.iter_mut().find(|babbler| babbler.next().is_some_and(|next| next <= now))?.speak(now, line, dice)
     }

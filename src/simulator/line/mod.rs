@@ -2,5 +2,6 @@
 
 pub(crate) mod babble;
 pub(crate) mod disturb;
+pub(crate) mod port;
 pub(crate) mod speech;
 pub(crate) mod wire;

@@ -10,6 +10,8 @@ pub(crate) enum Sender {
     Master,
     /// Somebody who is no drive of the bench.
     Stranger,
+    /// What comes as it is, whatever the setting of who hears it.
+    Noise,
     /// A drive, by its place on the bench.
     Drive(usize),
 }
@@ -57,6 +59,11 @@ impl Wire {
             self.slots.insert(place, slot);
         }
         free
+    }
+
+    /// Whether somebody speaks before then.
+    pub(crate) fn speaks_before(&self, at: Tick) -> bool {
+        self.slots.iter().any(|slot| slot.start < at)
     }
 
     /// When the next byte will be complete.
