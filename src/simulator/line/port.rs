@@ -8,7 +8,9 @@ use crate::protocol::line::{LineSetting, Parity};
 use crate::tick::Tick;
 use std::collections::VecDeque;
 
-const NANOS: u64 = 1_000_000_000;
+const NANOS: u128 = 1_000_000_000;
+/// No port is faster; a bit lasts longer than no time at all.
+const FASTEST: u32 = 12_000_000;
 
 /// A port that does not fit what is on the wire.
 #[derive(Clone, Debug)]
@@ -17,7 +19,7 @@ pub(crate) struct Port {
     /// What was on the wire and is not over for it.
     slots: VecDeque<Slot>,
     /// It looks for a start bit from here on; nanoseconds, as every time below.
-    from: u64,
+    from: u128,
 }
 
 impl Port {
@@ -38,7 +40,7 @@ impl Port {
 
     /// When the character that it is at is over, if nothing more comes.
     pub(crate) fn due(&self) -> Option<Tick> {
-        Some(Tick::from_micros(self.end(self.start()?).div_ceil(1_000)))
+        Some(tick(self.end(self.start()?)))
     }
 
     /// What it makes of the wire until now, on which nobody speaks any more.
@@ -47,7 +49,7 @@ impl Port {
     }
 
     /// Every character that is over by then.
-    fn read(&mut self, until: u64) -> Vec<(Tick, u8)> {
+    fn read(&mut self, until: u128) -> Vec<(Tick, u8)> {
         let mut heard = Vec::new();
         while let Some(start) = self.start() {
             let end = self.end(start);
@@ -58,7 +60,7 @@ impl Port {
             let is_start = !self.level(start + self.bits(1));
             self.from = if is_start { end } else { start + self.bits(1) };
             if let Some(byte) = self.character(start).filter(|_| is_start) {
-                heard.push((Tick::from_micros(end.div_ceil(1_000)), byte));
+                heard.push((tick(end), byte));
             }
             let from = self.from;
             while self.slots.front().is_some_and(|slot| nanos(slot.end) <= from) {
@@ -69,10 +71,10 @@ impl Port {
     }
 
     /// Where the next start bit begins.
-    fn start(&self) -> Option<u64> {
+    fn start(&self) -> Option<u128> {
         let low = |slot: &Slot| {
             let (begin, bit) = (nanos(slot.start), bit(slot.line));
-            let lows = (0..slot.line.bits_per_char()).filter(|&index| !level(slot, index));
+            let lows = (0..u128::from(slot.line.bits_per_char())).filter(|&index| !level(slot, index));
             let spans = lows.map(|index| (begin + index * bit, begin + (index + 1) * bit));
             spans.filter(|span| span.1 > self.from).map(|span| span.0.max(self.from)).min()
         };
@@ -80,21 +82,21 @@ impl Port {
     }
 
     /// Until the middle of the first stop bit nothing else begins.
-    fn end(&self, start: u64) -> u64 {
-        let parity = u64::from(self.line.parity != Parity::None);
-        start + self.bits(2 * (1 + u64::from(self.line.data_bits) + parity) + 1)
+    fn end(&self, start: u128) -> u128 {
+        let parity = u128::from(self.line.parity != Parity::None);
+        start + self.bits(2 * (1 + data_bits(self.line) + parity) + 1)
     }
 
     /// So many halves of a bit of its own.
-    fn bits(&self, halves: u64) -> u64 {
+    fn bits(&self, halves: u128) -> u128 {
         halves * bit(self.line) / 2
     }
 
-    fn character(&self, start: u64) -> Option<u8> {
-        let at = |index: u64| self.level(start + self.bits(2 * index + 1));
-        let data = u64::from(self.line.data_bits);
+    fn character(&self, start: u128) -> Option<u8> {
+        let at = |index: u128| self.level(start + self.bits(2 * index + 1));
+        let data = data_bits(self.line);
         let byte = (0..data).filter(|&index| at(1 + index)).fold(0_u8, |byte, index| byte | 1 << index);
-        let ones = u64::from(byte.count_ones());
+        let ones = u128::from(byte.count_ones());
         let (fits, stop) = match self.line.parity {
             Parity::None => (true, at(1 + data)),
             parity => (at(1 + data) == parity_bit(parity, ones), at(2 + data)),
@@ -107,7 +109,7 @@ impl Port {
     }
 
     /// The level of the wire at a time; it is high where nobody speaks.
-    fn level(&self, at: u64) -> bool {
+    fn level(&self, at: u128) -> bool {
         let speaks = |slot: &&Slot| (nanos(slot.start)..nanos(slot.end)).contains(&at);
         let slot = self.slots.iter().find(speaks);
         slot.is_none_or(|slot| level(slot, (at - nanos(slot.start)) / bit(slot.line)))
@@ -115,28 +117,37 @@ impl Port {
 }
 
 /// The level of a bit of a character, its start bit first.
-fn level(slot: &Slot, index: u64) -> bool {
-    let data = u64::from(slot.line.data_bits);
+fn level(slot: &Slot, index: u128) -> bool {
+    let data = data_bits(slot.line);
     match index {
         0 => false,
         index if index <= data => slot.byte >> (index - 1) & 1 == 1,
         index if index == data + 1 && slot.line.parity != Parity::None => {
-            parity_bit(slot.line.parity, u64::from(slot.byte.count_ones()))
+            parity_bit(slot.line.parity, u128::from(slot.byte.count_ones()))
         }
         _ => true,
     }
 }
 
-fn parity_bit(parity: Parity, ones: u64) -> bool {
+fn parity_bit(parity: Parity, ones: u128) -> bool {
     (ones % 2 == 1) == (parity == Parity::Even)
 }
 
-fn bit(line: LineSetting) -> u64 {
-    NANOS / u64::from(line.baud.max(1))
+fn bit(line: LineSetting) -> u128 {
+    NANOS / u128::from(line.baud.clamp(1, FASTEST))
 }
 
-fn nanos(at: Tick) -> u64 {
-    at.as_micros() * 1_000
+fn nanos(at: Tick) -> u128 {
+    u128::from(at.as_micros()) * 1_000
+}
+
+fn tick(at: u128) -> Tick {
+    Tick::from_micros(u64::try_from(at.div_ceil(1_000)).unwrap_or(u64::MAX))
+}
+
+/// How many bits of a character carry it: no byte has more than 8.
+fn data_bits(line: LineSetting) -> u128 {
+    u128::from(line.data_bits.min(8))
 }
 
 #[cfg(test)]
@@ -177,6 +188,20 @@ mod tests {
         // A parity bit of 0 is taken for the start of the next character.
         let none = heard(LineSetting::rtu(19_200, Parity::None), even, &SENT);
         assert!(none.first() == SENT.first() && none.len() < SENT.len(), "{none:02X?}");
+    }
+
+    #[test]
+    fn it_survives_any_time_and_any_setting() {
+        let end_of_time = Tick::from_micros(u64::MAX);
+        for baud in [0, 1, 2_400, u32::MAX] {
+            for data_bits in [0, 9, u8::MAX] {
+                let line = LineSetting { baud, data_bits, parity: Parity::Odd, stop_bits: 1 };
+                let mut port = Port::new(line, Tick::ZERO);
+                let slot = Slot { line, byte: 0x55, sender: Sender::Noise, start: Tick::ZERO, end: end_of_time };
+                assert!(port.hear(&slot).len() < 3 && port.due().is_none_or(|due| due > Tick::ZERO));
+                port.rest(end_of_time);
+            }
+        }
     }
 
     #[test]
