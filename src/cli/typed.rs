@@ -132,10 +132,10 @@ fn bare(command: &clap::Command, args: Vec<clap::Arg>, verbs: Vec<clap::Command>
 /// is built where something is to be explained.
 pub(super) fn parse(arguments: &[OsString]) -> Result<(Line, Again), clap::Error> {
     let mentioned = mentioned(arguments);
-    let arguments = below_zero::shielded(arguments, &mentioned);
+    let shielded = below_zero::shielded(arguments, &mentioned);
     let read = |tree: clap::Command| {
-        let matches = tree.try_get_matches_from(&arguments)?;
-        Ok((Line::from_arg_matches(&matches)?, Again::of(&matches)))
+        let matches = tree.try_get_matches_from(&shielded)?;
+        Ok((Line::from_arg_matches(&matches)?, Again::of(&matches).behind(arguments)))
     };
     let told = || if arguments.iter().any(|word| word == "-h") { short::of(whole()) } else { whole() };
     read(mentioned).or_else(|_| read(told()))

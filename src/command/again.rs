@@ -4,7 +4,7 @@ use super::{Entry, VERBS};
 use crate::args::{Globals, SETTINGS};
 use crate::failure::Failure;
 use crate::outcome::{Data, Load, Outcome, Warning};
-use crate::text::{Lang, Text};
+use crate::text::{Lang, Text, both};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args as _, Command};
 use std::ffi::OsString;
@@ -22,7 +22,19 @@ const MARK: char = '`';
 #[derive(Clone, Debug, Default)]
 pub struct Again {
     given: Vec<Given>,
+    /// The whole of it, behind the name of the program.
+    words: Vec<String>,
 }
+
+/// A verb for one drive was asked of several: the hint says how it is typed for the first of them.
+pub(super) fn one_of(failure: Failure, addresses: &[u8]) -> Failure {
+    match addresses.first() {
+        Some(first) => failure.with(ONE_OF, first),
+        None => failure,
+    }
+}
+
+const ONE_OF: &str = "one_of";
 
 /// An option as it was typed.
 #[derive(Clone, Debug)]
@@ -53,7 +65,13 @@ impl Again {
             let names = short.into_iter().chain(arg.get_long().map(|long| format!("--{long}"))).collect();
             Some(Given { id, names, values })
         });
-        Again { given: given.collect() }
+        Again { given: given.collect(), words: Vec::new() }
+    }
+
+    /// Of this command line, word for word.
+    pub fn behind(self, arguments: &[OsString]) -> Self {
+        let words = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+        Again { words, ..self }
     }
 
     /// Of one that was not: so far as its options can be told.
@@ -83,8 +101,36 @@ impl Again {
     /// The same of a failure; it knows the address that nobody typed.
     pub fn hinted(&self, failure: Failure) -> Failure {
         let address = failure.context.iter().find(|(key, _)| *key == "address").map(|(_, address)| address.as_str());
-        let hint = failure.hint.as_deref().map(|hint| Box::new(self.typed(hint, address)));
-        Failure { hint, message: self.typed(&failure.message, address), ..failure }
+        let hint = failure.hint.as_deref().map(|hint| self.typed(hint, address));
+        let first = failure.context.iter().find(|(key, _)| *key == ONE_OF).map(|(_, first)| self.for_one(first));
+        let hint = match (first, hint) {
+            (Some(first), Some(hint)) => Some(both!("{first}; {hint}", "{first}; {hint}", first, hint)),
+            (first, hint) => first.or(hint),
+        };
+        Failure { hint: hint.map(Box::new), message: self.typed(&failure.message, address), ..failure }
+    }
+
+    /// This run, of one drive.
+    fn for_one(&self, address: &str) -> Text {
+        let (mut typed, mut named) = (Vec::new(), false);
+        let mut words = self.words.iter().filter(|word| *word != "--yes");
+        while let Some(text) = words.next() {
+            let is_behind = ["-a", "--address"].contains(&text.as_str());
+            let is_joined = text.starts_with("--address=") || (text.starts_with("-a") && !is_behind);
+            if is_behind {
+                words.next();
+            }
+            match is_behind || is_joined {
+                true => typed.extend(["-a".to_owned(), address.to_owned()]),
+                false => typed.push(word(text)),
+            }
+            named |= is_behind || is_joined;
+        }
+        if !named {
+            typed.splice(0..0, ["-a".to_owned(), address.to_owned()]);
+        }
+        let typed = typed.join(" ");
+        both!("one at a time, such as `antrieb {typed}`", "einen nach dem anderen, etwa `antrieb {typed}`")
     }
 
     /// The last words of loads, which name a command.
@@ -194,7 +240,6 @@ pub fn word(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::both;
 
     fn again(line: &str) -> Again {
         Again::guessed(&line.split(' ').map(OsString::from).collect::<Vec<_>>())

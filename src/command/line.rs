@@ -1,5 +1,6 @@
 //! `line`: speed, parity and address of a drive. What `protocol` shares with it is here too.
 
+use super::again::one_of;
 use super::asking::denied;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target_to_change};
@@ -103,12 +104,13 @@ pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> 
 
 /// Moves one drive to what is wished for.
 pub(super) async fn move_drive(wish: Wish, context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    let [address] = addresses_to_write(context.settings)?[..] else {
+    let addresses = addresses_to_write(context.settings)?;
+    let [address] = addresses[..] else {
         let message = both!(
             "expected one address: drives are moved one by one",
             "erwartet: eine Adresse; Antriebe werden einzeln umgestellt"
         );
-        return Err(Failure::new(Class::Usage, "usage.one_address", message));
+        return Err(one_of(Failure::new(Class::Usage, "usage.one_address", message), &addresses));
     };
     if address == 0 {
         let message = both!(

@@ -1,5 +1,6 @@
 //! What `statemachine` and `sollwert` share: ask, take control, do it, hold it, stop it, report.
 
+use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
@@ -121,14 +122,17 @@ pub(super) fn single_address(context: &Context<'_>) -> Result<u8, Failure> {
     match addresses_to_write(context.settings)?.as_slice() {
         [0] => Err(not_everybody(context)),
         [only] => Ok(*only),
-        _ => Err(usage(both!(
-            "expected the address of one drive, got several; motion is one drive at a time",
-            "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
-        ))
-        .hint(both!(
-            "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` and `sollwert 0` stop several",
-            "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` und `sollwert 0` halten mehrere an"
-        ))),
+        several => Err(one_of(
+            usage(both!(
+                "expected the address of one drive, got several; motion is one drive at a time",
+                "erwartet: die Adresse eines Antriebs; erhalten: mehrere. Bewegt wird immer nur einer"
+            ))
+            .hint(both!(
+                "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` and `sollwert 0` stop several",
+                "`antrieb statemachine quick-stop`, `disable`, `disable-voltage` und `sollwert 0` halten mehrere an"
+            )),
+            several,
+        )),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::gate::{Permit, Writing};
 use crate::outcome::{LoadEnd, WriteResult};
 use crate::profile::Family;
 use crate::profile::paramfile::Head;
-use crate::text::both;
+use crate::text::{Text, both};
 use std::cell::Cell;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -36,6 +36,10 @@ pub struct Member<'a> {
     pub steps: Vec<Step>,
     /// Where its undo file is left.
     pub undo: UndoPlace,
+    /// What to do where that place does not take it.
+    pub elsewhere: Text,
+    /// What to do where another drive stands at its address.
+    pub another: Text,
     /// What there is to do, once it was looked at.
     pub found: Option<Found>,
     /// Why nothing was begun with it.
@@ -167,14 +171,6 @@ impl Together {
     }
 }
 
-/// The failure of an undo file of a plant: they stand beside its project file.
-fn in_project(failure: Failure) -> Failure {
-    failure.hint(both!(
-        "the undo files of a plant go beside its project file, so that folder must take new files",
-        "die Dateien zum Zurücknehmen kommen neben die Projektdatei, also muss dieser Ordner neue Dateien annehmen"
-    ))
-}
-
 impl Member<'_> {
     /// Whether there is something to write.
     pub fn is_due(&self) -> bool {
@@ -184,9 +180,9 @@ impl Member<'_> {
     /// Tries whether its undo file can be left: without one nothing may be written.
     ///
     /// # Errors
-    /// The folder of the project file does not take it.
+    /// The folder does not take it.
     pub fn try_undo(&self) -> Result<(), Failure> {
-        self.undo.check().map_err(in_project)
+        self.undo.check().map_err(|failure| failure.hint(self.elsewhere.clone()))
     }
 
     /// Leaves it out: nothing is begun with it.
@@ -223,10 +219,7 @@ impl Member<'_> {
     fn must_be_meant(&self, drive: &Recognised) -> Result<(), Failure> {
         let (address, found) = (self.address, &drive.target.family.drive);
         let failure = |code: &str, message| {
-            Failure::new(Class::Data, code, message).with("address", address).hint(both!(
-                "if this drive is meant, say so in the project file; else look for the right one with `antrieb scan`",
-                "ist dieser Antrieb gemeint, es in der Projektdatei sagen; sonst den richtigen mit `antrieb scan` suchen"
-            ))
+            Failure::new(Class::Data, code, message).with("address", address).hint(self.another.clone())
         };
         let of = &self.family;
         if of.drive != *found {
@@ -256,7 +249,7 @@ impl Member<'_> {
     /// Writes what is planned; why it did not end well.
     async fn apply(&mut self, session: &mut Session<'_>, permit: &Permit<Writing>) -> Result<Vec<Failure>, Failure> {
         let Some(Found { plan, head }) = &mut self.found else { return Ok(Vec::new()) };
-        let undo_file = self.undo.leave(head, plan).map_err(in_project)?;
+        let undo_file = self.undo.leave(head, plan).map_err(|failure| failure.hint(self.elsewhere.clone()))?;
         let applied = transaction::apply(session, plan, &self.terms, permit, &undo_file).await;
         let failures = applied.failures.clone();
         let undo_file = undo_file.unless(applied.ended == LoadEnd::Untouched);

@@ -1,7 +1,8 @@
 //! The JSON document around every result, and the shapes that its `data` has where a verb finds one of several things.
 
 use super::{
-    ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Procedure, Procedures, Read, Record, Stops, Warning, Write,
+    Datasets, ErrorDoc, LineCheck, LiveList, Load, Motion, Plan, Plant, Procedure, Procedures, Read, Record, Stops,
+    Warning, Write,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -70,8 +71,12 @@ pub enum OrLoad<D> {
     Plan(Plan),
     /// What was written, or would be.
     Write(Write),
+    /// The same of several drives.
+    Several(Datasets),
     /// What became of a parameter file.
     Load(Box<Load>),
+    /// The same of several drives.
+    Loads(Plant),
 }
 
 /// What a verb finds, what it did to the shaft, or what it would send under `--dry-run`.

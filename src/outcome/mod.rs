@@ -52,7 +52,7 @@ pub use systembus::{
     BusCharge, BusDrive, BusLink, BusLoad, BusPlan, BusRate, BusReceiver, BusRelation, BusRemark, BusSetting, BusTotal,
 };
 pub use transfer::{
-    Dataset, DatasetRow, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
+    Dataset, DatasetRow, Datasets, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
 };
 pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
 
@@ -96,6 +96,7 @@ impl Outcome {
         match &self.data {
             Some(Data::Write(write)) => !write.dry_run && !write.values.is_empty(),
             Some(Data::Dataset(dataset)) => !dataset.dry_run && !dataset.written.is_empty(),
+            Some(Data::Datasets(datasets)) => datasets.drives.iter().any(|one| !one.dry_run && !one.written.is_empty()),
             Some(Data::Load(load)) => !load.dry_run && !load.values.is_empty(),
             _ => false,
         }
@@ -131,13 +132,15 @@ pub enum Data {
     Write(Write),
     /// `dataset show`, `dataset copy` …
     Dataset(Dataset),
+    /// The same of several drives
+    Datasets(Datasets),
     /// `dataset load`, `dataset undo`
     Load(Load),
     /// `dataset save`
     Saves(Saves),
     /// `dataset check`, `dataset diff` of files
     Comparisons(Comparisons),
-    /// `plan`, `apply`
+    /// `plan`, `apply`, `dataset load` of several drives
     Plant(Plant),
     /// `check`
     PlantCheck(PlantCheck),

@@ -4,11 +4,11 @@ use super::{Comparison, ErrorDoc, FoundDrive, Load};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Result of `plan` and `apply`.
+/// Result of `plan` and `apply`, and of `dataset load` of several drives.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Plant {
-    /// The project file.
-    pub project: String,
+    /// The project file; null if the drives and their files were typed.
+    pub project: Option<String>,
     /// Whether nothing was opened.
     pub dry_run: bool,
     /// One entry a drive, port by port.
@@ -18,7 +18,7 @@ pub struct Plant {
 /// A drive of a plant, and what became of what it shall have.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PlantDrive {
-    /// Its name in the project file.
+    /// Its name in the project file, or its address.
     pub called: String,
     /// Its port.
     pub port: String,

@@ -123,6 +123,15 @@ pub struct Dataset {
     pub written: Vec<Written>,
     /// Whether nothing was sent.
     pub dry_run: bool,
+    /// Why not all that was asked for was done with it; of one drive alone the document says it.
+    pub error: Option<ErrorDoc>,
+}
+
+/// The data sets of several drives.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Datasets {
+    /// One entry a drive, in the order that was typed.
+    pub drives: Vec<Dataset>,
 }
 
 /// A parameter in several data sets.

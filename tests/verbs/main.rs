@@ -27,6 +27,7 @@ mod parameters {
     mod at_every_telegram;
     mod comparing;
     mod ends;
+    mod groups;
     mod interrupted;
     mod loading;
     mod memory;

@@ -7,7 +7,7 @@ use crate::command::read::select_failure;
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, terms};
 use crate::drive::paramfile::Wanted;
-use crate::drive::{Session, Target};
+use crate::drive::{Session, Target, Terms, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
 use crate::profile::paramfile::Scope;
@@ -58,9 +58,13 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         });
     }
     let needs_address = sides.iter().any(|which| matches!(which, Which::Set(..) | Which::Drive(None)));
-    let address = match needs_address {
-        true => Some(super::only_one(&addresses_to_read(context.settings, context.observe)?)?),
-        false => None,
+    let addresses: Vec<Option<u8>> = match needs_address {
+        true => {
+            let addresses = addresses_to_read(context.settings, context.observe)?;
+            super::not_everybody(&addresses)?;
+            addresses.into_iter().map(Some).collect()
+        }
+        false => vec![None],
     };
     let is_live = sides.iter().any(|which| matches!(which, Which::Set(..) | Which::Drive(_)));
     let Context { settings, registry, interrupt, observe, .. } = context;
@@ -69,6 +73,33 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         true => Some(connect(settings, registry, interrupt, *observe).await?),
         false => None,
     };
+    let mut weighed = Vec::new();
+    for &address in &addresses {
+        let one = weigh(options, &files, session.as_mut(), &terms, address).await;
+        let one = match (one, address) {
+            (Err(failure), Some(address)) if addresses.len() > 1 => {
+                Weighed::unasked(sides, files.iter().map(Option::as_ref), address, failure)
+            }
+            (one, _) => one?,
+        };
+        let over = one.failure.as_ref().is_some_and(is_over);
+        weighed.push(one);
+        if over {
+            break;
+        }
+    }
+    Ok(told(weighed))
+}
+
+/// Holds the sides against each other; `address` is that of the drive that they mean.
+async fn weigh(
+    options: &Options,
+    files: &[Option<Opened>],
+    mut session: Option<&mut Session<'_>>,
+    terms: &Terms<'_>,
+    address: Option<u8>,
+) -> Result<Weighed, Failure> {
+    let sides = [&options.a, &options.b];
     let mut targets = Vec::new();
     for which in sides {
         targets.push(match (which.address(address), &mut session) {
@@ -79,9 +110,9 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
             _ => None,
         });
     }
-    let family = common(&files, &targets)?;
+    let family = common(files, &targets)?;
     let (mut weights, of_all) = (Vec::new(), sides.iter().all(|which| matches!(which, Which::File(_))));
-    for ((which, file), target) in sides.into_iter().zip(&files).zip(targets) {
+    for ((which, file), target) in sides.into_iter().zip(files).zip(targets) {
         weights.push(Weight::of(which, file.as_ref(), target, &family)?);
     }
     let chosen = chosen(&options.params, &family)?;
@@ -89,10 +120,10 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
     for one in [&mut a, &mut b] {
         one.settings.retain(|setting| is_chosen(chosen.as_ref(), setting.param.id));
     }
-    if let Some(session) = &mut session {
+    if let Some(session) = session {
         read(session, &mut a, &mut b, chosen.as_ref()).await?;
     }
-    Ok(told(vec![Weighed::of(a, b, of_all, options.unified)]))
+    Ok(Weighed::of(a, b, of_all, options.unified))
 }
 
 /// The family of all sides.

@@ -26,16 +26,19 @@ use std::rc::Rc;
 /// Everything is checked and read first: family, ranges, types, and that the drive does not run. What the drive has already is
 /// not written. Old and new values are shown, and you are asked once. An undo file is left before the first byte. Each value is
 /// proven; if anything goes wrong, also by Ctrl-C, what was written goes back, and what could not is named (exit 9).
+///
+/// Several drives (-a 1,2, -a all) get the same files, or with {address} in a name each its own: one question, a transaction and an
+/// undo file for each, as by `apply`.
 #[derive(Clone, Debug, ClapArgs)]
 pub(super) struct LoadArgs {
     /// Parameter files; later ones lie over earlier ones
     #[arg(value_name = "FILE", required = true)]
-    files: Vec<PathBuf>,
+    pub(super) files: Vec<PathBuf>,
     #[command(flatten)]
-    scope: Scope,
+    pub(super) scope: Scope,
     /// Where the undo file goes [default: beside FILE]
     #[arg(long, value_name = "FILE")]
-    undo_file: Option<PathBuf>,
+    pub(super) undo_file: Option<PathBuf>,
 }
 
 /// Takes a `dataset load` back.
@@ -127,7 +130,7 @@ fn elsewhere(failure: Failure) -> Failure {
 }
 
 /// The same where it ends the load.
-fn unbegun(failure: Failure) -> Failure {
+pub(super) fn unbegun(failure: Failure) -> Failure {
     let so = nothing_written();
     elsewhere(Failure { message: both!("{why}; {so}", "{why}; {so}", why = failure.message, so), ..failure })
 }

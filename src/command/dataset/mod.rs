@@ -2,8 +2,10 @@
 
 mod check;
 mod diff;
+mod each_loaded;
 pub(super) mod load;
 pub(super) mod loaded;
+mod of_each;
 pub(super) mod opened;
 mod save;
 pub(super) mod scope;
@@ -11,8 +13,9 @@ mod sets;
 pub(super) mod weighing;
 mod which;
 
-use super::Context;
+use super::again::one_of;
 use super::verb::{Verb, Working};
+use super::{Context, name_one, running};
 use crate::args::Takes;
 use crate::drive::Upper;
 use crate::failure::{Class, Failure};
@@ -77,7 +80,7 @@ impl Verb for Args {
     }
 }
 
-/// Works on the data sets of one drive, or on files.
+/// Works on the data sets of drives, or on files.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     match &args.action {
         Action::Save(options) => save::run(options, context).await,
@@ -86,24 +89,38 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
             Some(pair) => sets::run(&sets::Action::Diff { pair, params: options.params.clone() }, context).await,
             None => diff::run(options, context).await,
         },
-        Action::Load(options) => load::load(options, context).await,
+        Action::Load(options) => match running::several(context.settings) {
+            Some(addresses) => each_loaded::load(options, context, &addresses).await,
+            None => load::load(options, context).await,
+        },
         Action::Undo(options) => load::undo(options, context).await,
         Action::Sets(action) => sets::run(action, context).await,
     }
 }
 
-/// Data sets are those of one drive.
+/// What takes a load back is of one drive.
 fn only_one(addresses: &[u8]) -> Result<u8, Failure> {
-    let message = match addresses {
-        [0] => both!(
-            "expected the address of one drive, got 0 (everybody)",
-            "erwartet: die Adresse eines Antriebs; angegeben ist 0 (alle)"
-        ),
-        &[address] => return Ok(address),
-        _ => both!(
-            "expected the address of one drive, got several",
-            "erwartet: die Adresse eines Antriebs; angegeben sind mehrere"
-        ),
-    };
-    Err(Failure::new(Class::Usage, "usage.address", message))
+    not_everybody(addresses)?;
+    match addresses {
+        &[address] => Ok(address),
+        _ => {
+            let message = both!(
+                "expected the address of one drive, got several: an undo file is of one drive",
+                "erwartet: die Adresse eines Antriebs; angegeben sind mehrere, und eine Datei zum Zurücknehmen gehört zu einem"
+            );
+            Err(one_of(Failure::new(Class::Usage, "usage.address", message), addresses))
+        }
+    }
+}
+
+/// Nobody answers to address 0.
+fn not_everybody(addresses: &[u8]) -> Result<(), Failure> {
+    if !addresses.contains(&0) {
+        return Ok(());
+    }
+    let message = both!(
+        "expected addresses of drives, got 0 (everybody), and nobody answers to that",
+        "erwartet: Adressen von Antrieben; angegeben ist 0 (alle), und darauf antwortet niemand"
+    );
+    Err(Failure::new(Class::Usage, "usage.address", message).hint(name_one()))
 }

@@ -1,16 +1,16 @@
 //! The four data sets of a drive: show, select, copy, compare.
 
-use super::only_one;
+use super::not_everybody;
+use super::of_each::{Planned, Told, blank, selection, told, write};
 use crate::command::read::select_failure;
-use crate::command::write::permit;
 use crate::command::{
     Context, Reader, addresses_to_read, addresses_to_write, check_sets, connect, offline_family, plan, read_question,
     role_questions, summary, target, target_to_change, terms,
 };
-use crate::drive::job::{self, Job, Step};
+use crate::drive::job::Step;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Data, Dataset, DatasetRow, Outcome, Value, Warning, WriteResult};
+use crate::outcome::{Dataset, DatasetRow, Outcome, Warning};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use crate::text::both;
 use clap::Subcommand;
@@ -57,42 +57,71 @@ pub(super) enum Action {
 /// All four, as they are stored.
 const ALL: [(u8, Store); 4] = [(1, Store::Eeprom), (2, Store::Eeprom), (3, Store::Eeprom), (4, Store::Eeprom)];
 
-/// Works on the data sets of one drive.
+/// Works on the data sets of every drive that was named.
 pub(super) async fn run(action: &Action, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let writes = matches!(action, Action::Select { .. } | Action::Copy { .. });
-    let Context { settings, registry, interrupt, observe, ask, .. } = context;
+    let Context { settings, registry, observe, .. } = context;
     let addresses = if writes { addresses_to_write(settings)? } else { addresses_to_read(settings, *observe)? };
-    let address = only_one(&addresses)?;
+    not_everybody(&addresses)?;
     different_sets(action)?;
     if settings.dry_run {
-        return dry_run(action, context, address);
+        return dry_run(action, context, &addresses);
     }
     if let Action::Show { params } | Action::Copy { params, .. } | Action::Diff { params, .. } = action {
         // Names are checked before the port is opened.
-        Work { target: Target::new(address, offline_family(settings, registry)?), terms: terms(settings, registry)? }
-            .params(params)?;
+        let target = Target::new(0, offline_family(settings, registry)?);
+        Work { target, terms: terms(settings, registry)? }.params(params)?;
     }
+    if writes { change(action, context, addresses).await } else { look(action, context, addresses).await }
+}
+
+/// Reads of every drive what is wanted; one that cannot be asked costs the others nothing.
+async fn look(action: &Action, context: &mut Context<'_>, addresses: Vec<u8>) -> Result<Outcome, Failure> {
+    let Context { settings, registry, interrupt, observe, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
-    let target = match writes {
-        true => target_to_change(&mut session, settings, registry, address).await?,
-        false => target(&mut session, settings, registry, address, false).await?,
-    };
-    let mut work = Work { target, terms: terms(settings, registry)? };
-    check_sets(&work.target.family, DataSets::All(Store::Eeprom))?;
-    let session = &mut session;
-    match action {
-        Action::Show { params } => work.show(session, params, &ALL).await,
-        Action::Active => work.active(session).await,
-        Action::Select { set, ram } => {
-            let step = work.selection(*set, *ram)?;
-            work.write(session, vec![step], *ask).await
+    let mut drives = Vec::new();
+    for &address in &addresses {
+        let of_one = async |session: &mut Session<'_>| {
+            let target = target(session, settings, registry, address, false).await?;
+            check_sets(&target.family, DataSets::All(Store::Eeprom))?;
+            let mut work = Work { target, terms: terms(settings, registry)? };
+            match action {
+                Action::Show { params } => work.show(session, params, &ALL).await,
+                Action::Diff { pair, params } => work.diff(session, *pair, params).await,
+                _ => work.report(session, Vec::new()).await,
+            }
+        };
+        match of_one(&mut session).await {
+            Err(failure) if addresses.len() == 1 => return Err(failure),
+            one => drives.push(one.unwrap_or_else(|failure| Told::nothing(address, failure))),
         }
-        Action::Copy { from, to, params, ram } => {
-            let store = if *ram { Store::Ram } else { Store::Eeprom };
-            work.copy(session, *from, *to, store, params, *ask).await
+        if drives.last().is_some_and(Told::is_over) {
+            break;
         }
-        Action::Diff { pair, params } => work.diff(session, *pair, params).await,
     }
+    Ok(told(drives, addresses.len()))
+}
+
+/// Writes to every drive behind one question; all of them are looked at before it.
+async fn change(action: &Action, context: &mut Context<'_>, addresses: Vec<u8>) -> Result<Outcome, Failure> {
+    let Context { settings, registry, interrupt, observe, ask, .. } = context;
+    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let mut planned = Vec::new();
+    for &address in &addresses {
+        let target = target_to_change(&mut session, settings, registry, address).await?;
+        check_sets(&target.family, DataSets::All(Store::Eeprom))?;
+        let mut work = Work { target, terms: terms(settings, registry)? };
+        let (steps, warnings) = match action {
+            Action::Copy { from, to, params, ram } => {
+                let store = if *ram { Store::Ram } else { Store::Eeprom };
+                work.copies(&mut session, *from, (*to, store), params).await?
+            }
+            Action::Select { set, ram } => (vec![work.selection(*set, *ram)?], Vec::new()),
+            _ => (Vec::new(), Vec::new()),
+        };
+        planned.push(Planned { target: work.target, steps, warnings });
+    }
+    write(&mut session, *ask, &terms(settings, registry)?, planned).await
 }
 
 fn different_sets(action: &Action) -> Result<(), Failure> {
@@ -109,9 +138,9 @@ fn different_sets(action: &Action) -> Result<(), Failure> {
 }
 
 /// Shows what would be sent. Copying depends on what is read, so it cannot be shown.
-fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Outcome, Failure> {
+fn dry_run(action: &Action, context: &mut Context<'_>, addresses: &[u8]) -> Result<Outcome, Failure> {
     let settings = context.settings;
-    let target = Target::new(address, offline_family(settings, context.registry)?);
+    let target = Target::new(0, offline_family(settings, context.registry)?);
     let work = Work { target, terms: terms(settings, context.registry)? };
     let (params, sets): (_, &[(u8, Store)]) = match action {
         Action::Show { params } => (params, &ALL),
@@ -122,7 +151,7 @@ fn dry_run(action: &Action, context: &mut Context<'_>, address: u8) -> Result<Ou
         }
         Action::Select { set, ram } => {
             let step = work.selection(*set, *ram)?;
-            return crate::command::write::plan_only(&work.terms, &[address], &work.target.family, &[step]);
+            return crate::command::write::plan_only(&work.terms, addresses, &work.target.family, &[step]);
         }
         Action::Copy { .. } => {
             let message = both!(
@@ -250,31 +279,10 @@ impl Work<'_> {
         Ok((rows, reader.failures, warnings))
     }
 
-    async fn header(&mut self, session: &mut Session<'_>) -> Result<(Option<i64>, Option<Value>), Failure> {
-        let mut reader = Reader::new(session, &mut self.target);
-        let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
-        let selection = reader.vital_role("set-selection").await?;
-        match reader.failures.pop() {
-            Some(failure) => Err(failure),
-            None => Ok((active, selection)),
-        }
-    }
-
-    async fn report(&mut self, session: &mut Session<'_>, rows: Vec<DatasetRow>) -> Result<Dataset, Failure> {
-        let (active, selection) = self.header(session).await?;
-        Ok(Dataset {
-            address: self.target.address,
-            drive: self.target.family.drive.clone(),
-            active,
-            selection,
-            rows,
-            written: Vec::new(),
-            dry_run: false,
-        })
-    }
-
-    async fn active(&mut self, session: &mut Session<'_>) -> Result<Outcome, Failure> {
-        Ok(Outcome::of(Data::Dataset(self.report(session, Vec::new()).await?)))
+    async fn report(&mut self, session: &mut Session<'_>, rows: Vec<DatasetRow>) -> Result<Told, Failure> {
+        let (active, selection) = selection(session, &mut self.target).await?;
+        let report = Dataset { active, selection, rows, ..blank(self.target.address, &self.target.family.drive) };
+        Ok(Told { report, failure: None, warnings: Vec::new() })
     }
 
     async fn show(
@@ -282,11 +290,11 @@ impl Work<'_> {
         session: &mut Session<'_>,
         texts: &[String],
         sets: &[(u8, Store)],
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<Told, Failure> {
         let (rows, failures, warnings) = self.rows(session, texts, sets).await?;
         let good = rows.iter().flat_map(|row| &row.values).filter(|value| value.error.is_none()).count();
-        let report = self.report(session, rows).await?;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings, failure: summary(failures, good) })
+        let told = self.report(session, rows).await?;
+        Ok(Told { failure: summary(failures, good), warnings, ..told })
     }
 
     async fn diff(
@@ -294,37 +302,33 @@ impl Work<'_> {
         session: &mut Session<'_>,
         pair: [(u8, Store); 2],
         texts: &[String],
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<Told, Failure> {
         let [a, b] = pair.map(|(set, store)| DataSets::One(set, store));
-        let mut outcome = self.show(session, texts, &pair).await?;
-        if let Some(Data::Dataset(report)) = &mut outcome.data {
-            report.rows.retain(|row| !row.equal);
-            if outcome.failure.is_none() && !report.rows.is_empty() {
-                let message = match report.rows.len() {
-                    1 => both!(
-                        "data sets {a} and {b} differ in 1 parameter",
-                        "Datensatz {a} und {b} unterscheiden sich in 1 Parameter"
-                    ),
-                    count => both!(
-                        "data sets {a} and {b} differ in {count} parameters",
-                        "Datensatz {a} und {b} unterscheiden sich in {count} Parametern"
-                    ),
-                };
-                outcome.failure = Some(Failure::new(Class::No, "no.differences", message));
-            }
-        }
-        Ok(outcome)
+        let mut told = self.show(session, texts, &pair).await?;
+        told.report.rows.retain(|row| !row.equal);
+        let count = told.report.rows.len();
+        let message = match count {
+            1 => both!(
+                "data sets {a} and {b} differ in 1 parameter",
+                "Datensatz {a} und {b} unterscheiden sich in 1 Parameter"
+            ),
+            _ => both!(
+                "data sets {a} and {b} differ in {count} parameters",
+                "Datensatz {a} und {b} unterscheiden sich in {count} Parametern"
+            ),
+        };
+        let differ = (count > 0).then(|| Failure::new(Class::No, "no.differences", message));
+        Ok(Told { failure: told.failure.or(differ), ..told })
     }
 
-    async fn copy(
+    /// The writes that copy one data set into another.
+    async fn copies(
         &mut self,
         session: &mut Session<'_>,
         from: u8,
-        to: u8,
-        store: Store,
+        (to, store): (u8, Store),
         texts: &[String],
-        ask: &mut dyn crate::gate::Ask,
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<(Vec<Step>, Vec<Warning>), Failure> {
         let (rows, failures, warnings) = self.rows(session, texts, &[(from, Store::Eeprom)]).await?;
         if let Some(failure) = failures.into_iter().next() {
             return Err(failure);
@@ -338,31 +342,6 @@ impl Work<'_> {
                 steps.push(Step { param, set: to, raw, kind });
             }
         }
-        let mut outcome = self.write(session, steps, ask).await?;
-        outcome.warnings.extend(warnings);
-        Ok(outcome)
-    }
-
-    /// Writes, after asking, and reports; in a dry run only says what would be written.
-    async fn write(
-        &mut self,
-        session: &mut Session<'_>,
-        steps: Vec<Step>,
-        ask: &mut dyn crate::gate::Ask,
-    ) -> Result<Outcome, Failure> {
-        let rows = job::prepare(session, &mut self.target, &self.terms, &steps, false).await?;
-        let target = Target::new(self.target.address, self.target.family.clone());
-        let mut job = Job { target: std::mem::replace(&mut self.target, target), steps, rows };
-        let mut failures = Vec::new();
-        let jobs = [job];
-        let permit = permit(session, ask, &jobs).await?;
-        [job] = jobs;
-        if let Some(permit) = permit {
-            job::carry_out(session, &mut job, &self.terms, &permit, &mut failures).await;
-        }
-        let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
-        let mut report = self.report(session, Vec::new()).await?;
-        report.written = job.rows;
-        Ok(Outcome { data: Some(Data::Dataset(report)), warnings: Vec::new(), failure: summary(failures, good) })
+        Ok((steps, warnings))
     }
 }

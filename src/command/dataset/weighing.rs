@@ -40,30 +40,22 @@ impl Weight {
         target: Option<Target>,
         family: &Rc<Family>,
     ) -> Result<Self, Failure> {
-        let side = |kind, name| Side {
-            kind,
-            name,
+        let address = target.as_ref().map(|target| target.address);
+        let side = Side {
+            kind: which.kind(),
+            name: named(which, address),
             drive: family.drive.clone(),
-            address: target.as_ref().map(|target| target.address),
+            address,
             signature: None,
             edited: file.and_then(Opened::is_edited),
         };
-        let of_drive = || {
-            let address = target.as_ref().map_or(0, |target| target.address);
-            both!("drive {address}", "Antrieb {address}")
-        };
-        let (side, settings, set) = match which {
-            Which::Factory => (side("factory", both!("factory settings", "Werkseinstellungen")), factory(family), None),
-            Which::File(path) => {
-                let settings = file.map(|file| file.settings.clone()).unwrap_or_default();
-                (side("file", Text::name(path.display())), settings, None)
-            }
-            Which::Drive(_) => (side("drive", of_drive()), Settings::default(), None),
+        let (settings, set) = match which {
+            Which::Factory => (factory(family), None),
+            Which::File(_) => (file.map(|file| file.settings.clone()).unwrap_or_default(), None),
+            Which::Drive(_) => (Settings::default(), None),
             &Which::Set(set, store) => {
                 crate::command::check_sets(family, crate::profile::DataSets::One(set, store))?;
-                let ram = if store == Store::Ram { "ram" } else { "" };
-                let name = both!("{drive}, data set {set}{ram}", "{drive}, Datensatz {set}{ram}", drive = of_drive());
-                (side("set", name), Settings::default(), Some((set, store)))
+                (Settings::default(), Some((set, store)))
             }
         };
         let live = target.map(|target| Live { target, set });
@@ -197,20 +189,34 @@ impl Weighed {
 
     /// A file whose drive could not be asked at all.
     pub(in crate::command) fn failed(file: &Opened, address: u8, failure: Failure) -> Self {
-        let side = |kind, name, drive: &str| Side {
-            kind,
-            name,
-            drive: drive.to_owned(),
-            address: None,
-            signature: None,
-            edited: None,
-        };
+        let sides = [&Which::File(file.file.path.as_ref().into()), &Which::Drive(None)];
+        Self::unasked(sides, [Some(file), None].into_iter(), address, failure)
+    }
+
+    /// Two sides of which the drive could not be asked at all.
+    pub(super) fn unasked<'o>(
+        sides: [&Which; 2],
+        files: impl Iterator<Item = Option<&'o Opened>>,
+        address: u8,
+        failure: Failure,
+    ) -> Self {
+        let files: Vec<_> = files.collect();
+        let family = files.iter().flatten().next().map_or("unknown", |file| &file.family.drive);
+        let [a, b] = sides.map(|which| {
+            let own = which.address(Some(address));
+            let drive = if own.is_some() { "unknown" } else { family };
+            Side {
+                kind: which.kind(),
+                name: named(which, own),
+                drive: drive.to_owned(),
+                address: own,
+                signature: None,
+                edited: None,
+            }
+        });
         let comparison = Comparison {
-            a: side("file", Text::name(&file.file.path), &file.family.drive),
-            b: Side {
-                address: Some(address),
-                ..side("drive", both!("drive {address}", "Antrieb {address}"), "unknown")
-            },
+            a,
+            b,
             equal: None,
             compared: 0,
             differences: Vec::new(),
@@ -218,6 +224,20 @@ impl Weighed {
             unified: None,
         };
         Weighed { comparison, failure: Some(failure), warnings: Vec::new() }
+    }
+}
+
+/// What a side is called; `address` is that of its drive.
+fn named(which: &Which, address: Option<u8>) -> Text {
+    let drive = || both!("drive {address}", "Antrieb {address}", address = address.unwrap_or(0));
+    match which {
+        Which::Factory => both!("factory settings", "Werkseinstellungen"),
+        Which::File(path) => Text::name(path.display()),
+        Which::Drive(_) => drive(),
+        &Which::Set(set, store) => {
+            let ram = if store == Store::Ram { "ram" } else { "" };
+            both!("{drive}, data set {set}{ram}", "{drive}, Datensatz {set}{ram}", drive = drive())
+        }
     }
 }
 
@@ -306,7 +326,10 @@ pub(super) fn told(weighed: Vec<Weighed>) -> Outcome {
     }
     let broken: Vec<_> = failures.iter().filter(|failure| failure.class != Class::No).cloned().collect();
     let failure = match broken.as_slice() {
-        [] => failures.into_iter().next(),
+        [] => match comparisons.iter().map(|one| one.differences.len()).sum() {
+            0 => failures.into_iter().next(),
+            count => Some(differing(count)),
+        },
         [only] if comparisons.len() == 1 => Some(only.clone()),
         _ => summary(broken.clone(), comparisons.len() - broken.len()),
     };

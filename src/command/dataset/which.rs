@@ -47,6 +47,16 @@ impl FromStr for Which {
 }
 
 impl Which {
+    /// The word for it in JSON.
+    pub(super) fn kind(&self) -> &'static str {
+        match self {
+            Which::Set(..) => "set",
+            Which::Factory => "factory",
+            Which::Drive(_) => "drive",
+            Which::File(_) => "file",
+        }
+    }
+
     /// The address of the drive that is asked, if one is.
     pub(super) fn address(&self, only: Option<u8>) -> Option<u8> {
         match self {

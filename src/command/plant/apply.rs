@@ -54,36 +54,44 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = wanted(context, &args.scope.choice())?;
-    must_choose(&wanted)?;
+    write(context, &wanted, args.atomic).await
+}
+
+/// Writes into these drives what is wanted of them; all or none of them if `atomic`.
+pub(in crate::command) async fn write(
+    context: &mut Context<'_>,
+    wanted: &[Wanted],
+    atomic: bool,
+) -> Result<Outcome, Failure> {
+    must_choose(wanted)?;
     if context.settings.dry_run {
-        return dry_run(context, &wanted);
+        return dry_run(context, wanted);
     }
-    let settings = context.settings;
-    let together = Together { interrupt: context.interrupt.clone(), atomic: args.atomic, failed: Cell::new(false) };
-    on_lines(context, &wanted, async |lines, ask| {
+    let together = Together { interrupt: context.interrupt.clone(), atomic, failed: Cell::new(false) };
+    on_lines(context, wanted, async |lines, ask| {
         look(lines, Args::UPPER, &nothing_written()).await;
         try_undo_files(lines);
-        if args.atomic {
+        if atomic {
             leave_all(lines);
         }
-        if let Some(question) = question(&wanted, lines).filter(|_| !together.interrupt.is_raised()) {
+        if let Some(question) = question(wanted, lines).filter(|_| !together.interrupt.is_raised()) {
             let permit = match asking::off_line(&together.interrupt, ask, &question).await {
                 Err(denied) if !ask.is_there() => {
-                    let told = told::plant(settings, &wanted, lines, (false, LEFT_OUT));
+                    let told = told::plant(wanted, lines, (false, LEFT_OUT));
                     return Ok(Outcome { failure: Some(denied), ..told });
                 }
                 permit => permit?,
             };
-            if args.atomic {
+            if atomic {
                 join_all(lines.iter_mut().map(Line::look_again)).await;
                 leave_all(lines);
             }
             join_all(lines.iter_mut().map(|line| line.apply(&permit, &together))).await;
-            if args.atomic && together.failed.get() {
+            if atomic && together.failed.get() {
                 join_all(lines.iter_mut().map(|line| line.take_back(&permit))).await;
             }
         }
-        Ok(told::plant(settings, &wanted, lines, (together.interrupt.is_raised(), UNLIKE)))
+        Ok(told::plant(wanted, lines, (together.interrupt.is_raised(), UNLIKE)))
     })
     .await?
 }

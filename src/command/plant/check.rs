@@ -80,7 +80,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         join_all(works).await
     });
     let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
-    Ok(report(project(settings), &wanted, weighed))
+    Ok(report(project(&wanted).unwrap_or_default(), &wanted, weighed))
 }
 
 /// Holds the drives of a line against their files, in turn.

@@ -17,14 +17,17 @@ use crate::text::{Text, both};
 use futures_util::future::join_all;
 use std::cell::RefCell;
 
-/// A drive of the project file, and what its parameter files want.
+/// A drive, and what its parameter files want.
 #[derive(Debug)]
-pub(super) struct Wanted {
-    pub(super) place: Place,
+pub(in crate::command) struct Wanted {
+    pub(in crate::command) place: Place,
+    /// The project file that says so; `None` if drive and files were typed.
+    pub(in crate::command) project: Option<String>,
     /// What its files say, later ones over earlier ones.
-    pub(super) opened: Opened,
-    pub(super) steps: Vec<Step>,
-    pub(super) left_out: Vec<NotLoaded>,
+    pub(in crate::command) opened: Opened,
+    pub(in crate::command) steps: Vec<Step>,
+    pub(in crate::command) left_out: Vec<NotLoaded>,
+    pub(in crate::command) undo: UndoPlace,
 }
 
 impl Wanted {
@@ -42,13 +45,6 @@ impl Wanted {
         self.opened.of_others((self.place.address, self.place.settings.node))
     }
 
-    /// Beside the project file its undo file is left, under its name.
-    fn undo(&self) -> UndoPlace {
-        let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
-        let plain: String = self.place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
-        UndoPlace::Beside(project_path(&self.place.settings).with_file_name(format!("{plain}.toml")))
-    }
-
     fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {
         let terms = terms(&self.place.settings, registry)?;
         Ok(Member {
@@ -58,12 +54,46 @@ impl Wanted {
             product: self.place.product.clone(),
             terms,
             steps: self.steps.clone(),
-            undo: self.undo(),
+            undo: self.undo.clone(),
+            elsewhere: self.elsewhere(),
+            another: self.another(),
             found: None,
             left: None,
             applied: None,
         })
     }
+
+    /// What to do where its undo file cannot be left.
+    fn elsewhere(&self) -> Text {
+        match self.project {
+            Some(_) => both!(
+                "the undo files of a plant go beside its project file, so that folder must take new files",
+                "die Dateien zum Zurücknehmen kommen neben die Projektdatei, also muss dieser Ordner neue Dateien annehmen"
+            ),
+            None => both!("--undo-file names another place", "--undo-file nennt einen anderen Ort"),
+        }
+    }
+
+    /// What to do where another drive stands at its address.
+    fn another(&self) -> Text {
+        match self.project {
+            Some(_) => both!(
+                "if this drive is meant, say so in the project file; else look for the right one with `antrieb scan`",
+                "ist dieser Antrieb gemeint, es in der Projektdatei sagen; sonst den richtigen mit `antrieb scan` suchen"
+            ),
+            None => both!(
+                "take a file that was saved from such a drive, or leave this one out",
+                "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde, oder diesen weglassen"
+            ),
+        }
+    }
+}
+
+/// Beside the project file the undo file of a drive is left, under its name.
+fn undo(place: &Place) -> UndoPlace {
+    let is_plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | ' ');
+    let plain: String = place.name.chars().map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
+    UndoPlace::Beside(project_path(&place.settings).with_file_name(format!("{plain}.toml")))
 }
 
 /// What is known of a drive without asking. What the project file says of its family is asked all the same: it may be another drive.
@@ -94,7 +124,8 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
         let opened = read_all(&place.files, &place.settings, registry)?;
         is_of_files(&place.settings, &opened, registry)?;
         let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
-        wanted.push(Wanted { place, opened, steps, left_out });
+        let (project, undo) = (Some(project_path(settings).display().to_string()), undo(&place));
+        wanted.push(Wanted { place, project, opened, steps, left_out, undo });
     }
     let mut lines: Vec<Option<String>> = Vec::new();
     for one in &wanted {

@@ -3,13 +3,12 @@
 pub mod apply;
 pub mod check;
 pub mod init;
-mod lines;
+pub(in crate::command) mod lines;
 pub mod plan;
 mod told;
 
 use super::Context;
 use super::dataset::loaded::{blank, describe_steps, forbidden, would_be_in_the_way};
-use crate::args::{Settings, project_path};
 use crate::drive::Upper;
 use crate::drive::plant::Line;
 use crate::drive::transaction::fits;
@@ -33,7 +32,7 @@ fn dry_run(context: &Context<'_>, wanted: &[Wanted]) -> Result<Outcome, Failure>
         drives.push(PlantDrive { called, port, state, load, error });
     }
     let failure = told::summary(failures, drives.len(), (false, told::LEFT_OUT));
-    let mut outcome = Outcome::of(Data::Plant(Plant { project: project(context.settings), dry_run: true, drives }));
+    let mut outcome = Outcome::of(Data::Plant(Plant { project: project(wanted), dry_run: true, drives }));
     (outcome.warnings, outcome.failure) = (vec![super::write::dry_run_reads()], failure);
     Ok(outcome)
 }
@@ -63,7 +62,7 @@ async fn look(lines: &mut [Line<'_>], upper: Upper, so: &Text) {
     }
 }
 
-/// The project file as it is told.
-fn project(settings: &Settings) -> String {
-    project_path(settings).display().to_string()
+/// The project file as it is told, if one says all of it.
+fn project(wanted: &[Wanted]) -> Option<String> {
+    wanted.first()?.project.clone()
 }

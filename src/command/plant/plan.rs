@@ -46,10 +46,9 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
-    let settings = context.settings;
     on_lines(context, &wanted, async |lines, _| {
         look(lines, Args::UPPER, &nothing_to_come()).await;
-        told::plant(settings, &wanted, lines, (false, LEFT_OUT))
+        told::plant(&wanted, lines, (false, LEFT_OUT))
     })
     .await
 }

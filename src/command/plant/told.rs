@@ -2,7 +2,6 @@
 
 use super::lines::Wanted;
 use super::project;
-use crate::args::Settings;
 use crate::command::again::for_drive;
 use crate::command::dataset::loaded::{self, blank};
 use crate::drive::plant::{Done, Found, Line, Member};
@@ -11,12 +10,7 @@ use crate::outcome::{Data, ErrorDoc, LoadEnd, Outcome, Plant, PlantDrive, PlantS
 use crate::text::{Text, both};
 
 /// What became of every drive.
-pub(super) fn plant(
-    settings: &Settings,
-    wanted: &[Wanted],
-    lines: &mut [Line<'_>],
-    (is_over, rest): (bool, Are),
-) -> Outcome {
+pub(super) fn plant(wanted: &[Wanted], lines: &mut [Line<'_>], (is_over, rest): (bool, Are)) -> Outcome {
     let members = lines.iter_mut().flat_map(|line| line.members.drain(..));
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for (one, member) in wanted.iter().zip(members) {
@@ -45,7 +39,7 @@ pub(super) fn plant(
         (None, Some(some)) => Some(not_yet(some)),
         (failure, None) => failure,
     };
-    Outcome { data: Some(Data::Plant(Plant { project: project(settings), dry_run: false, drives })), warnings, failure }
+    Outcome { data: Some(Data::Plant(Plant { project: project(wanted), dry_run: false, drives })), warnings, failure }
 }
 
 /// A warning with the drive that it is about.

@@ -2,7 +2,7 @@
 
 use super::page::{Page, is_unscaled, number, set_name, shown};
 use super::{Finding, Rows};
-use crate::outcome::Dataset;
+use crate::outcome::{Dataset, Datasets};
 
 impl Finding for Dataset {
     fn table(&self, page: Page) -> String {
@@ -12,6 +12,21 @@ impl Finding for Dataset {
     fn rows(&self) -> Rows {
         let values: Vec<_> = self.rows.iter().flat_map(|row| &row.values).collect();
         Rows::of("value", &values).and(Rows::of("written", &self.written)).or(Rows::of("dataset", &[self]))
+    }
+}
+
+impl Finding for Datasets {
+    fn table(&self, page: Page) -> String {
+        let told = self.drives.iter().map(|one| {
+            let error = one.error.iter().map(|error| ("error", page.say(&error.message))).collect();
+            let is_known = one.active.is_some() || !one.rows.is_empty() || !one.written.is_empty();
+            (if is_known { page.dataset(one) } else { page.heading(one.address, &one.drive) }) + &page.pairs(error)
+        });
+        told.collect::<Vec<_>>().join("\n")
+    }
+
+    fn rows(&self) -> Rows {
+        self.drives.iter().map(Finding::rows).fold(Rows::default(), Rows::and)
     }
 }
 

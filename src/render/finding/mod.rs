@@ -52,6 +52,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Read(found) => found,
         Data::Write(found) => found,
         Data::Dataset(found) => found,
+        Data::Datasets(found) => found,
         Data::Load(found) => found,
         Data::Saves(found) => found,
         Data::Comparisons(found) => found,

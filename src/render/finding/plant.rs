@@ -44,7 +44,8 @@ impl Finding for Init {
             vec![called.clone(), found.address.to_string(), family, found.line.clone(), found.protocol.clone()]
         });
         let file = self.project.clone().unwrap_or_else(|| page.word("none").to_owned());
-        let mut text = page.overview(&file, &ports, &["name", ">addr", "drive", "line", "protocol"], rows.collect());
+        let mut text =
+            page.overview(Some(&file), &ports, &["name", ">addr", "drive", "line", "protocol"], rows.collect());
         if !self.unknown.is_empty() {
             text += &format!("\n{}\n", page.word("not recognised"));
             let rows = self.unknown.iter();
@@ -86,7 +87,7 @@ impl Page {
         let written = if is_over { ">written" } else { ">to write" };
         let head = ["name", ">addr", "drive", "state", written, ">equal"];
         let ports: Vec<&str> = plant.drives.iter().map(|drive| drive.port.as_str()).collect();
-        let mut text = self.overview(&plant.project, &ports, &head, rows.collect());
+        let mut text = self.overview(plant.project.as_deref(), &ports, &head, rows.collect());
         let is_told = |drive: &&PlantDrive| self.full || drive.state != PlantState::Same;
         for drive in plant.drives.iter().filter(is_told) {
             text += &format!("\n{}: ", clean(&drive.called));
@@ -110,8 +111,8 @@ impl Page {
     }
 
     /// Every drive in a line; the port only if there are several.
-    fn overview(self, project: &str, ports: &[&str], head: &[&str], mut rows: Vec<Vec<String>>) -> String {
-        let mut pairs = vec![("file", project.to_owned())];
+    fn overview(self, project: Option<&str>, ports: &[&str], head: &[&str], mut rows: Vec<Vec<String>>) -> String {
+        let mut pairs: Vec<_> = project.map(|project| ("file", project.to_owned())).into_iter().collect();
         let mut head = head.to_vec();
         match ports.first().filter(|first| ports.iter().all(|port| port == *first)) {
             Some(port) => pairs.push(("port", (*port).to_owned())),
@@ -141,7 +142,7 @@ impl Page {
         });
         let head = ["name", ">addr", "drive", "state", ">compared", ">different"];
         let ports: Vec<&str> = check.drives.iter().map(|one| one.port.as_str()).collect();
-        let mut text = self.overview(&check.project, &ports, &head, rows.collect());
+        let mut text = self.overview(Some(&check.project), &ports, &head, rows.collect());
         for one in check.drives.iter().filter(|one| self.full || one.comparison.equal != Some(true)) {
             text += &format!("\n{}:\n", clean(&one.called));
             text += &self.comparison(&one.comparison);
