@@ -245,6 +245,10 @@ async fn on_drive<'p, C>(
     super::movable(&target.family)?;
     let watchdog = plan.args.watchdog.map(|span| watchdog_raw(&target.family, span)).transpose()?;
     let before = first_look(session, &mut target, act).await.map_err(unstopped)?;
+    if before.is_some() && goes_first.is_some() {
+        // It answers, and a slow one takes long for all that is asked.
+        session.end_at(Some(session.now() + PROOF));
+    }
     let blind = Situation::default();
     let checked = check(session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
     let checked = checked.map_err(unstopped)?;

@@ -102,11 +102,22 @@ pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> 
     if session.protocol() == Protocol::Vabus {
         return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak it
     }
-    Ok(match said(session.ask(address, describe_yourself(identification::VENDOR_NAME)).await)? {
-        Ok(Said::Modbus(Reply::Identification(_))) => Some(true),
-        Ok(Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. })) => Some(false),
+    let told = said(session.ask(address, describe_yourself(identification::VENDOR_NAME)).await)?;
+    Ok(told.ok().and_then(|told| described(&told)))
+}
+
+/// The same, where the answer came when nobody waited for it any more.
+pub(super) fn described_itself(session: &Session<'_>, address: u8) -> Option<bool> {
+    let question = describe_yourself(identification::VENDOR_NAME).into();
+    session.came_late(address, &question).and_then(|told| described(&told))
+}
+
+fn described(said: &Said) -> Option<bool> {
+    match said {
+        Said::Modbus(Reply::Identification(_)) => Some(true),
+        Said::Modbus(Reply::Exception { code: Exception::IllegalFunction, .. }) => Some(false),
         _ => None,
-    })
+    }
 }
 
 /// Whether anybody answers at an address, whatever he says.

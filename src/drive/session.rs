@@ -25,6 +25,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 mod beside;
+mod blurting;
 mod keeping;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
@@ -185,25 +186,6 @@ impl<'a> Session<'a> {
             }
         }
         self.put(station, question, limits).await
-    }
-
-    /// Asks a station although the line may echo: for a stop, which must not wait until that is known. Where what comes back
-    /// may be the answer or the echo, something else is asked at once that tells which; it proves nothing all the same.
-    pub(super) async fn blurt(&mut self, station: u8, question: Question) -> Result<Answer, AccessError> {
-        let said = self.put(station, question.clone(), self.limits()).await;
-        let is_open = said.as_ref().is_err_and(|error| !error.is_fatal());
-        if !(is_open && self.line.borrow().master.may_be_answered(station, &question)) {
-            return said;
-        }
-        let patient = self.patient();
-        self.end_at(Some(self.now() + patient.reply_timeout + INSIST));
-        let told = self.put(station, sounding().into(), patient).await;
-        let now = self.now();
-        match (self.line.borrow_mut().master.answered_after_all(now), told) {
-            (Some(answer), _) => Ok(answer),
-            (None, Err(error)) if error.is_fatal() => Err(error),
-            (None, _) => said,
-        }
     }
 
     /// Asks a station although the line may echo, once, for an answer that nobody believes: a sign of who is there.

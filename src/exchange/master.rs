@@ -53,6 +53,8 @@ pub struct Master {
     heard: Heard,
     /// Addresses at which two drives may answer.
     twins: Twins,
+    /// What came last behind the time of its question, and what it answers.
+    late: Option<(u8, Question, Said)>,
     /// When somebody else asked something: the last time, and the one before.
     others: [Option<Tick>; 2],
     /// The last question that was answered, and when.
@@ -91,6 +93,7 @@ impl Master {
             counters: BTreeMap::new(),
             heard: Heard::default(),
             twins: Twins::default(),
+            late: None,
             others: [None; 2],
             answered: None,
             wired: false,

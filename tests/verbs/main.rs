@@ -94,6 +94,7 @@ mod motion {
     mod to_the_letter;
     mod told_apart;
     mod unmeasured;
+    mod within;
 }
 
 /// What needs no drive: catalogues, files, settings.

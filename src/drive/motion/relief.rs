@@ -75,6 +75,7 @@ impl Motor<'_, '_> {
         self.enabled = false;
         (self.shouted, self.stopping, self.shown) = (true, true, None);
         self.sight.forget();
+        self.first_word.glimpse.take().into_iter().for_each(|raw| self.sight.frequency(raw));
         self.session.insist(true);
         match self.relieve_by(act).await {
             Err(failure) if self.is_off() && matches!(failure.class, Class::Silence | Class::Garbled) => {
@@ -101,7 +102,7 @@ impl Motor<'_, '_> {
     }
 
     async fn relieve_by(&mut self, act: Relief) -> Result<(), Failure> {
-        let mut situation = self.glance().await?;
+        let mut situation = self.glance(act).await?;
         let family = self.target.family.clone();
         let contacts = family.motion.control.map(|control| control.contacts);
         let unheard = |seen: &Option<Situation>, motor: &Self| {
@@ -111,7 +112,7 @@ impl Motor<'_, '_> {
         if unheard(&situation, self).is_some() {
             // What was read may be wrong: the stop is not kept back by it, and what proves it is asked anew.
             let _told_below = self.say_blindly(act).await;
-            situation = self.glance().await?;
+            situation = self.glance(act).await?;
             if let (Some(failure), Some(seen)) = (unheard(&situation, self), &situation) {
                 return Err(self.not_obeyed(failure, seen));
             }
@@ -123,6 +124,8 @@ impl Motor<'_, '_> {
         match &situation {
             // A command of the state machine would close virtual contacts here.
             Some(_) if self.lever == Lever::Contacts => self.relieve_contacts(act).await?,
+            // It is under way, and saying it again would take the time in which the shaft is seen to stand.
+            Some(_) if self.first_word.obeyed => self.touched = true,
             Some(seen) => {
                 self.note_instead(act, seen.state != "operation-enabled");
                 self.command_from(command_of(act).unwrap_or_default(), &seen.state).await?;
@@ -179,8 +182,8 @@ impl Motor<'_, '_> {
 
     /// What proves the stop, and what decides on the word that follows: state and control mode, if both are told. All else
     /// is for the report. Only what ends the session is an error.
-    async fn glance(&mut self) -> Result<Option<Situation>, Failure> {
-        match self.state_and_mode().await {
+    async fn glance(&mut self, act: Relief) -> Result<Option<Situation>, Failure> {
+        match self.state_and_mode(act).await {
             Ok(seen) => {
                 self.first_seen.get_or_insert_with(|| seen.clone());
                 Ok(Some(seen))
@@ -190,23 +193,52 @@ impl Motor<'_, '_> {
         }
     }
 
-    async fn state_and_mode(&mut self) -> Result<Situation, Failure> {
+    async fn state_and_mode(&mut self, act: Relief) -> Result<Situation, Failure> {
+        let passes = self.session.is_shared() || self.first_word.is_late;
+        let passes = passes && self.target.family.motion.stator.is_some();
+        if passes && act == Relief::QuickStop && self.first_word.heard && !self.sight.must_look() {
+            self.looks_on().await?;
+        }
         let status = self.status().await?;
         let state = describe::state(&self.target.family, status).slug;
-        let mut mode = None;
-        let waits = self.session.is_shared() || self.first_word.is_late;
-        if waits && self.target.family.motion.stator.is_some() {
-            // Where others wait, or every answer takes long, a standstill under power may be over before the next look; and who is in a quick stop obeys.
-            self.shaft().await?;
-            if self.sight.must_look() {
-                self.status().await?;
-            }
-            mode = self.target.family.motion.control.filter(|_| state == QUICK_STOP).map(|control| control.obeys);
+        if passes && self.sight.standing() != Some(true) {
+            // Where others wait, or every answer takes long, a standstill under power may be over before the next look.
+            self.first_word.obeyed |= self.looks_on().await? && self.commands(act);
         }
-        if mode.is_none() {
-            mode = working_raw(self.session, self.target, "control-mode").await?;
+        if passes && self.sight.must_look() {
+            self.status().await?;
         }
+        let control = self.target.family.motion.control;
+        // Who is in a quick stop obeys, and so does who becomes slower by the word that only a command is.
+        let obeyed = control.filter(|_| state == QUICK_STOP || self.first_word.obeyed);
+        let mode = match obeyed {
+            Some(control) => Some(control.obeys),
+            None => working_raw(self.session, self.target, "control-mode").await?,
+        };
         Ok(Situation { status, state, mode, ..Situation::default() })
+    }
+
+    /// Looks at the shaft; of a slow drive as long as it becomes slower under power. Whether it did.
+    async fn looks_on(&mut self) -> Result<bool, Failure> {
+        let mut before = None;
+        loop {
+            let pace = self.shaft().await?.map(i64::unsigned_abs);
+            let slows = before.zip(pace).is_some_and(|(before, pace)| pace < before);
+            let goes_on = self.first_word.is_late && (slows || before.is_none()) && self.sight.on != Some(false);
+            if !goes_on || pace.is_none_or(|pace| pace == 0) {
+                return Ok(slows);
+            }
+            if slows {
+                self.takes_time(Span::ZERO);
+            }
+            before = pace;
+        }
+    }
+
+    /// Whether the first word was heard, and was the command that was asked for.
+    fn commands(&self, act: Relief) -> bool {
+        let command = command_of(act).and_then(|slug| self.target.family.machine.command(slug));
+        self.first_word.heard && command.is_some_and(|command| self.first_word.word == Some(command.word))
     }
 
     /// Whether the drive was seen without power at the last look since its stop began.

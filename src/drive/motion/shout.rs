@@ -27,20 +27,22 @@
 
 use super::relief::command_of;
 use crate::drive::access::AccessError;
-use crate::drive::recognise;
 use crate::drive::route::{Meant, no};
 use crate::drive::session::Session;
 use crate::exchange::{Answer, Limits, Question};
-use crate::failure::{Class, Failure};
 use crate::gate::Relief;
 use crate::outcome::Event;
 use crate::profile::{Family, Registry};
 use crate::text::both;
 use crate::tick::{Span, Tick};
+use presumed::{narrowed, others, presumed};
+use saying::{at_once, glimpsed, in_short, insist, sound, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
 use word::{first_word, telegrams};
 
+mod presumed;
+mod saying;
 mod word;
 mod zero;
 
@@ -73,8 +75,14 @@ pub struct FirstWord {
     kind: Option<Rc<Family>>,
     /// Somebody interrupted meanwhile, so a stronger one follows.
     pub pressed: bool,
-    /// The drive took long to acknowledge it.
+    /// The drive takes long to answer.
     pub(super) is_late: bool,
+    /// The drive has acknowledged it.
+    pub(super) heard: bool,
+    /// The shaft was seen to become slower by it.
+    pub(super) obeyed: bool,
+    /// What showed its shaft, asked behind it.
+    pub(super) glimpse: Option<i64>,
 }
 
 impl FirstWord {
@@ -168,8 +176,13 @@ pub struct Call<'m> {
     untold: Vec<Rc<Family>>,
     /// What is said in turn.
     words: VecDeque<(Rc<Family>, Question)>,
-    /// How often something was said.
+    /// How often something was said, and when that began.
     said: usize,
+    begun: Option<Tick>,
+    /// When it was asked who it is, if it has not told in time.
+    asked: Option<Tick>,
+    /// Its answers come, and late.
+    slow: bool,
     first: FirstWord,
     /// It refused the words of its family.
     refused: bool,
@@ -190,6 +203,9 @@ impl<'m> Call<'m> {
             untold: Vec::new(),
             words: VecDeque::new(),
             said: 0,
+            begun: None,
+            asked: None,
+            slow: false,
             first: FirstWord::default(),
             refused: false,
             widened: false,
@@ -248,14 +264,7 @@ impl<'m> Call<'m> {
     /// Says one word more; whether somebody interrupted that.
     async fn turn(&mut self, session: &mut Session<'_>, registry: &Registry) -> Result<bool, AccessError> {
         let (by, tell) = (session.now() + TURN, self.tell);
-        if self.families.is_none() {
-            let families = match &self.meant.family {
-                Some(family) => vec![family.clone()],
-                None => presumed(session, registry, self.meant.address).await?,
-            };
-            self.untold.clone_from(&families);
-            self.families = Some(families);
-        }
+        self.meet(session, registry).await?;
         self.learn(session, by).await?;
         let is_late = tell.is_first() && !self.untold.is_empty() && session.now() >= by;
         let by = if tell.is_first() { by } else { session.now() };
@@ -268,6 +277,28 @@ impl<'m> Call<'m> {
         Ok(pressed)
     }
 
+    /// Finds out of which families it may be; what it told late counts too.
+    async fn meet(&mut self, session: &mut Session<'_>, registry: &Registry) -> Result<(), AccessError> {
+        let (address, now) = (self.meant.address, session.now());
+        let Some(families) = &mut self.families else {
+            let (families, told) = match &self.meant.family {
+                Some(family) => (vec![family.clone()], true),
+                None => presumed(session, registry, address).await?,
+            };
+            self.asked = (!told).then_some(now);
+            self.untold.clone_from(&families);
+            self.families = Some(families);
+            return Ok(());
+        };
+        if self.asked.is_some() && !self.widened && narrowed(session, address, families) {
+            (self.asked, self.slow) = (None, true);
+            let is_left = |family: &Rc<Family>| families.iter().any(|left| left.drive == family.drive);
+            self.untold.retain(is_left);
+            self.words.retain(|(family, _)| is_left(family));
+        }
+        Ok(())
+    }
+
     /// Finds out the words that are not known yet.
     async fn learn(&mut self, session: &mut Session<'_>, by: Tick) -> Result<(), AccessError> {
         let (act, tell) = (self.act, self.tell);
@@ -277,10 +308,12 @@ impl<'m> Call<'m> {
                 Tell::First | Tell::Unsounded => Some(by),
                 Tell::Again => Some(session.now() + SHORT),
             };
+            let asked = session.now();
             let Some(first) = first_word(session, self.meant, &family, act, (by, !tell.is_first())).await? else {
                 self.untold.push(family);
                 continue;
             };
+            self.slow |= session.now().since(asked) > GLANCE;
             let words = first.word.into_iter().flat_map(|word| telegrams(session, self.meant, &family, word));
             self.words.extend(words.map(|word| (family.clone(), word)));
             if family.motion.control.is_some() && !self.widened {
@@ -293,23 +326,34 @@ impl<'m> Call<'m> {
     /// Waits for the answer at least until `by`, where nothing was asked before it.
     async fn say(&mut self, session: &mut Session<'_>, by: Tick) -> Result<bool, AccessError> {
         let Some((family, word)) = self.words.pop_front() else { return Ok(false) };
+        let now = session.now();
+        let begun = *self.begun.get_or_insert(now);
         let waits = match self.tell {
             Tell::Unsounded => GLANCE,
             // What comes later would come in the turn of another; but at first others are not kept waiting for that.
             Tell::Again if self.said > EARLY * self.words.len() => TURN,
             // Who is slower than that has heard it by now: said again and again, nobody could tell his answers apart.
-            Tell::Alone if self.said / (self.words.len() + 1) == 1 => session.patient().reply_timeout,
-            Tell::Alone | Tell::First | Tell::Again => SHORT.longer(by.since(session.now())),
+            Tell::Alone if self.slow || self.said / (self.words.len() + 1) == 1 => session.patient().reply_timeout,
+            // The word of another kind goes out when it has had its time to tell who it is.
+            Tell::Alone => SHORT.longer(self.asked.map_or(SHORT, |asked| (asked + TURN + PAUSE).since(now))),
+            Tell::First | Tell::Again => SHORT.longer(by.since(now)),
         };
         let limits = Limits { reply_timeout: waits, ..session.limits() };
-        let address = self.meant.address;
-        let said = async |session: &mut Session<'_>| insist(session, address, &word).await;
+        let (meant, mut glimpse) = (self.meant, None);
+        let tells = async |session: &mut Session<'_>| glimpsed(session, meant, &family, &mut glimpse).await;
+        let said = async |session: &mut Session<'_>| insist(session, meant.address, &word, tells).await;
         let (answer, pressed) = session.within(limits, said).await;
         self.said += 1;
         match answer {
             Ok(Answer::Reply { said, after }) => match no(&said) {
                 None => {
-                    self.first.is_late = after > GLANCE;
+                    if family.motion.control.is_none() {
+                        // What was found out for another kind does not count.
+                        self.first = FirstWord::default();
+                    }
+                    let since = session.now().since(begun);
+                    self.first.is_late = self.slow || after > GLANCE || (self.tell == Tell::Alone && since > GLANCE);
+                    (self.first.heard, self.first.glimpse) = (true, glimpse);
                     self.ended = Some(Ok(()));
                     if !self.widened {
                         self.families = Some(vec![family.clone()]);
@@ -340,90 +384,4 @@ impl<'m> Call<'m> {
         (self.untold, self.widened, self.said) = (others, true, 0);
         true
     }
-}
-
-/// Who refuses the words of its family may be of another one: the families of the other kinds, if there was one.
-fn others(registry: &Registry, families: &[Rc<Family>]) -> Option<(Rc<Family>, Vec<Rc<Family>>)> {
-    let [named] = families else { return None };
-    let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect();
-    named.is_movable().then(|| (named.clone(), others))
-}
-
-/// Says it once; whoever interrupts that gets it said again, and waits no longer than for this answer. Whether somebody did.
-async fn insist(session: &mut Session<'_>, address: u8, word: &Question) -> (Result<Answer, AccessError>, bool) {
-    let mut pressed = false;
-    loop {
-        session.end_at(Some(session.now() + BRIEF.longer(session.limits().reply_timeout)));
-        match session.blurt(address, word.clone()).await {
-            Err(AccessError::Interrupted) => {
-                session.note_interrupts();
-                pressed = true;
-            }
-            answer => return (answer, pressed),
-        }
-    }
-}
-
-/// Does it in short questions, also into a busy line; afterwards the session is as before.
-async fn at_once<T>(session: &mut Session<'_>, work: impl AsyncFnOnce(&mut Session<'_>) -> T) -> T {
-    session.insist(true);
-    let limits = session.limits();
-    let brief = Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits };
-    let said = session.within(brief, work).await;
-    session.end_at(None);
-    session.insist(false);
-    said
-}
-
-/// Asks something whose echo is no answer, so that the next answer is known from one. Whether it was answered.
-async fn sound(session: &mut Session<'_>, address: u8) -> bool {
-    session.end_at(Some(session.now() + BRIEF));
-    recognise::is_there(session, address).await
-}
-
-/// What was not told in a short time is not known.
-fn in_short(told: Result<Option<i64>, Failure>) -> Result<Option<i64>, AccessError> {
-    match told {
-        Ok(value) => Ok(value),
-        Err(failure) if failure.class == Class::Interrupted => Err(AccessError::Interrupted),
-        Err(_) => Ok(None),
-    }
-}
-
-/// The families that it may be. One question tells who describes itself and who does not; without an answer it may be any.
-async fn presumed(session: &mut Session<'_>, registry: &Registry, address: u8) -> Result<Vec<Rc<Family>>, AccessError> {
-    let mut kinds = kinds(registry);
-    session.end_at(Some(session.now() + BRIEF));
-    let describes = recognise::describes_itself(session, address).await;
-    if let Some(describes) = unless_interrupted(session, describes)?.flatten() {
-        kinds.retain(|family| family.link.product.is_some() == describes);
-    }
-    Ok(kinds)
-}
-
-/// Whoever interrupts a question before the stop ends the question: the stop goes out without its answer.
-fn unless_interrupted<T>(session: &mut Session<'_>, told: Result<T, AccessError>) -> Result<Option<T>, AccessError> {
-    match told {
-        Err(AccessError::Interrupted) => {
-            session.note_interrupts();
-            Ok(None)
-        }
-        told => told.map(Some),
-    }
-}
-
-/// One family of each kind that can be moved.
-fn kinds(registry: &Registry) -> Vec<Rc<Family>> {
-    let mut kinds: Vec<Rc<Family>> = Vec::new();
-    for family in registry.families().into_iter().filter(|family| family.is_movable()) {
-        if kinds.iter().all(|known| kind(known) != kind(&family)) {
-            kinds.push(family);
-        }
-    }
-    kinds
-}
-
-/// Drives whose control words are reached the same way are stopped the same way.
-fn kind(family: &Family) -> (crate::profile::Route, Option<u32>) {
-    (family.link.route, family.role("control-word").map(|param| param.id))
 }

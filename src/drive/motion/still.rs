@@ -4,11 +4,15 @@ use super::Motor;
 use super::look::working;
 use super::patience::{FEW, Wait};
 use super::shaft::Watch;
+use super::stop::QUICK_STOP;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State};
 use crate::profile::{Blind, Param};
 use crate::text::{Text, both};
 use crate::tick::Span;
+pub(super) use sight::Sight;
+
+mod sight;
 
 /// States without power: a stop has done its work.
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
@@ -26,76 +30,6 @@ pub fn has_power(slug: &str) -> Option<bool> {
     POWERED.contains(&slug).then_some(true).or_else(|| STOPPED.contains(&slug).then_some(false))
 }
 
-/// What looks tell of a shaft whose drive shows the frequency of its stator, which is 0 without power.
-#[derive(Debug, Default)]
-pub(super) struct Sight {
-    /// Whether the drive had power at the last look at its state.
-    on: Option<bool>,
-    /// The frequency was 0 since then; whether under power, only the next look at the state tells.
-    zero: bool,
-    /// The last look showed movement.
-    turns: bool,
-    /// What also tells without power was seen turning: an encoder, or the frequency itself.
-    free: bool,
-    /// It was seen to stand under power.
-    held: bool,
-    /// It was seen to come to rest without power.
-    rested: bool,
-    /// The stop goes as a setting says, which may be by direct current: that takes the frequency away, not the speed.
-    by_setting: bool,
-    /// The drive has said what a 0 under power is worth then; whoever interrupts that question has no answer to it.
-    settled: bool,
-}
-
-impl Sight {
-    /// A look at the state.
-    pub(super) fn state(&mut self, on: Option<bool>) {
-        self.held |= self.zero && on == Some(true);
-        (self.on, self.zero) = (on, false);
-    }
-
-    /// A look at the frequency, or without power at the encoder.
-    fn frequency(&mut self, raw: i64) {
-        self.turns = raw != 0;
-        match self.on {
-            _ if self.turns => {
-                self.free |= self.on == Some(false);
-                (self.zero, self.held, self.rested) = (false, false, false);
-            }
-            Some(true) => self.zero = true,
-            _ => self.rested |= self.free,
-        }
-    }
-
-    /// What was seen before tells no more: something else is under way.
-    pub(super) fn forget(&mut self) {
-        *self = Sight { on: self.on, free: self.free, ..Sight::default() };
-    }
-
-    /// A stop that goes as a setting says.
-    pub(super) fn goes_by_setting(&mut self) {
-        self.by_setting = true;
-    }
-
-    /// Whether a 0 waits for the look at the state that tells what it is worth.
-    pub(super) fn must_look(&self) -> bool {
-        self.zero && !self.held
-    }
-
-    /// Whether the frequency is on its way to 0, under power.
-    pub(super) fn falls(&self) -> bool {
-        self.turns && self.on == Some(true)
-    }
-
-    pub(super) fn standing(&self) -> Option<bool> {
-        if self.turns {
-            Some(false)
-        } else {
-            ((self.held && (self.settled || !self.by_setting)) || self.rested).then_some(true)
-        }
-    }
-}
-
 impl Motor<'_, '_> {
     /// Whether nobody gave the drive power at any look, us included. Its shaft may coast from before all the same.
     pub fn is_idle(&self) -> bool {
@@ -106,6 +40,9 @@ impl Motor<'_, '_> {
     pub(super) fn see(&mut self, slug: &str) {
         let on = has_power(slug);
         self.powered |= on == Some(true);
+        if slug == QUICK_STOP {
+            self.sight.brakes();
+        }
         self.sight.state(on);
     }
 
@@ -240,8 +177,8 @@ impl Motor<'_, '_> {
         }
         let raw = match (raw, self.sight.on) {
             (0, Some(false)) => self.encoder().await?.unwrap_or(0),
-            (raw, Some(true)) if raw != 0 && self.encoder.is_none() => {
-                // One that turns is there, so that it tells later on.
+            (raw, Some(true)) if raw != 0 && self.encoder.is_none() && !self.first_word.is_late => {
+                // One that turns is there, so that it tells later on; a slow drive would stand for less time than that takes.
                 self.sight.free |= self.encoder().await?.is_some_and(|shown| shown != 0);
                 raw
             }
@@ -348,27 +285,6 @@ pub fn coasting(standing: Option<bool>) -> Option<Text> {
 mod tests {
     use super::*;
 
-    /// A look: at the state, or at the frequency.
-    enum Look {
-        State(Option<bool>),
-        Shows(i64),
-    }
-    use Look::{Shows, State};
-    const ON: Look = State(Some(true));
-    const OFF: Look = State(Some(false));
-    const UNKNOWN: Look = State(None);
-
-    fn seen(looks: &[Look]) -> Sight {
-        let mut sight = Sight::default();
-        for look in looks {
-            match look {
-                State(on) => sight.state(*on),
-                Shows(raw) => sight.frequency(*raw),
-            }
-        }
-        sight
-    }
-
     #[test]
     fn the_state_tells_of_the_power() {
         for (slug, on) in [
@@ -384,50 +300,6 @@ mod tests {
         ] {
             assert_eq!(has_power(slug), on, "{slug}");
         }
-    }
-
-    #[test]
-    fn a_frequency_of_0_proves_a_standstill_under_power_only_or_where_it_turned_without() {
-        for (looks, stands) in [
-            (&[][..], None),
-            (&[ON, Shows(5)], Some(false)),
-            (&[OFF, Shows(0)], None),
-            (&[UNKNOWN, Shows(0)], None),
-            // Only the look behind the 0 tells whether it was under power.
-            (&[ON, Shows(0)], None),
-            (&[ON, Shows(0), ON], Some(true)),
-            (&[ON, Shows(0), OFF], None),
-            (&[ON, Shows(0), UNKNOWN], None),
-            (&[ON, Shows(0), OFF, ON], None),
-            (&[ON, Shows(0), ON, Shows(5)], Some(false)),
-            (&[ON, Shows(5), OFF, Shows(0)], None),
-            (&[OFF, Shows(5)], Some(false)),
-            (&[OFF, Shows(5), Shows(0)], Some(true)),
-            (&[UNKNOWN, Shows(5), OFF, Shows(0)], None),
-            (&[OFF, Shows(5), Shows(0), Shows(-5)], Some(false)),
-        ] {
-            assert_eq!(seen(looks).standing(), stands);
-        }
-    }
-
-    #[test]
-    fn it_is_known_when_another_look_is_needed() {
-        assert!(seen(&[ON, Shows(0)]).must_look());
-        assert!(!seen(&[ON, Shows(0), ON]).must_look() && !seen(&[ON, Shows(0), ON, Shows(0)]).must_look());
-        assert!(!seen(&[ON, Shows(5)]).must_look() && !seen(&[OFF, Shows(0)]).must_look());
-        assert!(seen(&[ON, Shows(5)]).falls());
-        assert!(!seen(&[ON, Shows(0)]).falls() && !seen(&[OFF, Shows(5)]).falls());
-    }
-
-    #[test]
-    fn a_new_movement_forgets_what_the_old_one_showed() {
-        let mut held = seen(&[ON, Shows(0), ON]);
-        held.forget();
-        assert_eq!(held.standing(), None);
-        let mut free = seen(&[OFF, Shows(5)]);
-        free.forget();
-        free.frequency(0);
-        assert_eq!(free.standing(), Some(true), "that it shows movement without power is not forgotten");
     }
 
     #[test]

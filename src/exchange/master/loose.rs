@@ -35,6 +35,13 @@ impl Master {
         }
     }
 
+    /// The answer to a question that was given up, if it was the last that came so late. It names its question no better than any
+    /// other: for what decides on a telegram that does no harm to anybody.
+    pub fn came_late(&self, station: u8, question: &Question) -> Option<&Said> {
+        let late = self.late.as_ref().filter(|late| (late.0, &late.1) == (station, question))?;
+        Some(&late.2)
+    }
+
     pub(super) fn flush_loose(&mut self) {
         let (at, bytes) = (self.loose.last(), self.loose.take());
         self.note_stray(at, &bytes);
@@ -98,6 +105,9 @@ impl Master {
             false => {}
         }
         let Some(said) = said else { return };
+        if let Some(question) = answered {
+            self.late = Some((station, question.clone(), said.clone()));
+        }
         // One answer was doubted, and this is another one to the same question.
         let differs = |job: &Job| {
             let first = job.first.as_ref().filter(|first| first.said != said);

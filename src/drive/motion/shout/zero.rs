@@ -1,7 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, others, presumed};
+use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, narrowed, others, presumed};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
@@ -35,12 +35,12 @@ async fn say_zero(
     meant: &Meant,
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<bool, AccessError> {
-    let families = match &meant.family {
-        Some(family) => vec![family.clone()],
+    let (mut families, told) = match &meant.family {
+        Some(family) => (vec![family.clone()], true),
         None => presumed(session, registry, meant.address).await?,
     };
-    let (mut said, refused) = say_zero_to(session, meant, &families, modes).await?;
-    if let Some((named, others)) = refused.then(|| others(registry, &families)).flatten() {
+    let (mut said, refused) = say_zero_to(session, meant, (&mut families, told), modes).await?;
+    if let Some((named, mut others)) = refused.then(|| others(registry, &families)).flatten() {
         session.tell(Event::Note(both!(
             "the drive refuses the setpoint of a {drive}: is --drive right? A zero of the other families goes out too, \
              where they know it",
@@ -48,20 +48,25 @@ async fn say_zero(
              hinaus, wo sie sie kennen",
             drive = named.drive
         )));
-        said |= say_zero_to(session, meant, &others, modes).await?.0;
+        said |= say_zero_to(session, meant, (&mut others, true), modes).await?.0;
     }
     Ok(said)
 }
 
-/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it.
+/// Gives the zeros of these families; whether one went out, and whether nobody took one and somebody refused it. Who has not `told`
+/// who he is may tell it late, and is given none of the others then.
 async fn say_zero_to(
     session: &mut Session<'_>,
     meant: &Meant,
-    families: &[Rc<Family>],
+    (families, told): (&mut Vec<Rc<Family>>, bool),
     modes: &dyn Fn(&Family) -> Vec<Mode>,
 ) -> Result<(bool, bool), AccessError> {
-    let (mut wholes, mut unspeakable) = (Vec::new(), false);
-    for family in families {
+    let (mut wholes, mut unspeakable, mut slow) = (Vec::new(), false, false);
+    for family in &families.clone() {
+        slow = slow || (!told && narrowed(session, meant.address, families));
+        if !families.iter().any(|left| left.drive == family.drive) {
+            continue;
+        }
         // Each acts in its own mode only, so one that is acknowledged is not enough.
         let mut zeros = Vec::new();
         for mode in acting(session, meant, family, modes(family)).await? {
@@ -74,10 +79,13 @@ async fn say_zero_to(
                 zeros.extend(zero);
             }
         }
-        wholes.extend(Some(zeros).filter(|zeros| !zeros.is_empty()));
+        wholes.extend(Some((family.clone(), zeros)).filter(|(_, zeros)| !zeros.is_empty()));
     }
+    slow = slow || (!told && narrowed(session, meant.address, families));
+    wholes.retain(|(family, _)| families.iter().any(|left| left.drive == family.drive));
+    let wholes: Vec<_> = wholes.into_iter().map(|(_, zeros)| zeros).collect();
     let said = !wholes.is_empty();
-    let refused = match repeat(session, meant, wholes).await {
+    let refused = match repeat(session, meant, wholes, slow).await {
         // It went out: what came of it is told.
         Err(AccessError::Interrupted) => false,
         repeated => repeated?,
@@ -121,15 +129,23 @@ async fn only_slows(session: &mut Session<'_>, meant: &Meant, family: &Rc<Family
     Ok(internal.is_none() && line.is_none())
 }
 
-/// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead.
-async fn repeat(session: &mut Session<'_>, meant: &Meant, mut wholes: Vec<Vec<Question>>) -> Result<bool, AccessError> {
-    let limits = session.limits();
+/// Says it until the whole of one of these is acknowledged, or has been said often enough; whether it was refused instead. Who is
+/// `slow` has heard it: said again and again, nobody could tell his answers apart.
+async fn repeat(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    mut wholes: Vec<Vec<Question>>,
+    slow: bool,
+) -> Result<bool, AccessError> {
+    let (limits, patient) = (session.limits(), session.patient());
     let (mut refused, mut interrupted) = (false, false);
-    session.set_limits(Limits { reply_timeout: SHORT, ..limits });
-    for _ in 0..TIMES {
+    for round in 0..TIMES {
+        let waits = if slow || round == 1 { patient.reply_timeout } else { SHORT };
+        session.set_limits(Limits { reply_timeout: waits, ..limits });
         for words in &mut wholes {
             for word in std::mem::take(words) {
-                let (answer, pressed) = insist(session, meant.address, &word).await;
+                let (answer, pressed) =
+                    insist(session, meant.address, &word, async |session| session.sound(meant.address).await).await;
                 interrupted |= pressed;
                 match answer {
                     Ok(Answer::Reply { said, .. }) if no(&said).is_none() => continue,

@@ -1,0 +1,89 @@
+//! Saying one thing at once, and asking only what cannot wait.
+
+use super::super::look::raw;
+use super::{BRIEF, GLANCE};
+use crate::drive::access::AccessError;
+use crate::drive::recognise;
+use crate::drive::route::Meant;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
+use crate::exchange::{Answer, Limits, Question};
+use crate::failure::{Class, Failure};
+use crate::profile::Family;
+use std::rc::Rc;
+
+/// Says it once; whoever interrupts that gets it said again, and waits no longer than for this answer. Whether somebody did.
+/// `tells` asks what tells its answer from an echo.
+pub(super) async fn insist(
+    session: &mut Session<'_>,
+    address: u8,
+    word: &Question,
+    mut tells: impl AsyncFnMut(&mut Session<'_>) -> Result<(), AccessError>,
+) -> (Result<Answer, AccessError>, bool) {
+    let mut pressed = false;
+    loop {
+        session.end_at(Some(session.now() + BRIEF.longer(session.limits().reply_timeout)));
+        match session.blurt(address, word.clone(), &mut tells).await {
+            Err(AccessError::Interrupted) => {
+                session.note_interrupts();
+                pressed = true;
+            }
+            answer => return (answer, pressed),
+        }
+    }
+}
+
+/// Does it in short questions, also into a busy line; afterwards the session is as before.
+pub(super) async fn at_once<T>(session: &mut Session<'_>, work: impl AsyncFnOnce(&mut Session<'_>) -> T) -> T {
+    session.insist(true);
+    let limits = session.limits();
+    let brief = Limits { reply_timeout: GLANCE.min(limits.reply_timeout), retries: 0, ..limits };
+    let said = session.within(brief, work).await;
+    session.end_at(None);
+    session.insist(false);
+    said
+}
+
+/// Asks something whose echo is no answer: where a standstill shows only for a while, the shaft itself.
+pub(super) async fn glimpsed(
+    session: &mut Session<'_>,
+    meant: &Meant,
+    family: &Rc<Family>,
+    glimpse: &mut Option<i64>,
+) -> Result<(), AccessError> {
+    let Some(param) = family.role("movement").filter(|_| family.motion.stator.is_some()) else {
+        return session.sound(meant.address).await;
+    };
+    let mut target = Target::new(meant.address, family.clone());
+    *glimpse = in_short(raw(session, &mut target, param, 0).await)?;
+    Ok(())
+}
+
+/// Asks something whose echo is no answer, so that the next answer is known from one. Whether it was answered.
+pub(super) async fn sound(session: &mut Session<'_>, address: u8) -> bool {
+    session.end_at(Some(session.now() + BRIEF));
+    recognise::is_there(session, address).await
+}
+
+/// What was not told in a short time is not known.
+pub(super) fn in_short(told: Result<Option<i64>, Failure>) -> Result<Option<i64>, AccessError> {
+    match told {
+        Ok(value) => Ok(value),
+        Err(failure) if failure.class == Class::Interrupted => Err(AccessError::Interrupted),
+        Err(_) => Ok(None),
+    }
+}
+
+/// Whoever interrupts a question before the stop ends the question: the stop goes out without its answer.
+pub(super) fn unless_interrupted<T>(
+    session: &mut Session<'_>,
+    told: Result<T, AccessError>,
+) -> Result<Option<T>, AccessError> {
+    match told {
+        Err(AccessError::Interrupted) => {
+            session.note_interrupts();
+            Ok(None)
+        }
+        told => told.map(Some),
+    }
+}
