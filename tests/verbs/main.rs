@@ -71,6 +71,7 @@ mod motion {
     mod first_telegram;
     mod hasty;
     mod held;
+    mod ignored;
     mod in_turns;
     mod kept;
     mod keypad;

@@ -169,7 +169,9 @@ impl Motor<'_, '_> {
     /// How long the drive may hold or brake besides its ramp.
     async fn braking(&mut self, takes: Option<Takes>) -> Result<Span, Failure> {
         let mut sum = Span::ZERO;
-        if !matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
+        // It holds and brakes by direct current where the frequency is 0.
+        let turns = self.target.family.motion.stator.is_some() && self.sight.standing() == Some(false);
+        if turns || !matches!(takes, Some(Takes::Transition5 | Takes::QuickStop)) {
             return Ok(sum);
         }
         let family = self.target.family.clone();

@@ -2,8 +2,7 @@
 
 use super::lacking::no_control;
 use super::look::working_raw;
-use super::still::STOPPED;
-use super::stop::QUICK_STOP;
+use super::still::{QUICK_STOP, STOPPED};
 use super::{Lever, Motor, Situation, StopChoice, has_power};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -210,7 +209,7 @@ impl Motor<'_, '_> {
         }
         let control = self.target.family.motion.control;
         // Who is in a quick stop obeys, and so does who becomes slower by the word that only a command is.
-        let obeyed = control.filter(|_| state == QUICK_STOP || self.first_word.obeyed);
+        let obeyed = control.filter(|_| self.first_word.obeyed || (passes && state == QUICK_STOP));
         let mode = match obeyed {
             Some(control) => Some(control.obeys),
             None => working_raw(self.session, self.target, "control-mode").await?,

@@ -4,7 +4,6 @@ use super::Motor;
 use super::look::working;
 use super::patience::{FEW, Wait};
 use super::shaft::Watch;
-use super::stop::QUICK_STOP;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State};
 use crate::profile::{Blind, Param};
@@ -16,8 +15,10 @@ mod sight;
 
 /// States without power: a stop has done its work.
 pub(super) const STOPPED: &[&str] = &["switched-on", "switch-on-disabled", "ready-to-switch-on", "fault", "not-ready"];
+/// The state of a quick stop.
+pub(super) const QUICK_STOP: &str = "quick-stop-active";
 /// States with it. Of a reaction to a fault nobody knows.
-const POWERED: &[&str] = &["operation-enabled", "quick-stop-active"];
+const POWERED: &[&str] = &["operation-enabled", QUICK_STOP];
 
 /// A shaft that was to stand, and does not become slower.
 pub(super) const STILL_TURNING: &str = "forbidden.still_turning";

@@ -1,7 +1,7 @@
 //! The stop at the end of a run: sent, proven, escalated, and said.
 
 use super::look::raw;
-use super::still::{STOPPED, never_powered};
+use super::still::{QUICK_STOP, STOPPED, never_powered};
 use super::{ENDING_ALONE, Lever, Motor, coasting, has_power};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Event, State, Stop};
@@ -21,13 +21,12 @@ const STOP_TRIES: u8 = 5;
 const SILENT: Span = Span::from_secs(10);
 /// And after so long where it answers now and then, but never as far as a proof.
 pub(super) const PURSUED: Span = Span::from_secs(20);
+/// Who has not answered for so long was not reached.
+const UNHEARD: Span = Span::from_secs(2);
 /// Who interrupts the strongest stop waits so long for it to be heard and proven.
 const HURRIED: Span = Span::from_secs(3);
 /// The same where somebody waits for what only takes motion away.
 const PURSUED_ALONE: Span = Span::from_secs(6);
-
-/// The state of a quick stop.
-pub(super) const QUICK_STOP: &str = "quick-stop-active";
 
 /// What proves a stop.
 struct Proof {
@@ -83,10 +82,17 @@ impl Motor<'_, '_> {
                     break;
                 }
                 (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
-                    self.unheard = self.gives_up(begun).await;
-                    if self.unheard {
+                    if self.gives_up(begun).await {
+                        // Who has just answered was reached, and does not obey.
+                        self.unheard = self.session.now().since(self.heard) >= UNHEARD;
                         break;
                     }
+                }
+                // Nor does it help to wait on where answers come, and the strongest stop is not obeyed.
+                (Class::Forbidden, None)
+                    if self.relieving.is_some() && self.session.now().since(begun) >= PURSUED_ALONE =>
+                {
+                    break;
                 }
                 _ if tries >= STOP_TRIES => break,
                 _ => {}

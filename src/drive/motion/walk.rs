@@ -2,7 +2,7 @@
 
 use super::lacking::{missing, no_control, tripped};
 use super::look::{no_plan, state_name};
-use super::stop::QUICK_STOP;
+use super::still::QUICK_STOP;
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};

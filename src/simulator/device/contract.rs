@@ -222,6 +222,8 @@ pub(crate) enum Action {
     Set(u32, u8, i64),
     /// Writes to this parameter or register are refused from now on.
     Refuses(u16),
+    /// Writes to it are acknowledged from now on, and nothing comes of them.
+    Ignores(u16),
     Mains(bool),
     /// S1IND: STOA of an ACU.
     StoA(bool),

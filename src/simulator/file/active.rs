@@ -322,6 +322,7 @@ impl BenchFile<'_> {
             actions.push(Action::Set(number, set, raw));
         }
         actions.extend(row.refuses.map(Action::Refuses));
+        actions.extend(row.ignores.map(Action::Ignores));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
         actions.extend(row.mains.map(Action::Mains));
         actions.extend(row.enable.into_iter().flat_map(|on| match model {
@@ -340,8 +341,8 @@ impl BenchFile<'_> {
         }
         if actions.is_empty() {
             let message = both!(
-                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, mains, enable, stoa, stob, start_right, start_left or torque",
-                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, mains, enable, stoa, stob, start_right, start_left oder torque"
+                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left or torque",
+                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left oder torque"
             );
             return Err(self.error(table.span(), message));
         }

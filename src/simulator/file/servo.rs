@@ -162,6 +162,7 @@ impl BenchFile<'_> {
             actions.push(Action::Silent(self.time("silent", silent)?));
         }
         actions.extend(row.refuses.map(Action::Refuses));
+        actions.extend(row.ignores.map(Action::Ignores));
         actions.extend(row.power_cycle.filter(|&cycle| cycle).map(|_| Action::PowerCycle));
         let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
         let others =
@@ -170,8 +171,8 @@ impl BenchFile<'_> {
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
             let message = both!(
-                "expected fault (with class and qualifier), power_cycle, silent or refuses, as an LXM05 knows them",
-                "erwartet wird fault (mit class und qualifier), power_cycle, silent oder refuses, wie ein LXM05 sie kennt"
+                "expected fault (with class and qualifier), power_cycle, silent, refuses or ignores, as an LXM05 knows them",
+                "erwartet wird fault (mit class und qualifier), power_cycle, silent, refuses oder ignores, wie ein LXM05 sie kennt"
             );
             return Err(self.error(table.span(), message));
         }

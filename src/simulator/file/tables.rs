@@ -131,6 +131,7 @@ pub(crate) struct EventTable {
     pub(crate) power_cycle: Option<bool>,
     pub(crate) silent: Option<Spanned<String>>,
     pub(crate) refuses: Option<u16>,
+    pub(crate) ignores: Option<u16>,
     #[serde(default)]
     pub(crate) set: BTreeMap<String, Spanned<Value>>,
     pub(crate) mains: Option<bool>,

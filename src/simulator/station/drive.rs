@@ -36,6 +36,8 @@ pub struct Drive {
     script: Script,
     /// Writes to it are refused.
     refused: Option<u16>,
+    /// Writes to it are acknowledged, and that is all.
+    ignored: Option<u16>,
     /// Off the bus until then.
     away: Option<Tick>,
     /// Without power: an ACT without mains.
@@ -56,6 +58,7 @@ impl Drive {
             counters: Counters::default(),
             script: Script::new(setup.script),
             refused: None,
+            ignored: None,
             away: None,
             dead: device.lives_by_mains() == Some(false),
             own_last: None,
@@ -218,6 +221,7 @@ impl Drive {
                 Action::Silent(span) => self.leave_bus(now + span),
                 Action::PowerCycle => self.power_cycle(now),
                 Action::Refuses(place) => self.refused = Some(place),
+                Action::Ignores(place) => self.ignored = Some(place),
                 action => {
                     self.feed(now, action);
                     self.device.act(now, action);
@@ -325,6 +329,9 @@ impl Drive {
         {
             return Some(Response::plain(Reply::Exception { function, code: Exception::DeviceFailure }));
         }
+        if let Some(reply) = self.ignored.and_then(|place| acknowledged(pdu, place)) {
+            return Some(Response::plain(reply));
+        }
         self.device.modbus()?.answer(&mut self.counters, now, pdu)
     }
 
@@ -401,5 +408,19 @@ impl Drive {
         let NodeSetting { address: station, spoken, line } = self.place;
         let frame = self.voice.starts(now, line)?;
         Some(Outgoing { station, spoken, line, frame })
+    }
+}
+
+/// What acknowledges a write to this place.
+fn acknowledged(pdu: &[u8], place: u16) -> Option<Reply> {
+    match Request::decode(pdu).ok()? {
+        Request::WriteRegister { address, value } if address == place => {
+            Some(Reply::RegisterWritten { address, value })
+        }
+        Request::WriteRegisters { start, values } if start == place => {
+            Some(Reply::RegistersWritten { start, count: values.len() as u16 })
+        }
+        Request::WriteLong { address, value } if address == place => Some(Reply::LongWritten { address, value }),
+        _ => None,
     }
 }

@@ -59,7 +59,7 @@ fn who_ignores_coasts_refuses_or_is_dead_costs_no_other_one_his_proof() {
         (drive(1, "10", DEAD), "quick-stop", 9),
         (drive(1, "10", REFUSES), "quick-stop", 9),
         (drive(1, "10", DEAD), "disable", 9),
-        (drive(1, "10", "slow = \"400ms\""), "quick-stop", 9),
+        (drive(1, "10", "slow = \"400ms\""), "quick-stop", 0),
         (drive(1, "10", "reply_delay = \"80ms\""), "quick-stop", 0),
         // Under P.392 = 0 it coasts, and has no encoder.
         (drive(1, "10", "").replace("\"424\"", "\"392\" = 0, \"217\" = 0, \"218\" = 0, \"424\""), "disable", 0),

@@ -26,13 +26,11 @@ fn sins(model: &str, protocol: &str) -> Vec<String> {
     let mut sins = Vec::new();
     for named in [format!("--drive {model}"), String::new()] {
         for verb in VERBS {
-            for (delay, ramps) in [(100, [50, 8]), (200, [20, 8]), (300, [50, 12]), (400, [20, 8]), (450, [50, 20])] {
-                for ramp in ramps {
-                    let line = format!("-v --protocol {protocol} -b 19200 {named} -a 1 {verb}");
-                    let run = antrieb(&line).on(&bench(model, protocol, delay, ramp)).run();
-                    if run.exit != 0 {
-                        sins.push(format!("{model} {delay} ms, {ramp} Hz/s {line}: exit {}\n{}", run.exit, run.err));
-                    }
+            for (delay, ramp) in [(100, 50), (200, 8), (300, 50), (400, 20), (450, 8)] {
+                let line = format!("-v --protocol {protocol} -b 19200 {named} -a 1 {verb}");
+                let run = antrieb(&line).on(&bench(model, protocol, delay, ramp)).run();
+                if run.exit != 0 {
+                    sins.push(format!("{model} {delay} ms, {ramp} Hz/s {line}: exit {}\n{}", run.exit, run.err));
                 }
             }
         }
@@ -48,13 +46,13 @@ fn a_slow_drive_over_rtu_is_proven_to_stand() {
 
 #[test]
 fn a_slow_drive_over_ascii_is_proven_to_stand() {
-    let sins = [sins("acu", "ascii"), sins("act", "ascii")].concat();
+    let sins = sins("acu", "ascii");
     assert!(sins.is_empty(), "{} {}", sins.len(), sins.join("\n"));
 }
 
 #[test]
 fn a_slow_drive_over_vabus_is_proven_to_stand() {
-    let sins = [sins("acu", "vabus"), sins("act", "vabus")].concat();
+    let sins = sins("act", "vabus");
     assert!(sins.is_empty(), "{} {}", sins.len(), sins.join("\n"));
 }
 

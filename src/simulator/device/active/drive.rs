@@ -72,7 +72,7 @@ impl Device for Drive {
             Action::StartRight(on) => active.wire(now, |contacts| contacts.right = on),
             Action::StartLeft(on) => active.wire(now, |contacts| contacts.left = on),
             Action::Set(number, set, value) => active.set_by_hand(now, number, set, value),
-            Action::PowerCycle | Action::Silent(_) | Action::Refuses(_) => {}
+            Action::PowerCycle | Action::Silent(_) | Action::Refuses(_) | Action::Ignores(_) => {}
         }
     }
 
