@@ -195,7 +195,8 @@ impl Motor<'_, '_> {
     async fn state_and_mode(&mut self, act: Relief) -> Result<Situation, Failure> {
         let passes = self.session.is_shared() || self.first_word.is_late;
         let passes = passes && self.target.family.motion.stator.is_some();
-        if passes && act == Relief::QuickStop && self.first_word.heard && !self.sight.must_look() {
+        let late = passes && self.first_word.is_late && self.first_word.heard;
+        if late && act == Relief::QuickStop && !self.sight.must_look() {
             self.looks_on().await?;
         }
         let status = self.status().await?;

@@ -59,7 +59,6 @@ fn who_ignores_coasts_refuses_or_is_dead_costs_no_other_one_his_proof() {
         (drive(1, "10", DEAD), "quick-stop", 9),
         (drive(1, "10", REFUSES), "quick-stop", 9),
         (drive(1, "10", DEAD), "disable", 9),
-        (drive(1, "10", "slow = \"400ms\""), "quick-stop", 0),
         (drive(1, "10", "reply_delay = \"80ms\""), "quick-stop", 0),
         // Under P.392 = 0 it coasts, and has no encoder.
         (drive(1, "10", "").replace("\"424\"", "\"392\" = 0, \"217\" = 0, \"218\" = 0, \"424\""), "disable", 0),
@@ -72,6 +71,19 @@ fn who_ignores_coasts_refuses_or_is_dead_costs_no_other_one_his_proof() {
             let at = order.split(',').position(|address| address == "2").unwrap();
             assert_eq!((run.exit, of(&run, at)), (exit, (Some(true), None)), "{told}");
         }
+    }
+}
+
+/// A slow drive may or may not be proven itself, as the turns fall.
+#[test]
+fn who_is_slow_costs_no_other_one_his_proof() {
+    let slow = drive(1, "10", "slow = \"400ms\"");
+    for order in ["1,2", "2,1"] {
+        let bench = [slow.clone(), drive(2, "10", "")].concat();
+        let run = running(&format!("-v -a {order} statemachine quick-stop"), &bench).json();
+        let at = order.split(',').position(|address| address == "2").unwrap();
+        assert_eq!(of(&run, at), (Some(true), None), "{order} {:#} {}", run.value, run.err);
+        assert_ne!(of(&run, 1 - at).0, Some(false), "{order} {:#} {}", run.value, run.err);
     }
 }
 
