@@ -233,6 +233,12 @@ pub(crate) enum Action {
     StartLeft(bool),
     /// Load at the shaft, percent of the rated torque.
     Torque(i64),
+    /// Two phases of the motor are exchanged.
+    ExchangePhases,
+    /// A hand turns the shaft so fast, 0.01 Hz, positive clockwise; 0 lets it go.
+    Hand(i64),
+    /// So much lies at the analog input, 0.001 V.
+    Analog(i64),
 }
 
 impl Action {

@@ -45,6 +45,8 @@ impl BenchFile<'_> {
         if let Some(ramps) = &row.ramps {
             self.ramps(ramps, &mut setup.ramps)?;
         }
+        setup.resolver = row.resolver.as_ref().map(|table| self.resolver(table)).transpose()?;
+        setup.analog = row.analog.as_ref().map_or(Ok(setup.analog), |table| self.analog(table))?;
         setup.four.clone_from(&row.four);
         self.equip(&row.modules, &row.set, family, &mut setup)?;
         for (key, word) in &row.eeprom {
@@ -339,10 +341,11 @@ impl BenchFile<'_> {
         if let Some(torque) = &row.torque {
             actions.push(Action::Torque(self.torque(torque)?));
         }
+        actions.extend(self.module_actions(row)?);
         if actions.is_empty() {
             let message = both!(
-                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left or torque",
-                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left oder torque"
+                "nothing happens in this event; expected fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, exchange_phases, hand or analog",
+                "in diesem event geschieht nichts; erwartet: fault, warning, power_cycle, silent, set, refuses, ignores, mains, enable, stoa, stob, start_right, start_left, torque, exchange_phases, hand oder analog"
             );
             return Err(self.error(table.span(), message));
         }

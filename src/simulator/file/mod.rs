@@ -9,6 +9,7 @@
 mod active;
 mod drive;
 mod line;
+mod module;
 mod profibus;
 mod reader;
 mod servo;

@@ -167,6 +167,7 @@ impl BenchFile<'_> {
         let others = [row.mains, row.enable, row.start_right, row.start_left].into_iter().any(|key| key.is_some());
         let others =
             others || row.stoa.is_some() || row.stob.is_some() || row.torque.is_some() || row.warning.is_some();
+        let others = others || row.exchange_phases || row.hand.is_some() || row.analog.is_some();
         let others = others || row.lasts.is_some() || !row.set.is_empty();
         let lonely = row.fault.is_none() && (row.class.is_some() || row.qualifier.is_some());
         if actions.is_empty() || others || lonely {
@@ -205,6 +206,8 @@ fn foreign_key(row: &DriveTable) -> Option<&'static str> {
         ("mains", row.mains.is_some()),
         ("torque", row.torque.is_some()),
         ("ramps", row.ramps.is_some()),
+        ("resolver", row.resolver.is_some()),
+        ("analog", row.analog.is_some()),
         ("modules", !row.modules.is_empty()),
         ("eeprom", !row.eeprom.is_empty()),
         ("four", !row.four.is_empty()),

@@ -51,6 +51,8 @@ pub(crate) struct DriveTable {
     pub(crate) mains: Option<bool>,
     pub(crate) torque: Option<Spanned<i64>>,
     pub(crate) ramps: Option<RampTable>,
+    pub(crate) resolver: Option<ResolverTable>,
+    pub(crate) analog: Option<AnalogTable>,
     #[serde(default)]
     pub(crate) modules: Vec<Spanned<String>>,
     #[serde(default)]
@@ -111,6 +113,26 @@ pub(crate) struct RampTable {
     pub(crate) down_left: Option<Spanned<Value>>,
 }
 
+/// The motor that a resolver leads.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ResolverTable {
+    pub(crate) offset: Spanned<Value>,
+    #[serde(default)]
+    pub(crate) swapped: bool,
+    #[serde(default)]
+    pub(crate) inverted: bool,
+}
+
+/// The analog input of an EM-RES-03.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AnalogTable {
+    pub(crate) volts: Option<Spanned<Value>>,
+    pub(crate) offset: Option<Spanned<Value>>,
+    pub(crate) gain: Option<Spanned<Value>>,
+}
+
 fn given() -> bool {
     true
 }
@@ -141,6 +163,10 @@ pub(crate) struct EventTable {
     pub(crate) start_right: Option<bool>,
     pub(crate) start_left: Option<bool>,
     pub(crate) torque: Option<Spanned<i64>>,
+    #[serde(default)]
+    pub(crate) exchange_phases: bool,
+    pub(crate) hand: Option<Spanned<Value>>,
+    pub(crate) analog: Option<Spanned<Value>>,
 }
 
 #[derive(Deserialize)]

@@ -145,6 +145,9 @@ impl Active {
         if number == 30 {
             self.drop_dc_brake(in_ram);
         }
+        if number == 568 {
+            self.analog.adjust(value);
+        }
         if !in_ram && cells(&spec, set % 5).any(|target| self.store.refuses((number, target))) {
             return Err(Cause::Eeprom);
         }

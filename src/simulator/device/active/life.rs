@@ -10,6 +10,8 @@ use crate::tick::{Span, Tick};
 
 /// Watchdog RS232/RS485 (CM-485 manual 6.9).
 const WATCHDOG: u16 = 0x2010;
+/// Output frequency above the switch-off limit P.417 (CM-485 manual 12.2, EM-RES-03 manual 6.4.1).
+const OVERSPEED: u16 = 0x1100;
 
 impl Active {
     /// A drive that stands at `place` on its line, switched on if there is power.
@@ -59,7 +61,13 @@ impl Active {
 
     /// When something will happen by itself: the watchdog, or the end of a stop.
     pub(crate) fn next(&self) -> Option<Tick> {
-        [self.watchdog(), self.machine.next()].into_iter().flatten().min()
+        [self.watchdog(), self.overspeed(), self.machine.next()].into_iter().flatten().min()
+    }
+
+    /// When the shaft will be faster than P.417; that 0 sets no limit is a choice of this bench.
+    fn overspeed(&self) -> Option<Tick> {
+        let limit = Some(self.value(417)).filter(|&limit| limit > 0)?;
+        self.machine.shaft.rises_above(limit)
     }
 
     fn watchdog(&self) -> Option<Tick> {
@@ -80,12 +88,17 @@ impl Active {
     }
 
     /// State machine and shaft as they will be if nobody does anything. The watchdog makes a fault of the silence
-    /// (CM-485 manual 6.9), and a fault switches the output stage off: the shaft coasts.
+    /// (CM-485 manual 6.9), P.417 one of a shaft that is too fast, and a fault switches the output stage off: the shaft coasts.
     fn machine_at(&self, now: Tick) -> Automaton {
         let (mut machine, inputs) = (self.machine.clone(), self.inputs());
-        if let Some(at) = self.watchdog().filter(|&at| at <= now) {
+        let mut trips = [(self.watchdog(), WATCHDOG), (self.overspeed(), OVERSPEED)];
+        trips.sort_unstable();
+        for (at, code) in trips.into_iter().filter_map(|(at, code)| Some((at.filter(|&at| at <= now)?, code))) {
             machine.settle(at, &inputs);
-            machine.trip(at, WATCHDOG);
+            // A ramp that ended before may have taken the speed away.
+            if code == WATCHDOG || machine.shaft.is_above(self.value(417)) {
+                machine.trip(at, code);
+            }
         }
         machine.settle(now, &inputs);
         machine
@@ -118,6 +131,15 @@ impl Active {
     pub(crate) fn burden(&mut self, now: Tick, torque: i64) {
         self.catch_up(now);
         self.torque = torque;
+        self.react(now);
+    }
+
+    /// Exchanges two phases of the motor.
+    pub(crate) fn rewire(&mut self, now: Tick) {
+        self.catch_up(now);
+        if let Some(resolver) = &mut self.resolver {
+            resolver.swapped = !resolver.swapped;
+        }
         self.react(now);
     }
 

@@ -25,6 +25,7 @@
 
 use crate::simulator::device::cia402::{Command, State};
 use crate::simulator::device::motor::Motor;
+use crate::simulator::device::resolver::{FASTEST, Follows, RACES};
 use crate::simulator::device::shaft::{Ramps, Shaft};
 use crate::tick::{Span, Tick};
 
@@ -80,6 +81,8 @@ pub(crate) struct Inputs {
     /// P.632.
     pub(crate) braking: Span,
     pub(crate) motor: Motor,
+    /// How the rotor follows.
+    pub(crate) follows: Follows,
 }
 
 impl Inputs {
@@ -206,7 +209,7 @@ impl Automaton {
         }
         if self.state == State::Enabled && self.phase.is_none() {
             let goal = if inputs.motor.overloaded() { 0 } else { inputs.goal };
-            self.shaft.follow(now, goal, inputs.ramps);
+            self.lead(now, goal, inputs.ramps, inputs);
         }
     }
 
@@ -269,7 +272,7 @@ impl Automaton {
             // Only the table of the ACU names 7 and 10 beside the quick stop.
             (State::Ready | State::SwitchedOn, QuickStop) if inputs.acu => State::SwitchOnInhibit,
             (State::Enabled, QuickStop) => {
-                self.shaft.follow(now, 0, inputs.quick_ramps);
+                self.lead(now, 0, inputs.quick_ramps, inputs);
                 self.slow_down(Kind::Quick, inputs);
                 self.state = State::QuickStop; // 11
                 return true;
@@ -293,7 +296,7 @@ impl Automaton {
                 self.phase = Some(Phase { kind: Kind::Brake, ends: now + inputs.braking });
             }
             _ => {
-                self.shaft.follow(now, 0, inputs.ramps);
+                self.lead(now, 0, inputs.ramps, inputs);
                 self.slow_down(Kind::Ramp, inputs);
             }
         }
@@ -306,7 +309,7 @@ impl Automaton {
             State::Enabled if run => self.phase = None,
             State::Enabled if inputs.enable && inputs.control == Control::Contacts => {
                 if self.phase.is_none() {
-                    self.shaft.follow(now, 0, inputs.ramps);
+                    self.lead(now, 0, inputs.ramps, inputs);
                     self.slow_down(Kind::Ramp, inputs);
                 }
             }
@@ -316,6 +319,24 @@ impl Automaton {
             }
             State::SwitchedOn => {}
             _ => self.leave(now, State::SwitchedOn),
+        }
+    }
+
+    /// Gives the rotor a goal, which it follows as its resolver lets it.
+    fn lead(&mut self, now: Tick, goal: i64, ramps: Ramps, inputs: &Inputs) {
+        self.shaft.advance(now);
+        let speed = self.shaft.speed();
+        match inputs.follows {
+            Follows::Setpoint => self.shaft.follow(now, goal, ramps),
+            Follows::Nothing => self.shaft.follow(now, 0, ramps),
+            // The speed controller corrects the wrong way round, so every difference grows.
+            Follows::Itself => {
+                let away = match (speed - goal).signum() {
+                    0 => speed.signum(),
+                    away => away,
+                };
+                self.shaft.follow(now, away * FASTEST, Ramps::all(RACES));
+            }
         }
     }
 

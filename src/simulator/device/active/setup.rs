@@ -2,6 +2,8 @@
 
 use super::readings::Readings;
 use super::store::Fault;
+use crate::simulator::device::analog::Analog;
+use crate::simulator::device::resolver::Resolver;
 use crate::simulator::device::shaft::Ramps;
 use std::collections::BTreeMap;
 
@@ -24,6 +26,10 @@ pub(crate) struct Setup {
     pub(crate) contacts: Contacts,
     /// Load at the shaft, percent of the rated torque.
     pub(crate) torque: i64,
+    /// A motor that is led by its resolver.
+    pub(crate) resolver: Option<Resolver>,
+    /// The analog input of an EM-RES-03.
+    pub(crate) analog: Analog,
     pub(crate) ramps: Ramps,
     pub(crate) modules: Vec<String>,
     /// Number, data set (0 for all), raw value.
@@ -45,6 +51,8 @@ impl Setup {
             strict_remote: false,
             contacts: CONTACTS,
             torque: TORQUE,
+            resolver: None,
+            analog: Analog::default(),
             ramps: RAMPS,
             modules: Vec::new(),
             values: Vec::new(),

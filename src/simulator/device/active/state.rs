@@ -7,6 +7,8 @@ use super::setup::{Contacts, Setup};
 use super::spec::{Spec, specs};
 use super::store::{Cell, Store};
 use crate::profile::Family;
+use crate::simulator::device::analog::Analog;
+use crate::simulator::device::resolver::Resolver;
 use crate::simulator::device::shaft::Ramps;
 use crate::tick::Tick;
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,6 +25,12 @@ pub(crate) struct Active {
     pub(crate) pinned: BTreeSet<u32>,
     pub(crate) contacts: Contacts,
     pub(crate) torque: i64,
+    /// The motor has one, and its manual's physics.
+    pub(crate) resolver: Option<Resolver>,
+    /// A hand turns the shaft so fast, 0.01 Hz.
+    pub(crate) hand: i64,
+    /// EM-S1INA.
+    pub(crate) analog: Analog,
     pub(crate) ramps: Ramps,
     pub(crate) strict_remote: bool,
     pub(crate) readings: Readings,
@@ -46,6 +54,9 @@ impl Active {
             pinned: BTreeSet::new(),
             contacts: setup.contacts,
             torque: setup.torque,
+            resolver: setup.resolver,
+            hand: 0,
+            analog: setup.analog,
             ramps: setup.ramps,
             strict_remote: setup.strict_remote,
             readings: setup.readings,

@@ -19,6 +19,7 @@ use super::readings::Reading;
 use super::setup::Contacts;
 use super::state::Active;
 use crate::simulator::device::motor::Motor;
+use crate::simulator::device::resolver::{Angle, Follows};
 use crate::simulator::device::shaft::Ramps;
 use crate::tick::Span;
 
@@ -73,7 +74,23 @@ impl Active {
                 self.torque,
                 !self.brakes(),
             ),
+            follows: self.resolver.map_or(Follows::Setpoint, |resolver| resolver.follows(self.angle())),
         }
+    }
+
+    /// Where the drive looks for the rotor.
+    fn angle(&self) -> Angle {
+        Angle { offset: self.value(382), motor_pairs: self.value(373), resolver_pairs: self.value(381) }
+    }
+
+    /// P.219: what the resolver tells, also of a shaft that a hand turns.
+    fn resolver_frequency(&self) -> i64 {
+        let turns = match self.machine.shaft.powered() {
+            true => self.machine.shaft.speed(),
+            false => self.machine.shaft.speed() + self.hand,
+        };
+        let inverted = self.resolver.is_some_and(|resolver| resolver.inverted) != (self.value(492) == 1);
+        if inverted { -turns } else { turns }
     }
 
     fn release(&self) -> Release {
@@ -134,11 +151,13 @@ impl Active {
             213 => shaft.power(),
             217 => shaft.speed(),
             218 => per_minute(shaft.speed()),
-            219 => shaft.speed().abs(),
+            219 => self.resolver_frequency(),
             220 => per_minute(shaft.speed()).abs(),
+            235 => self.resolver.map_or(0, |resolver| resolver.flux_voltage(shaft.speed(), self.angle())),
             241 => self.actual_frequency(),
             249 => i64::from(self.active_set()),
             250 => self.digital_inputs(),
+            253 => self.analog.shown(),
             260 => i64::from(self.machine.fault),
             270 => i64::from(self.all_warnings()),
             282 => self.value(484),

@@ -23,6 +23,7 @@ fn inputs(acu: bool, word: u16) -> Inputs {
         holding: Span::from_secs(1),
         braking: Span::from_secs(3),
         motor: Motor::default(),
+        follows: Follows::Setpoint,
     }
 }
 
