@@ -5,8 +5,12 @@ use crate::text::Text;
 use serde::Deserialize;
 
 /// What ships, in the order in which it is listed.
-const SHIPPED: [&str; 2] =
-    [include_str!("data/procedures/first-contact.toml"), include_str!("data/procedures/commission.toml")];
+const SHIPPED: [&str; 4] = [
+    include_str!("data/procedures/first-contact.toml"),
+    include_str!("data/procedures/commission.toml"),
+    include_str!("data/procedures/resolver-offset.toml"),
+    include_str!("data/procedures/analog-input.toml"),
+];
 
 /// Guided work.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -87,6 +91,18 @@ pub enum Act {
     Silence,
     /// Its fault is acknowledged.
     Reset,
+    /// The data of the motor are shown, and somebody says that they are right.
+    Motor,
+    /// The pole pairs of the resolver, and that it tells the speed, go into the drive.
+    Resolver,
+    /// Somebody turns the shaft by hand, and the resolver must show which way.
+    Hand,
+    /// The offset of the resolver is sought with the shaft turning.
+    Offset,
+    /// The analog input is adjusted at 0 V.
+    Zero,
+    /// The analog input is adjusted at 10 V.
+    Full,
 }
 
 impl Procedure {
@@ -105,7 +121,7 @@ impl Procedure {
 impl Act {
     /// Whether it can turn a shaft.
     pub fn turns(self) -> bool {
-        matches!(self, Act::Direction | Act::Ramp | Act::Stop | Act::Silence | Act::Reset)
+        matches!(self, Act::Direction | Act::Ramp | Act::Stop | Act::Silence | Act::Reset | Act::Offset)
     }
 }
 

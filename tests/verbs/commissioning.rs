@@ -115,6 +115,19 @@ fn the_wrong_way_ends_it_and_is_not_repeated_unasked() {
 }
 
 #[test]
+fn the_other_direction_is_tried_where_it_is_wanted() {
+    let told = antrieb(&commission(&format!("{PLATE} counter-clockwise=yes"))).on(ACT).json().exits(0);
+    let motions = told.data("/steps/4/motions").as_array().unwrap();
+    let ways: Vec<_> = motions.iter().map(|motion| motion["setpoint"]["value"].as_f64().unwrap()).collect();
+    assert_eq!(ways, [5.0, -5.0]);
+    assert!(told.err.contains("Was that counter-clockwise?"), "{}", told.err);
+    let no = antrieb(&commission(PLATE)).on(ACT).json().exits(0);
+    assert_eq!(no.data("/steps/4/motions").as_array().unwrap().len(), 1);
+    let told = antrieb(&commission(&format!("{PLATE} counter-clockwise=maybe"))).on(ACT).and("-v").exits(7);
+    assert!(told.err.contains("expected yes or no") && told.sent().is_empty(), "{}", told.err);
+}
+
+#[test]
 fn without_a_watchdog_nothing_turns() {
     // The drive refuses P.413 in RAM: data set 5.
     let refuses = format!("{ACT}[[drive.event]]\nat = \"0s\"\nrefuses = {}\n", 5 * 4096 + 413);

@@ -7,6 +7,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests panic as tests do")]
 
 mod agreeable;
+mod analog;
 mod commissioning;
 mod gathering;
 mod german;
@@ -19,6 +20,7 @@ mod plotting;
 mod profibus;
 mod recording;
 mod reporting;
+mod resolver;
 mod run;
 
 /// What a drive holds: parameters and data sets.

@@ -1,8 +1,11 @@
 //! `procedure NAME --dry-run`: the steps, and what each would send.
 
+use super::analog::Point;
 use super::given::Given;
 use super::guide::row;
-use super::{nameplate, turning};
+use super::offset::{Aim, Params};
+use super::resolver::ENCODER_2;
+use super::{analog, nameplate, offset, turning};
 use crate::args::Settings;
 use crate::command::rehearse::Rehearsal;
 use crate::command::{identify, sollwert, telegram_reader};
@@ -10,7 +13,7 @@ use crate::drive::motion::watchdog_raw;
 use crate::drive::{Cell, Inquiry, harmless, job};
 use crate::outcome::{Data, Outcome, Procedure as Told, TelegramDoc};
 use crate::profile::procedure::{Act, Procedure};
-use crate::profile::{Family, Role, Type, value};
+use crate::profile::{Family, Param, Role, Type, value};
 use crate::text::both;
 
 /// What would be done, without opening anything.
@@ -52,6 +55,13 @@ fn telegrams(act: Act, given: &Given, family: &Family, address: u8, settings: &S
         Act::Watchdog => watchdog(given, family),
         Act::Store => writes(given, family),
         Act::Nameplate => Vec::new(),
+        Act::Motor | Act::Resolver | Act::Hand => resolver(act, given, family),
+        Act::Zero => calibration(Point::Zero, family),
+        Act::Full => calibration(Point::Full, family),
+        Act::Offset => {
+            let args = offset::rehearsed(given, family);
+            return args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
+        }
         Act::Direction | Act::Ramp | Act::Stop | Act::Silence => {
             let args = turning::rehearsed(act, given);
             return args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
@@ -73,6 +83,30 @@ fn writes(given: &Given, family: &Family) -> Vec<Inquiry> {
         Some(Inquiry::Write(Cell { number: step.param.id, set: step.set }, kind, bits))
     };
     steps.iter().filter_map(write).collect()
+}
+
+/// What is looked at, or written, before the offset of a resolver is sought.
+fn resolver(act: Act, given: &Given, family: &Family) -> Vec<Inquiry> {
+    let Ok(params) = Params::of(family) else { return Vec::new() };
+    let read = |param: &Param| Inquiry::Read(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Word));
+    match (act, Aim::of(given, &params)) {
+        (Act::Hand, _) => vec![read(&params.resolver)],
+        (Act::Resolver, Ok(aim)) => {
+            let pairs = write(&params.resolver_pairs, aim.resolver_pairs, family);
+            pairs.into_iter().chain(write(&params.source, ENCODER_2, family)).collect()
+        }
+        _ => vec![read(&params.motor_pairs)],
+    }
+}
+
+fn calibration(point: Point, family: &Family) -> Vec<Inquiry> {
+    analog::params(family).and_then(|(mode, _)| write(&mode, point.mode(), family)).into_iter().collect()
+}
+
+fn write(param: &Param, raw: i64, family: &Family) -> Option<Inquiry> {
+    let kind = param.kind.unwrap_or(Type::Word);
+    let bits = value::to_wire(raw, family.link.route.carried(kind)).ok()?;
+    Some(Inquiry::Write(Cell { number: param.id, set: 0 }, kind, bits))
 }
 
 fn watchdog(given: &Given, family: &Family) -> Vec<Inquiry> {

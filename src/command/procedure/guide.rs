@@ -140,6 +140,12 @@ impl Guide<'_> {
             Act::Stop => self.stop(turn, deed).await,
             Act::Silence => self.silence(turn, deed).await,
             Act::Reset => self.reset(turn, deed).await,
+            Act::Motor => self.motor(turn, deed).await,
+            Act::Resolver => self.resolver(turn, deed).await,
+            Act::Hand => self.hand(turn, deed).await,
+            Act::Offset => self.offset(turn, deed).await,
+            Act::Zero => self.zero(turn, deed).await,
+            Act::Full => self.full(turn, deed).await,
         }
     }
 
@@ -214,10 +220,29 @@ impl Guide<'_> {
         deed: &mut Deed,
         steps: Vec<job::Step>,
     ) -> Result<(), Failure> {
+        self.put(turn, deed, (steps, false)).await
+    }
+
+    /// The same, also of what stands there already: the write itself does something.
+    pub(super) async fn write_anyway(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        steps: Vec<job::Step>,
+    ) -> Result<(), Failure> {
+        self.put(turn, deed, (steps, true)).await
+    }
+
+    async fn put(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        (steps, anyway): (Vec<job::Step>, bool),
+    ) -> Result<(), Failure> {
         let mut target = self.known().await?;
         self.allow();
         let terms = terms(self.settings, self.registry)?;
-        let rows = job::prepare(&mut self.session, &mut target, &terms, &steps, false).await?;
+        let rows = job::prepare(&mut self.session, &mut target, &terms, &steps, anyway).await?;
         let mut jobs = vec![Job { target, steps, rows }];
         if let Some(asked) = job::question(&jobs) {
             let question = Question { hazards: asked.hazards, ..turn.question(asked.details) };

@@ -1,11 +1,15 @@
 //! `procedure`: guided work, step by step. The steps are data (`profile::procedure`); here is what they do.
 
+mod analog;
 mod contact;
 mod dry;
 mod given;
 mod guide;
 mod nameplate;
+mod offset;
 pub(in crate::command) mod record;
+mod resolver;
+mod search;
 mod turning;
 
 use super::verb::{Verb, Working};
@@ -91,8 +95,12 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let given = Given::of(args, &procedure, context.settings, kept.as_ref())?;
     let family = family(&procedure, kept.as_ref(), context)?;
     given.fit(&family)?;
-    if procedure.steps.iter().any(|step| step.act == Act::Store) {
+    let does = |act: Act| procedure.steps.iter().any(|step| step.act == act);
+    if does(Act::Store) {
         turning::fit(&given, &family)?;
+    }
+    if does(Act::Offset) {
+        offset::fit(&given, &family)?;
     }
     if context.settings.dry_run {
         return Ok(dry::run(&procedure, &given, &family, address, context.settings));

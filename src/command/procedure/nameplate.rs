@@ -142,7 +142,7 @@ fn implausible(why: Text) -> Failure {
 }
 
 /// A number in its unit, above 0; in the first of the units, which may be left out.
-fn number(given: &Given, key: &str, units: &[&str]) -> Result<Option<f64>, Failure> {
+pub(super) fn number(given: &Given, key: &str, units: &[&str]) -> Result<Option<f64>, Failure> {
     let Some(text) = given.get(key) else { return Ok(None) };
     let digits = text.trim_end_matches(|letter: char| !letter.is_ascii_digit());
     let unit = text.get(digits.len()..).unwrap_or_default().trim();

@@ -5,7 +5,7 @@ use super::guide::{Deed, Guide, Turn};
 use super::{nameplate, record};
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{self, Around, Plan};
-use crate::command::sollwert;
+use crate::command::sollwert::{self, Led};
 use crate::drive::Reader;
 use crate::drive::motion::{self, Motor};
 use crate::failure::{Class, Failure};
@@ -66,14 +66,27 @@ impl Guide<'_> {
         }
     }
 
-    /// Turns the motor, and asks whether that was the right way.
+    /// Turns the motor one way, and the other if that is wanted, and asks each time whether that was the right way.
     pub(super) async fn direction(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
-        self.turns(turn, deed, &run(self.test(), StopArg::Ramp, self.given)?, async |_: &mut Motor<'_, '_>| Ok(()))
-            .await?;
-        let asked = both!(
+        let test = self.test().to_owned();
+        let clockwise = both!(
             "The shaft has turned and stands. Was that clockwise, and the way in which the machine must turn?",
             "Die Welle hat gedreht und steht. War das rechtsherum, und so, wie die Maschine drehen muss?"
         );
+        self.one_way(turn, deed, &test, clockwise).await?;
+        if !both_ways(self.given)? {
+            return Ok(());
+        }
+        let other = both!(
+            "The shaft has turned the other way and stands. Was that counter-clockwise?",
+            "Die Welle hat andersherum gedreht und steht. War das linksherum?"
+        );
+        self.one_way(turn, deed, &format!("-{test}"), other).await
+    }
+
+    async fn one_way(&mut self, turn: Turn<'_>, deed: &mut Deed, setpoint: &str, asked: Text) -> Result<(), Failure> {
+        let args = run(setpoint, StopArg::Ramp, self.given)?;
+        self.turns(turn, deed, &args, async |_: &mut Motor<'_, '_>| Ok(())).await?;
         let said = self.confirm(turn, &[asked]).await;
         said.map_err(|failure| match failure.code.as_str() {
             "forbidden.not_confirmed" => {
@@ -157,9 +170,18 @@ impl Guide<'_> {
 
     /// Acknowledges the fault.
     pub(super) async fn reset(&mut self, turn: Turn<'_>, deed: &mut Deed) -> Result<(), Failure> {
+        self.acknowledge(turn, deed, turn.details()).await
+    }
+
+    /// The same within another step.
+    pub(super) async fn acknowledge(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        details: Vec<Text>,
+    ) -> Result<(), Failure> {
         let motion = bounded(StopArg::Coast, None, watchdog(self.given)?);
         let plan = Plan::of("reset", turn.title(), &motion);
-        let details = turn.details();
         let begun = self.begin(turn);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let address = record.address;
@@ -180,6 +202,7 @@ impl Guide<'_> {
             },
         )
         .await;
+        self.is_free_again();
         came(told?, deed)
     }
 
@@ -203,6 +226,17 @@ impl Guide<'_> {
         then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let question = Question { hazards: Vec::new(), title: turn.title(), details: turn.details() };
+        self.leads(turn, deed, Led { args, question, settings: &[] }, then).await
+    }
+
+    /// The same, with what is set for the run, and what is asked.
+    pub(super) async fn leads(
+        &mut self,
+        turn: Turn<'_>,
+        deed: &mut Deed,
+        led: Led<'_>,
+        then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
         let begun = self.begin(turn);
         let Guide { settings, registry, interrupt, ask, session, record, path, .. } = self;
         let address = record.address;
@@ -211,7 +245,7 @@ impl Guide<'_> {
             record.keep(begun);
             record::save(path, record)
         };
-        let told = sollwert::led(session, &mut around, address, (args, question), begins, then).await;
+        let told = sollwert::led(session, &mut around, address, led, begins, then).await;
         self.is_free_again();
         came(told?, deed)
     }
@@ -246,13 +280,25 @@ fn run(setpoint: &str, stop: StopArg, given: &Given) -> Result<sollwert::Args, F
     Ok(sollwert::Args::run_at(setpoint, bounded(stop, Some(TURNS), watchdog(given)?)))
 }
 
+/// Whether the other direction is tried too.
+fn both_ways(given: &Given) -> Result<bool, Failure> {
+    match given.get("counter-clockwise") {
+        None | Some("no") => Ok(false),
+        Some("yes") => Ok(true),
+        Some(other) => Err(bad(
+            "counter-clockwise",
+            &both!("expected yes or no, got '{other}'", "erwartet: yes oder no; angegeben: '{other}'"),
+        )),
+    }
+}
+
 /// The time of the drive's watchdog in every run.
-fn watchdog(given: &Given) -> Result<Span, Failure> {
+pub(super) fn watchdog(given: &Given) -> Result<Span, Failure> {
     Ok(given.span("watchdog")?.unwrap_or(WATCHDOG))
 }
 
 /// Bounds of a run that takes control, with a watchdog that stops the drive if the line breaks.
-fn bounded(on_exit: StopArg, duration: Option<Span>, watchdog: Span) -> MotionArgs {
+pub(super) fn bounded(on_exit: StopArg, duration: Option<Span>, watchdog: Span) -> MotionArgs {
     let (hold, take_control, wait, view, dead_man) = (true, true, None, false, false);
     MotionArgs { hold, duration, on_exit, watchdog: Some(watchdog), take_control, wait, view, dead_man }
 }
@@ -293,6 +339,7 @@ fn not_tripped(silent: Span) -> Failure {
 /// A nameplate that cannot be so, or a setpoint that is none.
 pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
     nameplate::steps(given, family)?;
+    both_ways(given)?;
     if let Some(param) = family.role(Role::SetpointFrequency) {
         raw(given.get("test").unwrap_or(TEST), param)?;
         raw(&goal(given.get("ramp"), given)?, param)?;

@@ -8,7 +8,7 @@ use crate::drive::motion::Motor;
 use crate::failure::Failure;
 use crate::gate::Question;
 use crate::outcome::{Outcome, TelegramDoc};
-use crate::profile::Family;
+use crate::profile::{Family, Param};
 use crate::text::Text;
 
 impl Args {
@@ -32,18 +32,30 @@ impl Args {
     }
 }
 
+/// A run that a procedure leads.
+pub(in crate::command) struct Led<'l> {
+    /// The setpoint, and how the run is bounded.
+    pub(in crate::command) args: &'l Args,
+    /// What is asked besides.
+    pub(in crate::command) question: Question,
+    /// What is set for the run, raw, read back before anything turns, and given back at the end.
+    pub(in crate::command) settings: &'l [(Param, i64)],
+}
+
 /// Asks, runs, does something more, stops and reports. `begins` is called when somebody agreed, before anything is sent that moves.
 pub(in crate::command) async fn led(
     session: &mut Session<'_>,
     around: &mut Around<'_>,
     address: u8,
-    (args, question): (&Args, Question),
+    Led { args, question, settings }: Led<'_>,
     begins: impl FnOnce() -> Result<(), Failure>,
     then: impl AsyncFnOnce(&mut Motor<'_, '_>) -> Result<(), Failure>,
 ) -> Result<Outcome, Failure> {
     let Some(spoken) = spoken(args)? else { return Ok(Outcome::default()) };
     let panel = around.interrupt.panel().clone();
-    let giving = Giving { args, spoken: &spoken, motion: &args.motion, panel: &panel, enable: true, bare: false };
+    // What has no time of its own is held by what is done then.
+    let motion = MotionArgs { hold: args.motion.duration.is_some(), ..args.motion.clone() };
+    let giving = Giving { args, spoken: &spoken, motion: &motion, panel: &panel, enable: true, bare: false };
     let plan = Plan { runs: true, ..Plan::of("procedure", Text::default(), &args.motion) };
     running::on_line(
         session,
@@ -58,6 +70,9 @@ pub(in crate::command) async fn led(
         },
         async |motor, checked| {
             begins()?;
+            for (param, raw) in settings {
+                motor.adjust(param, *raw).await?;
+            }
             giving.work(motor, checked).await?;
             then(motor).await
         },

@@ -4,7 +4,7 @@ use super::look::{raw, read_working};
 use super::watchdog::guard;
 use super::{Lever, Motor, StopChoice, has_power};
 use crate::drive::describe;
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Stop};
 use crate::profile::{DataSets, Need, Param};
 use crate::text::both;
@@ -32,6 +32,40 @@ impl Motor<'_, '_> {
         }
         self.note_change(param, set, old, new);
         self.write(param, set, new).await
+    }
+
+    /// Changes a setting for the run, as often as need be, and reads it back; it is given back at the end, as it was first.
+    pub async fn adjust(&mut self, param: &Param, new: i64) -> Result<(), Failure> {
+        let (set, old) = self.bear(async |motor: &mut Self| motor.in_force(param).await).await?;
+        if old == new {
+            return Ok(());
+        }
+        match self.settled.contains(&(param.id, set)) {
+            false => self.note_change(param, set, old, new),
+            true => self.changes.iter_mut().filter(|row| row.param == param.id).for_each(|row| row.new = new),
+        }
+        self.write(param, set, new).await?;
+        let (_, now) = self.bear(async |motor: &mut Self| motor.in_force(param).await).await?;
+        if now == new {
+            return Ok(());
+        }
+        let label = param.label();
+        let text = both!(
+            "{label} was to be {new} for the run, and the drive works with {now}",
+            "{label} sollte für den Lauf {new} sein, der Antrieb arbeitet aber mit {now}"
+        );
+        Err(Failure::new(Class::Refused, "refused.reads_back_differently", text).with("param", param.id))
+    }
+
+    /// In which data set the drive works with a setting, and its value there.
+    async fn in_force(&mut self, param: &Param) -> Result<(u8, i64), Failure> {
+        let (set, reading) = read_working(self.session, self.target, param).await?;
+        Ok((set, reading.map_err(|error| self.failure(&error))?.raw))
+    }
+
+    /// What an actual value is now; 0 if the drive does not tell it.
+    pub async fn told(&mut self, param: &Param) -> Result<i64, Failure> {
+        self.raw(param).await.map(|raw| raw.unwrap_or(0))
     }
 
     /// Whether nothing is left of a write when the run is over: of a control word, of a setpoint that the end sets to 0, of

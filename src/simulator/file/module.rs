@@ -45,13 +45,7 @@ impl BenchFile<'_> {
         Ok(actions)
     }
 
-    fn bounded(
-        &self,
-        key: &str,
-        got: &Spanned<Value>,
-        decimals: u8,
-        (least, most): (i64, i64),
-    ) -> Result<i64, Broken> {
+    fn bounded(&self, key: &str, got: &Spanned<Value>, decimals: u8, (least, most): (i64, i64)) -> Result<i64, Broken> {
         let raw = decimal(got.get_ref(), decimals).map_err(|message| self.error(got.span(), message))?;
         let shown = |raw| crate::profile::value::format_decimal(raw, decimals);
         let (least_shown, most_shown) = (shown(least), shown(most));

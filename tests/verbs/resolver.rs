@@ -1,0 +1,214 @@
+//! `procedure resolver-offset`: from any offset, with the phases either way, to a flux-forming voltage of 0; a shaft that runs away is
+//! stopped; whoever interrupts finds P.417 and P.728 as they were.
+
+use crate::agreeable::Agreeable;
+use crate::run::antrieb;
+use antrieb::args::{Environment, Globals, Settings};
+use antrieb::command::{Context, procedure};
+use antrieb::drive::Interrupt;
+use antrieb::failure::Failure;
+use antrieb::outcome::{Event, Outcome};
+use antrieb::profile::Registry;
+use antrieb::simulator::Bench;
+use antrieb::tick::{Span, Tick};
+use antrieb::transport::witness;
+use clap::Parser;
+use std::path::Path;
+
+const LINE: &str = "-a 1 --yes procedure resolver-offset resolver-pole-pairs=1 current=3.6A";
+const RECORD: &str = "procedure-resolver-offset-1.json";
+
+/// A synchronous motor with its resolver, uncoupled, that a hand turns.
+fn bench(pairs: i64, offset: f64, more: &str) -> String {
+    format!(
+        "[[drive]]\nmodel = \"acu\"\nmodules = [\"EM-RES-03\"]\ntorque = 0\nresolver = {{ offset = {offset}{more} }}\n\
+         set = {{ \"30\" = 510, \"412\" = 1, \"373\" = {pairs}, \"375\" = 50, \"417\" = 9999, \"728\" = 50, \"418\" = 0 }}\n\
+         [[drive.event]]\nat = \"0s\"\nhand = 0.5\n"
+    )
+}
+
+/// The flux-forming voltage as sine of the error, of a motor that turns.
+fn error(bench: &Bench, pairs: i64, truth: f64) -> f64 {
+    let set = bench.drives().next().unwrap().ram(382, 1).unwrap() as f64 / 10.0;
+    ((set - truth) * pairs as f64).to_radians().sin()
+}
+
+#[test]
+fn it_ends_near_zero_from_any_offset() {
+    for (pairs, offset) in
+        [(3, 0.0), (3, 33.0), (3, 61.0), (3, 95.5), (1, 200.0), (1, 359.9), (4, 45.3), (7, 12.5), (2, 90.0)]
+    {
+        let told = antrieb(LINE).on(&bench(pairs, offset, "")).json().exits(0);
+        assert!(told.data("/complete") == true, "{:#}", told.value);
+        let (bench, _) = witness::left().unwrap();
+        let drive = bench.drives().next().unwrap();
+        assert!(error(&bench, pairs, offset).abs() < 0.03, "{pairs} {offset}: {:?}", drive.ram(382, 1));
+        assert_eq!(drive.eeprom(382, 1), drive.ram(382, 1), "it stays");
+        assert_eq!((drive.ram(417, 0), drive.ram(728, 0)), (Some(9_999), Some(50)), "{pairs} {offset}");
+        // P.381 is at its factory setting already: P.766 and P.382 wear one cell each, if they change at all.
+        assert!(drive.eeprom_writes() <= 2, "{}", drive.eeprom_writes());
+        let totals = bench.totals();
+        assert_eq!((totals.turning, totals.energised), (0, 0), "{pairs} {offset}");
+        let remarks: Vec<_> = bench.remarks().iter().map(ToString::to_string).collect();
+        assert!(remarks.is_empty(), "{remarks:?}");
+    }
+}
+
+#[test]
+fn phases_that_are_exchanged_are_asked_for_and_found() {
+    // Somebody exchanges them while the question for it stands.
+    let swapped = bench(3, 20.0, ", swapped = true") + "[[drive.event]]\nat = \"30s\"\nexchange_phases = true\n";
+    let told = antrieb(LINE).on(&swapped).json().exits(0);
+    let found = told.data("/steps/6/found").to_string();
+    assert!(found.contains("it stands"), "{found}");
+    assert!(told.err.contains("exchange two motor phases"), "{}", told.err);
+    assert!(error(&witness::left().unwrap().0, 3, 20.0).abs() < 0.03, "{found}");
+}
+
+#[test]
+fn phases_that_stay_exchanged_end_it_with_everything_as_it_was() {
+    let told = antrieb(LINE).on(&bench(3, 20.0, ", swapped = true")).json().exits(1);
+    assert_eq!(told.error()["code"], "no.offset");
+    let (bench, _) = witness::left().unwrap();
+    let drive = bench.drives().next().unwrap();
+    assert_eq!((drive.ram(417, 0), drive.ram(728, 0), drive.ram(382, 1)), (Some(9_999), Some(50), Some(0)));
+    assert_eq!((bench.totals().turning, bench.totals().energised), (0, 0));
+}
+
+#[test]
+fn a_shaft_that_runs_away_is_stopped_and_tried_half_a_turn_further() {
+    let told = antrieb(LINE).on(&bench(3, 60.0, "")).json().exits(0);
+    let found = told.data("/steps/6/found").to_string();
+    assert!(found.contains("it ran away and was stopped"), "{found}");
+    // The rotor never was faster than it races in the time of a few looks, far from where it would end.
+    let motions = told.data("/steps/6/motions").as_array().unwrap();
+    assert!(motions.iter().all(|motion| motion["standing"] == true && motion["running"] == false), "{motions:#?}");
+    for motion in motions {
+        let changed = motion["changed"].as_array().unwrap();
+        assert!(changed.iter().all(|change| change["restored"] == true), "{changed:#?}");
+    }
+}
+
+#[test]
+fn a_resolver_that_counts_the_other_way_ends_it_before_anything_turns() {
+    for (more, hand) in [(", inverted = true", "0.5"), ("", "-0.5")] {
+        let told =
+            antrieb(LINE).on(&bench(3, 10.0, more).replace("hand = 0.5", &format!("hand = {hand}"))).json().exits(1);
+        assert_eq!(told.error()["code"], "no.direction");
+        assert!(told.error()["hint"].to_string().contains("SIN+ and SIN-"), "{}", told.error());
+        assert_eq!(witness::left().unwrap().0.totals().energised, 0);
+    }
+    let still = bench(3, 10.0, "").replace("hand = 0.5", "hand = 0");
+    assert_eq!(antrieb(LINE).on(&still).json().exits(1).error()["code"], "no.turning");
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let ratio = antrieb(&LINE.replace("pairs=1", "pairs=2")).on(&bench(3, 10.0, "")).json().exits(7);
+    assert_eq!(ratio.error()["code"], "data.pole_pairs");
+    for (line, word) in [
+        (LINE.replace("pairs=1", "pairs=8"), "resolver-pole-pairs"),
+        (format!("{LINE} limit=20Hz"), "at most 10 Hz"),
+        (format!("{LINE} limit=0Hz"), "above 0"),
+        (LINE.replace("3.6A", "3.6V"), "above 0 A"),
+    ] {
+        let told = antrieb(&line).on(&bench(3, 10.0, "")).and("-v").exits(7);
+        assert!(told.err.contains(word) && told.sent().is_empty(), "{line}: {}", told.err);
+    }
+    // It is low already: the search must not raise it.
+    let low = bench(3, 10.0, "").replace("\"728\" = 50", "\"728\" = 2");
+    let told = antrieb(LINE).on(&low).json().exits(7);
+    assert!(told.error()["message"].to_string().contains("only be lowered"), "{}", told.error());
+    let without = antrieb("-a 1 --yes procedure resolver-offset current=3A").on(&bench(3, 10.0, "")).exits(2);
+    assert!(without.err.contains("resolver-pole-pairs ("), "{}", without.err);
+}
+
+#[derive(Parser)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+    #[command(flatten)]
+    globals: Globals,
+}
+
+#[derive(clap::Subcommand)]
+enum Verb {
+    Procedure(procedure::Args),
+}
+
+struct Seen {
+    telegrams: usize,
+    failure: Option<Failure>,
+    bench: Bench,
+    at: Tick,
+    told: String,
+}
+
+/// A search in a directory, interrupted at a telegram.
+fn interrupted(directory: &Path, bench: &str, step: usize) -> Seen {
+    let file = directory.join("bench.toml");
+    std::fs::write(&file, bench).unwrap();
+    let line = format!("antrieb -p sim:{} --drive acu {LINE}", file.display());
+    let cli = Cli::parse_from(line.split_whitespace());
+    let environment = Environment { directory: directory.to_owned(), ..Environment::default() };
+    let settings = Settings { verbose: true, ..Settings::resolve(&cli.globals, &environment).unwrap() };
+    let (interrupt, mut telegrams) = (Interrupt::default(), 0);
+    let wish = interrupt.clone();
+    let mut observe = |event: Event| {
+        if matches!(event, Event::Telegram { .. }) {
+            telegrams += 1;
+            if telegrams == step {
+                wish.press();
+            }
+        }
+    };
+    witness::call(true);
+    let (mut ask, registry) = (Agreeable, Registry::open(&[]).unwrap());
+    let (sheet, calls) = (antrieb::render::sheet, None);
+    let mut context = Context {
+        settings: &settings,
+        registry: &registry,
+        ask: &mut ask,
+        observe: &mut observe,
+        interrupt,
+        sheet,
+        calls,
+    };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let Verb::Procedure(args) = &cli.verb;
+    let outcome = runtime.block_on(procedure::run(args, &mut context)).unwrap_or_else(Outcome::from);
+    let told = serde_json::to_string(&outcome.data).unwrap_or_default();
+    let (bench, at) = witness::left().unwrap();
+    Seen { telegrams, failure: outcome.failure, bench, at, told }
+}
+
+#[test]
+fn whoever_interrupts_anywhere_leaves_nothing_turning_and_the_limits_as_they_were() {
+    // It runs away first, so that every branch is on the way.
+    let bench = bench(3, 60.0, "");
+    let whole = tempfile::tempdir().unwrap();
+    let length = interrupted(whole.path(), &bench, usize::MAX).telegrams;
+    for step in (1..length).step_by((length / 150).max(1)) {
+        let directory = tempfile::tempdir().unwrap();
+        let seen = interrupted(directory.path(), &bench, step);
+        let mut later = seen.bench.clone();
+        later.advance(seen.at + Span::from_secs(30));
+        let totals = later.totals();
+        assert_eq!((totals.turning, totals.energised), (0, 0), "{step} of {length}");
+        let drive = seen.bench.drives().next().unwrap();
+        let low = (drive.ram(417, 0), drive.ram(728, 0)) == (Some(9_999), Some(50));
+        let named = seen.told.contains("\"restored\":false");
+        assert!(low || named, "{step} of {length}: {:?} {:?}", drive.ram(417, 0), drive.ram(728, 0));
+        let Some(failure) = seen.failure else {
+            assert!(seen.told.contains("\"complete\":true"), "{step}: nobody heard of it");
+            continue;
+        };
+        assert_eq!(failure.class.exit(), 130, "{step}: {failure:?}");
+        // What is not agreed to and proven is not kept: the offset is what it was, or the one that was written at the end.
+        let (eeprom, ram) = (drive.eeprom(382, 1), drive.ram(382, 1));
+        assert!(eeprom == ram || named, "{step} of {length}: {eeprom:?} {ram:?}");
+        assert!(
+            seen.told.is_empty() || !directory.path().join(RECORD).exists() || seen.told.contains("resolver-offset")
+        );
+    }
+}
