@@ -41,6 +41,6 @@ fn a_drive_that_has_power_is_not_adjusted() {
     let enabled = bench("15s").replace("\"412\" = 1", "\"412\" = 1, \"410\" = 15");
     let told = antrieb(LINE).on(&enabled).and("-v").exits(8);
     assert!(told.err.contains("not without power"), "{}", told.err);
-    let none = antrieb(LINE).on("[[drive]]\nmodel = \"acu\"\n").exits(6);
+    let none = antrieb(LINE).on("[[drive]]\nmodel = \"acu\"\n").exits(7);
     assert!(none.err.contains("P.568") || none.err.contains("P.253"), "{}", none.err);
 }

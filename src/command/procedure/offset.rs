@@ -331,6 +331,10 @@ impl Guide<'_> {
         let given_back = last.is_some_and(|motion| motion.changed.iter().all(|change| change.restored));
         match (seen.get(), ended) {
             (Some(Seen::RunsAway), Err(failure)) if stands && given_back && is_racing(&failure) => Ok(Seen::RunsAway),
+            // Who interrupted its stop wants no other try.
+            (Some(Seen::RunsAway), Err(failure)) if self.session.is_interrupted() => {
+                Err(Failure { class: Class::Interrupted, code: "interrupted".into(), ..failure })
+            }
             (_, Err(failure)) if failure.code == "forbidden.fault" => Err(failure.hint(set_up_first())),
             (_, Err(failure)) => Err(failure),
             (seen, Ok(())) => Ok(seen.unwrap_or(Seen::Unsettled)),
