@@ -1,11 +1,11 @@
 //! `procedure NAME --dry-run`: the steps, and what each would send.
 
+use super::aim::{Aim, Params};
 use super::analog::Point;
 use super::given::Given;
 use super::guide::row;
-use super::offset::{Aim, Params};
 use super::resolver::ENCODER_2;
-use super::{analog, nameplate, offset, turning};
+use super::{aim, analog, nameplate, turning};
 use crate::args::Settings;
 use crate::command::rehearse::Rehearsal;
 use crate::command::{identify, sollwert, telegram_reader};
@@ -59,7 +59,7 @@ fn telegrams(act: Act, given: &Given, family: &Family, address: u8, settings: &S
         Act::Zero => calibration(Point::Zero, family),
         Act::Full => calibration(Point::Full, family),
         Act::Offset => {
-            let args = offset::rehearsed(given, family);
+            let args = aim::rehearsed(given, family);
             return args.map_or_else(Vec::new, |args| sollwert::rehearse(&args, family, settings, address));
         }
         Act::Direction | Act::Ramp | Act::Stop | Act::Silence => {

@@ -1,5 +1,6 @@
 //! `procedure`: guided work, step by step. The steps are data (`profile::procedure`); here is what they do.
 
+mod aim;
 mod analog;
 mod contact;
 mod dry;
@@ -100,7 +101,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         turning::fit(&given, &family)?;
     }
     if does(Act::Offset) {
-        offset::fit(&given, &family)?;
+        aim::fit(&given, &family)?;
     }
     if context.settings.dry_run {
         return Ok(dry::run(&procedure, &given, &family, address, context.settings));

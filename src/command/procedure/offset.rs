@@ -1,28 +1,21 @@
 //! The offset of a resolver (EM-RES-03 manual 6.4.1): tries that are each a bounded run of `sollwert`, asked with its bounds, coasted to
 //! a stop and proven. What a try sets, it sets in RAM and gives back, whatever ends it; the EEPROM is written once, when it is found.
 
-use super::given::{Given, bad};
+use super::aim::{Aim, Params, current_decimals, run};
 use super::guide::{Deed, Guide, Turn};
-use super::nameplate::number;
 use super::search::{Look, Next, STEPS, Search, Seen, Trial, Turn as Whole};
-use super::turning::{bounded, watchdog};
 use crate::args::StopArg;
-use crate::command::sollwert::{self, Led};
+use crate::command::sollwert::Led;
 use crate::drive::job;
 use crate::drive::motion::{Motor, working};
 use crate::failure::{Class, Failure};
 use crate::gate::Question;
 use crate::profile::value::{self, format_decimal};
-use crate::profile::{Family, Param, Role, Sets};
+use crate::profile::{Param, Sets};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use std::cell::Cell;
 
-/// The switch-off limit while it is sought, where none was given; and the highest that may be, in Hz.
-const LIMIT: &str = "5Hz";
-const HIGHEST: f64 = 10.0;
-/// Share of the rated current that P.728 lets through meanwhile (EM-RES-03 manual 6.4.1).
-const SHARE: f64 = 0.1;
 /// How long a shaft may take to come up: slowly, and to half of its rated frequency.
 const COMES_UP: Span = Span::from_secs(10);
 const COMES_UP_HALF: Span = Span::from_secs(60);
@@ -34,113 +27,6 @@ const OVERSPEED: i64 = 0x1100;
 const SEEN: &str = "seen";
 /// It has run away.
 const RAN_AWAY: &str = "no.runaway";
-
-/// The parameters that the manual names.
-pub(super) struct Params {
-    pub(super) resolver_pairs: Param,
-    pub(super) motor_pairs: Param,
-    pub(super) source: Param,
-    pub(super) resolver: Param,
-    offset: Param,
-    voltage: Param,
-    limit: Param,
-    current: Param,
-    rated: Param,
-    stator: Param,
-    setpoint: Param,
-}
-
-impl Params {
-    /// As a catalogue has them.
-    ///
-    /// # Errors
-    /// It lacks one.
-    pub(super) fn of(family: &Family) -> Result<Self, Failure> {
-        let slug =
-            |slug: &str| family.params.values().find(|param| param.slug == slug).cloned().ok_or_else(|| lacks(slug));
-        let role = |role: Role| family.role(role).cloned().ok_or_else(|| lacks(role.name()));
-        Ok(Params {
-            resolver_pairs: slug("resolver-pole-pairs")?,
-            motor_pairs: role(Role::PolePairs)?,
-            source: slug("actual-speed-source")?,
-            resolver: slug("encoder-2-frequency")?,
-            offset: slug("resolver-offset")?,
-            voltage: slug("flux-forming-voltage")?,
-            limit: slug("frequency-switch-off-limit")?,
-            current: slug("current-limit")?,
-            rated: slug("rated-frequency")?,
-            stator: role(Role::StatorFrequency)?,
-            setpoint: role(Role::SetpointFrequency)?,
-        })
-    }
-}
-
-fn lacks(what: &str) -> Failure {
-    let message = both!("the catalogue has no {what}", "der Katalog hat kein {what}");
-    Failure::new(Class::Data, "data.procedure", message)
-}
-
-/// What was given for it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Aim {
-    pub(super) resolver_pairs: i64,
-    /// P.417 and P.728 while it is sought, raw; a current and its frequency as they are told.
-    limit: i64,
-    current: i64,
-    /// The setpoint, raw.
-    setpoint: i64,
-}
-
-impl Aim {
-    /// As it was given.
-    ///
-    /// # Errors
-    /// A value is none, or too large.
-    pub(super) fn of(given: &Given, params: &Params) -> Result<Self, Failure> {
-        let text = given.get("limit").unwrap_or(LIMIT);
-        let unfit = |why: Text| bad("limit", &why);
-        let limit = value::parse(text, &params.setpoint, &[]).map_err(|error| unfit(error.text()))?;
-        let decimals = params.setpoint.decimals_or_zero();
-        let most = (HIGHEST * 10f64.powi(decimals.into())) as i64;
-        if !(10..=most).contains(&limit) {
-            return Err(unfit(both!(
-                "a low frequency above 0 is needed, at most {HIGHEST} Hz; got '{text}'",
-                "gebraucht wird eine kleine Frequenz über 0, höchstens {HIGHEST} Hz; angegeben: '{text}'"
-            )));
-        }
-        let rated = number(given, "current", &["A"])?.unwrap_or_default();
-        let current = rated * SHARE * 10f64.powi(current_decimals(params).into());
-        let pairs = number(given, "resolver-pole-pairs", &[""])?.unwrap_or_default() as i64;
-        value::check_range(pairs, &params.resolver_pairs).map_err(|error| bad("resolver-pole-pairs", &error.text()))?;
-        // About 10 % below the limit.
-        Ok(Aim { resolver_pairs: pairs, limit, current: (current.round() as i64).max(1), setpoint: limit * 9 / 10 })
-    }
-}
-
-/// The decimals of P.728: no manual prints them, and R.m.s. current P.211 has one.
-fn current_decimals(params: &Params) -> u8 {
-    params.current.decimals.unwrap_or(1)
-}
-
-/// Refuses what cannot be sought, before anything is opened.
-///
-/// # Errors
-/// A value that does not do.
-pub(super) fn fit(given: &Given, family: &Family) -> Result<(), Failure> {
-    Aim::of(given, &Params::of(family)?).map(|_| ())
-}
-
-/// What a try would run, for a dry run.
-pub(super) fn rehearsed(given: &Given, family: &Family) -> Option<sollwert::Args> {
-    let params = Params::of(family).ok()?;
-    run(Aim::of(given, &params).ok()?.setpoint, &params, StopArg::Coast, given).ok()
-}
-
-/// A run that a try holds itself.
-fn run(raw: i64, params: &Params, stop: StopArg, given: &Given) -> Result<sollwert::Args, Failure> {
-    let setpoint = format!("{}Hz", value::written(&params.setpoint, raw));
-    Ok(sollwert::Args { until: None, ..sollwert::Args::run_at(&setpoint, bounded(stop, None, watchdog(given)?)) })
-}
 
 /// What is sought with what: the parameters, and what stands in the drive.
 struct Hunt {

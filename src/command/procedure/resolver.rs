@@ -1,8 +1,8 @@
 //! Steps before the offset of a resolver is sought: the data of the motor, its pole pairs, and the way in which the resolver counts.
 
+use super::aim::{Aim, Params};
 use super::contact::shown;
 use super::guide::{Deed, Guide, Turn};
-use super::offset::{Aim, Params};
 use crate::drive::motion::{has_power, look, working};
 use crate::drive::{Reader, Target, job};
 use crate::failure::{Class, Failure};
