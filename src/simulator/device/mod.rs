@@ -1,11 +1,10 @@
 //! What stands behind a station: one folder (or file) per maker, each behind [`contract::Device`].
 //!
 //! A maker's folder names no other maker's, and no station: how telegrams come and go on the line is not its business.
-//! Makers share what is no maker's: the contract, the commands and states of CiA 402, a shaft with its motor and resolver, an
-//! analog input, diagnostic counters, and the form in which open questions are read.
+//! Makers share what is no maker's: the contract, the commands and states of CiA 402, a shaft with its motor, diagnostic
+//! counters, and the form in which open questions are read.
 
 pub(crate) mod active;
-pub(crate) mod analog;
 mod cia402;
 pub(crate) mod contract;
 pub(crate) mod counters;
@@ -13,5 +12,4 @@ pub(crate) mod foreign;
 pub(crate) mod lexium;
 mod motor;
 pub(crate) mod readings;
-pub(crate) mod resolver;
 pub(crate) mod shaft;

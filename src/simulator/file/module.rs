@@ -3,9 +3,9 @@
 use super::reader::{BenchFile, decimal};
 use super::tables::{AnalogTable, EventTable, ResolverTable};
 use crate::profile::Broken;
-use crate::simulator::device::analog::Analog;
+use crate::simulator::device::active::analog::Analog;
+use crate::simulator::device::active::resolver::Resolver;
 use crate::simulator::device::contract::Action;
-use crate::simulator::device::resolver::Resolver;
 use crate::text::both;
 use toml::{Spanned, Value};
 

@@ -23,9 +23,9 @@
 //! - losing the mains while the output stage works is fault F0702; in the other states nothing happens but bit 4;
 //! - after a software reset or power-on a fault is gone, and "not ready" lasts as long as the drive is off the bus.
 
+use super::resolver::{FASTEST, Follows, RACES};
 use crate::simulator::device::cia402::{Command, State};
 use crate::simulator::device::motor::Motor;
-use crate::simulator::device::resolver::{FASTEST, Follows, RACES};
 use crate::simulator::device::shaft::{Ramps, Shaft};
 use crate::tick::{Span, Tick};
 

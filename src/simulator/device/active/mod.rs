@@ -5,6 +5,7 @@
 //! answers), `line` (where it stands on its line), `drive` (all of it behind the contract).
 
 mod access;
+pub(crate) mod analog;
 mod cause;
 mod drive;
 mod life;
@@ -12,6 +13,7 @@ pub(crate) mod line;
 mod machine;
 mod modbus;
 pub(crate) mod readings;
+pub(crate) mod resolver;
 pub(crate) mod setup;
 mod spec;
 mod state;

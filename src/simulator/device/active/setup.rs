@@ -1,9 +1,9 @@
 //! Everything that makes an ACT or ACU before it is switched on.
 
+use super::analog::Analog;
 use super::readings::Readings;
+use super::resolver::Resolver;
 use super::store::Fault;
-use crate::simulator::device::analog::Analog;
-use crate::simulator::device::resolver::Resolver;
 use crate::simulator::device::shaft::Ramps;
 use std::collections::BTreeMap;
 

@@ -1,14 +1,14 @@
 //! What an ACT or ACU holds: parameters, wires, the state machine. What is made of it stands in the files beside this one.
 
+use super::analog::Analog;
 use super::cause::Cause;
 use super::machine::Automaton;
 use super::readings::{Reading, Readings};
+use super::resolver::Resolver;
 use super::setup::{Contacts, Setup};
 use super::spec::{Spec, specs};
 use super::store::{Cell, Store};
 use crate::profile::Family;
-use crate::simulator::device::analog::Analog;
-use crate::simulator::device::resolver::Resolver;
 use crate::simulator::device::shaft::Ramps;
 use crate::tick::Tick;
 use std::collections::{BTreeMap, BTreeSet};

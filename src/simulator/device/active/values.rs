@@ -16,10 +16,10 @@
 
 use super::machine::{Control, Inputs};
 use super::readings::Reading;
+use super::resolver::{Angle, Follows};
 use super::setup::Contacts;
 use super::state::Active;
 use crate::simulator::device::motor::Motor;
-use crate::simulator::device::resolver::{Angle, Follows};
 use crate::simulator::device::shaft::Ramps;
 use crate::tick::Span;
 
