@@ -1,8 +1,9 @@
 //! A question on its way: what is asked now, what it waits for, and when it is over at the latest.
 
-use super::dialect::{Question, Said};
+use super::dialect::{Dialect, Question, Said};
 use super::heard::Weight;
-use super::limits::ROUNDS;
+use super::ledger::Ledger;
+use super::limits::{ROUNDS, WITNESSES};
 use super::{Answer, ExchangeError, Limits, MOST_BYTES};
 use crate::tick::{Span, Tick};
 
@@ -33,6 +34,8 @@ pub(super) struct Job {
     pub(super) until: Tick,
     /// How long its telegrams may still wait for a silent line.
     pub(super) patience: Span,
+    /// So many replies were on their way when it was asked that could be taken for its answer, where nothing keeps them in order.
+    pub(super) older: Option<usize>,
     /// How often what is asked now was asked.
     pub(super) asked: u8,
     /// How often the same fence was asked; others are told apart by their answers.
@@ -166,6 +169,26 @@ impl Job {
     /// Whether it may be asked once more because its answer may have been an older one.
     pub(super) fn may_ask_anew(&self) -> bool {
         self.rounds < ROUNDS && self.limits.witness
+    }
+
+    /// It goes out now where nothing keeps replies in order: what may come in place of its answer was asked before.
+    pub(super) fn reckons(&mut self, dialect: Dialect, ledger: &mut Ledger, now: Tick) {
+        if matches!(self.parting, Parting::Quiet(_)) && self.witnesses.len() >= WITNESSES {
+            self.witnesses.clear(); // what was said before may have been any of them
+        }
+        if !self.is_fenced() && self.witnesses.is_empty() {
+            let open = ledger.open(dialect, self.station, &self.question, now);
+            self.older = Some(self.older.map_or(open, |older| older.min(open)));
+        }
+        ledger.asks(self.station, self.asks().clone(), now);
+    }
+
+    /// In how many different words it was answered, with these.
+    pub(super) fn in_how_many_words(&self, said: &Said) -> usize {
+        let first = |(place, witness): &(usize, &Said)| {
+            *witness != said && !self.witnesses.iter().take(*place).any(|earlier| earlier == *witness)
+        };
+        1 + self.witnesses.iter().enumerate().filter(first).count()
     }
 
     /// It is asked as if it had not been asked yet.

@@ -63,6 +63,8 @@ pub(super) const UNREACHED_REPEATS: u8 = 1;
 pub(super) const ROUNDS: u8 = 2;
 /// How often it is asked so that answers agree, where one that was overtaken may come.
 pub(super) const WITNESSES: usize = 3;
+/// The same where nothing keeps replies in order and many are on their way; all of it ends within [`Limits::longest`] as well.
+pub(super) const MOST_WITNESSES: usize = 6;
 
 impl Limits {
     /// The longest that one question takes, whatever comes over the line. It is asked, and in the worst case asked again

@@ -14,6 +14,7 @@ use super::ear::{self, Ear, Piece};
 use super::echo::Echo;
 use super::heard::{COPY_WITHIN, Heard, Sample, Weight};
 use super::job::{Count, Doubted, Job, Orphan, Outcome, Parting, Phase, Waiting, keep};
+use super::ledger::Ledger;
 use super::limits::{LATEST_OF_ALL, UNREACHED_REPEATS};
 use super::twins::Twins;
 use super::{
@@ -35,6 +36,8 @@ pub struct Master {
     /// The line is free for the next telegram from then on.
     ready_at: Tick,
     debts: Debts,
+    /// Where nothing keeps replies in order, what they may be to.
+    ledger: Ledger,
     echo: Echo,
     /// A question that cannot be taken for a reply came back: whatever the last reply tells, another echo may come.
     echoed: bool,
@@ -83,6 +86,7 @@ impl Master {
             limits,
             ready_at: Tick::ZERO + dialect.silence(line),
             debts: Debts::default(),
+            ledger: Ledger::default(),
             echo: Echo::default(),
             echoed: false,
             copied: None,
@@ -205,6 +209,7 @@ impl Master {
             wanted: now,
             until: now + limits.longest(self.protocol(), self.line),
             patience: limits.patience(self.protocol(), self.line),
+            older: None,
             asked: 0,
             same_fence: 0,
             rounds: 0,
@@ -331,6 +336,9 @@ impl Master {
         if matches!(job.parting, Parting::Until(until) if now >= until) {
             self.debts.settle(job.station, now, now);
             job.parting = Parting::None;
+        }
+        if !self.wired && !self.dialect.is_numbered() {
+            job.reckons(self.dialect, &mut self.ledger, now);
         }
         let verdict = if fence { Verdict::Fence } else { Verdict::Request };
         let bytes = self.dialect.encode(job.station, &job.asks().clone());

@@ -14,6 +14,7 @@ mod echo;
 mod foreign;
 mod heard;
 mod job;
+mod ledger;
 mod limits;
 pub mod master;
 pub mod survey;

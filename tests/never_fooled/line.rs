@@ -21,6 +21,8 @@ const SLICE: Span = Span::from_millis(2);
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Hazards {
     pub(crate) late: u64,
+    /// A gateway that hands replies on whole, and some so late that younger ones overtake them.
+    pub(crate) overtaken: u64,
     pub(crate) doubled: u64,
     /// A second drive at every address, with other values.
     pub(crate) twins: bool,
@@ -161,7 +163,7 @@ impl HostileLine {
         let end = self.now + self.duration(bytes.len());
         self.meddle(end);
         self.ours = (self.now, end);
-        let met = self.spoil(self.now, end);
+        let met = self.hazards.overtaken == 0 && self.spoil(self.now, end);
         if self.dice.one_in(self.hazards.echo) {
             self.pieces.push(Piece { start: end, end, at: end, bytes: bytes.to_vec(), whole: false });
         }
@@ -208,8 +210,13 @@ impl HostileLine {
                 let most = self.dice.pick(&[50, 150, 600, 1_500, LATEST_MS - 200]);
                 start += Span::from_millis(self.dice.below(most));
             }
-            // One after the other, and never later than stations are.
-            start = start.max(self.busy.get(&(station, twin)).copied().unwrap_or_default() + self.line.t35());
+            if self.dice.one_in(self.hazards.overtaken) {
+                start += Span::from_millis(self.dice.pick(&[300, 750, 1_500, 2_600, LATEST_MS - 200]));
+            }
+            // One after the other, where nothing is overtaken, and never later than stations are.
+            if self.hazards.overtaken == 0 {
+                start = start.max(self.busy.get(&(station, twin)).copied().unwrap_or_default() + self.line.t35());
+            }
             if start.since(end) > Span::from_millis(LATEST_MS) {
                 continue;
             }
@@ -269,7 +276,8 @@ impl HostileLine {
             return whole;
         }
         let end = start + self.duration(bytes.len());
-        if end > start && (self.spoil(start, end) || (self.ours.0 < end && start < self.ours.1)) {
+        let meets = end > start && self.hazards.overtaken == 0;
+        if meets && (self.spoil(start, end) || (self.ours.0 < end && start < self.ours.1)) {
             whole = false;
             let and = self.dice.bytes(bytes.len() as u64);
             bytes.iter_mut().zip(and).for_each(|(byte, and)| *byte &= and);
@@ -278,7 +286,11 @@ impl HostileLine {
             self.told.insert(bytes.clone());
         }
         // Adapters hold bytes back, and hand a telegram on in pieces.
-        let cut = if self.dice.one_in(4) { self.dice.below(bytes.len() as u64) as usize } else { 0 };
+        let cut = if self.hazards.overtaken == 0 && self.dice.one_in(4) {
+            self.dice.below(bytes.len() as u64) as usize
+        } else {
+            0
+        };
         let rest = bytes.split_off(cut);
         let middle = start + self.duration(cut);
         if cut > 0 {

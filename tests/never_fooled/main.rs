@@ -265,6 +265,19 @@ fn the_dice_bring_no_wrong_value() {
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
+/// A gateway that hands replies on in another order: so many reads that a master which trusts in the order of what comes behind a fence
+/// believes wrong ones.
+#[test]
+fn replies_that_overtake_each_other_bring_no_wrong_value() {
+    for framing in [Framing::Rtu, Framing::Ascii] {
+        for manner in thrown::MANNERS.iter().filter(|manner| manner.name.starts_with("overtaking")) {
+            let score = thrown::play(framing.into(), manner, 5_000, 7);
+            assert_eq!((score.wrong, score.chance), (0, 0), "{}", score.found.join("\n"));
+            assert!(score.right > 3_500, "{}: {score:?}", manner.name);
+        }
+    }
+}
+
 /// The same trial with a master that does what most do: take the next telegram with the right address, code and check
 /// value. If this one believed nothing wrong, the trial would prove nothing.
 #[test]

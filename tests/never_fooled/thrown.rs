@@ -50,7 +50,7 @@ pub(crate) struct Manner {
     pub(crate) most: u64,
 }
 
-pub(crate) const MANNERS: [Manner; 12] = [
+pub(crate) const MANNERS: [Manner; 14] = [
     Manner { name: "clean", set: |hazards, _| *hazards = Hazards::default(), drained: true, wired: true, most: 0 },
     Manner {
         name: "slow",
@@ -77,6 +77,23 @@ pub(crate) const MANNERS: [Manner; 12] = [
     Manner {
         name: "gateway",
         set: |hazards, dice| hazards.pause = 1 + dice.below(9),
+        drained: true,
+        wired: false,
+        most: 0,
+    },
+    Manner {
+        name: "overtaking",
+        set: |hazards, dice| *hazards = Hazards { overtaken: 2 + dice.below(8), ..Hazards::default() },
+        drained: true,
+        wired: false,
+        most: 0,
+    },
+    Manner {
+        name: "overtaking, lost",
+        set: |hazards, dice| {
+            let (overtaken, lost, pause) = (2 + dice.below(8), 2 + dice.below(20), dice.pick(&[0, 1, 5]));
+            *hazards = Hazards { overtaken, lost, pause, ..Hazards::default() };
+        },
         drained: true,
         wired: false,
         most: 0,

@@ -143,6 +143,11 @@ impl Master {
     }
 
     pub(super) fn record(&mut self, record: Record) {
+        if matches!(record.verdict, Verdict::Reply | Verdict::Stray { .. })
+            && let Some((station, Some(said))) = self.dialect.sender(&record.bytes)
+        {
+            self.ledger.hears(station, &said);
+        }
         if self.records.len() < MOST_RECORDS {
             self.records.push(record);
         }

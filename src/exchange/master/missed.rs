@@ -17,13 +17,16 @@ impl Master {
         }
         let Some(Job { phase: Phase::Reply(waiting), .. }) = &mut self.job else { return Step::Wait(now) };
         waiting.echoed |= rest.len() < came.len();
-        let kind = ear::kind(self.dialect, rest);
         // Garbage as long as a reply most likely was the reply.
-        let is_spoilt = kind == Piece::Garbage && rest.len() >= self.dialect.shortest_reply();
-        match kind {
-            Piece::Stray(station, _) => waiting.stray = Some(station),
-            _ if rest.is_empty() => {}
-            _ => waiting.garbage = rest.to_vec(),
+        let mut is_spoilt = false;
+        for (piece, bytes) in ear::pieces(self.dialect, rest) {
+            match piece {
+                Piece::Stray(station, _) => waiting.stray = Some(station),
+                _ => {
+                    is_spoilt |= bytes.len() >= self.dialect.shortest_reply();
+                    waiting.garbage = bytes.to_vec();
+                }
+            }
         }
         // Behind an echo, a stray telegram or a little noise the reply may still come.
         if now < deadline && (!is_spoilt || waiting.held.is_some()) {

@@ -147,6 +147,7 @@ impl Master {
             known.truncate(MOST_KNOWN - 1);
             known.insert(0, job.question.clone());
         }
+        self.ledger.is_told(job.station, &job.question, &said);
         self.answered = Some((job.station, job.question.clone(), at));
         let outcome = Ok(Answer::Reply { said, after: at.since(sent_end) });
         let by = at + self.dialect.gap(self.line, job.limits.pause).times(2);

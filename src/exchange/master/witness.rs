@@ -7,7 +7,7 @@
 use super::*;
 use crate::exchange::debt::Overtaken;
 use crate::exchange::foreign;
-use crate::exchange::limits::WITNESSES;
+use crate::exchange::limits::{MOST_WITNESSES, WITNESSES};
 
 /// So long we keep out of the way of a reply to somebody else; a drive answers in 10 ms (sources A2).
 const HIS_REPLY: Span = Span::from_millis(100);
@@ -27,6 +27,13 @@ impl Master {
         alike.count()
     }
 
+    /// The same where nothing keeps replies in order: how many may come, and how many answers must agree with this one.
+    fn in_disorder(&self, job: &Job, said: &Said, at: Tick) -> (usize, usize) {
+        let Some(open) = job.older.filter(|&open| open > 0 && !said.is_refusal()) else { return (0, 0) };
+        let same = self.ledger.in_words(self.dialect, job.station, &job.question, said, at);
+        (open, same.clamp(1, open))
+    }
+
     /// The answer that is to be believed; `None` if the question is asked once more.
     ///
     /// Values that never stay the same are believed at last where nothing was ever mixed up; elsewhere not before the
@@ -37,8 +44,10 @@ impl Master {
             return Some(said);
         };
         let doubles = self.doubles(job, &said, at).max(usize::from(self.twins.is_marked(job.station)));
+        let (open, alike) = self.in_disorder(job, &said, at);
+        let doubles = doubles.min(WITNESSES - 1).max(alike);
         let agree = job.witnesses.iter().filter(|&witness| *witness == said).count();
-        if agree >= doubles.min(WITNESSES - 1) || self.dialect.is_numbered() {
+        if agree >= doubles || self.dialect.is_numbered() {
             return Some(said);
         }
         if !job.limits.witness {
@@ -51,12 +60,15 @@ impl Master {
             return None;
         }
         let more = self.heard.has_surplus(job.station) || self.twins.is_marked(job.station);
-        let mixed = self.debts.mixes() || more && job.limits.insist.is_none();
-        if job.witnesses.len() + 1 >= WITNESSES && !mixed {
+        // One value and all that is on its way make no more words than that.
+        let may_stay = job.in_how_many_words(&said) <= open + 1 && open > 0;
+        let mixed = self.debts.mixes() || (more || may_stay) && job.limits.insist.is_none();
+        let most = if job.limits.insist.is_some() { WITNESSES } else { (open + 2).clamp(WITNESSES, MOST_WITNESSES) };
+        if job.witnesses.len() + 1 >= most && !mixed {
             let pair = job.witnesses.windows(2).find(|pair| pair.first() == pair.last());
             return Some(pair.and_then(|pair| pair.first()).cloned().unwrap_or(said));
         }
-        self.call_witness(at, said);
+        self.call_witness(at, said, most);
         None
     }
 
@@ -89,11 +101,11 @@ impl Master {
         }
     }
 
-    fn call_witness(&mut self, at: Tick, said: Said) {
+    fn call_witness(&mut self, at: Tick, said: Said, most: usize) {
         let Some(job) = &mut self.job else { return };
         let latest = self.debts.overtaken(job.station, at).map(Overtaken::until).max();
         job.witnesses.push(said);
-        let lacks_one = job.witnesses.len() < WITNESSES;
+        let lacks_one = job.witnesses.len() < most;
         let (parting, phase) = match (lacks_one, latest) {
             (false, _) if job.limits.insist.is_some() || !self.debts.mixes() => {
                 (Parting::None, Phase::Done(Err(unproven(&self.twins, job.station, job.asked))))

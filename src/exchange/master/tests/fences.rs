@@ -313,6 +313,36 @@ fn a_value_that_changes_is_read_behind_a_lost_reply_all_the_same() {
     assert!(line.now < Tick::from_micros(1_800_000), "nothing waits for what never comes");
 }
 
+/// Behind a gateway a fence proves nothing: the replies to two questions that were lost come behind it, in place of the answer.
+#[test]
+fn where_nothing_keeps_replies_in_order_none_of_three_is_believed() {
+    let replies: [&[(u64, Vec<u8>)]; 5] =
+        [&[(10, fence_reply())], &[(10, value(7))], &[(10, value(1))], &[(10, value(2))], &[(10, value(7))]];
+    let outcome = |wired| {
+        let mut line = Line::new(Framing::Rtu);
+        line.master.set_wired(wired);
+        line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+        let read = |start| Request::ReadRegisters { start, count: 1 };
+        assert!(line.ask(1, read(1), &[]).is_err());
+        assert!(line.ask(1, read(2), &[&[(10, fence_reply())], &[]]).is_err());
+        line.now += Span::from_secs(1);
+        line.ask(1, OTHER, &replies)
+    };
+    assert!(matches!(outcome(false), Err(ExchangeError::Unproven { .. })));
+    // Wires keep the order: this is a value that changes.
+    assert_eq!(taken(outcome(true)), Reply::Registers(vec![2]));
+}
+
+/// Two whole telegrams of another station in one piece are no spoilt reply: that is still to come.
+#[test]
+fn what_others_say_in_one_piece_is_not_the_answer_spoilt() {
+    let mut line = Line::new(Framing::Rtu);
+    line.master.set_limits(Limits { retries: 0, ..Limits::default() });
+    let others = [frame(3, &Reply::Registers(vec![1])), frame(3, &Reply::Registers(vec![2]))].concat();
+    assert!(matches!(line.ask(1, READ, &[&[(20, others)]]), Err(ExchangeError::Stray { station: 3 })));
+    assert!(line.master.debts.is_late(1, Some(&Said::Modbus(Reply::Registers(vec![7])))));
+}
+
 #[test]
 fn a_counter_that_stands_at_0_is_a_fence_on_a_line_without_echo() {
     let mut line = Line::new(Framing::Rtu);

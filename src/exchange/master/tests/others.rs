@@ -137,6 +137,7 @@ fn a_question_of_somebody_else_is_heard_across_our_own() {
 #[test]
 fn what_somebody_else_asks_behind_our_fence_is_not_settled_by_it() {
     let mut line = Line::new(Framing::Rtu);
+    line.master.set_wired(true);
     line.master.set_limits(Limits { retries: 0, ..Limits::default() });
     assert!(line.ask(1, READ, &[]).is_err());
     let his = rtu::encode(1, &Request::ReadRegisters { start: 0x1111, count: 1 }.encode());
