@@ -139,10 +139,14 @@ impl Master {
         };
         let (station, is_fenced) = (job.station, job.is_fenced());
         // A counter that was asked for once has one count, and copies do not differ.
-        let (asked, fence) = (job.same_fence, job.asks().clone());
+        let asked = if is_fenced { job.same_fence } else { job.asked };
+        let fence = job.asks().clone();
         let is_due = self.debts.may_come(station, &fence, now);
         let two_counts = is_fenced && asked == 1 && !is_due && second.as_ref().is_some_and(|second| *second != said);
+        // What was asked twice is answered twice, late.
+        let is_answered_late = !is_fenced && second.is_some() && (asked > 1 || is_due);
         match is_fenced || is_named {
+            true if is_answered_late => {}
             true => self.twins.counts(station, second.is_some()),
             false if second.is_some() => self.suspect(station, now),
             false => {}

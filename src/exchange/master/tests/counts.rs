@@ -150,3 +150,18 @@ fn what_ends_sooner_than_the_wires_allow_is_no_answer() {
     assert_eq!((line.master.line(), line.master.tally().sent), (rate, sent));
     assert!(!taken_after(&mut line.master, 0) && !line.master.take_records().is_empty());
 }
+
+/// The second answer is to the second asking: nothing speaks for two drives, and nobody is told of any.
+#[test]
+fn who_is_asked_twice_because_it_is_late_does_not_answer_twice() {
+    let mut line = Line::vabus();
+    for number in [372, 376, 372, 376, 372, 376] {
+        let header = Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
+        let address = Address::drive(1).unwrap();
+        let value = vabus::Reply::Value { address, header, data: Data::word(number) }.encode();
+        let late: &[(u64, Vec<u8>)] = &[(600, value)];
+        let outcome = line.ask(1, vabus::Request::Enquiry { address, header }, &[late; 9]);
+        assert!(outcome.is_ok(), "{outcome:?}");
+        assert!(!line.master.answers_twice(1));
+    }
+}
