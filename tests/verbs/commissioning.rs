@@ -116,14 +116,14 @@ fn the_wrong_way_ends_it_and_is_not_repeated_unasked() {
 
 #[test]
 fn the_other_direction_is_tried_where_it_is_wanted() {
-    let told = antrieb(&commission(&format!("{PLATE} counter-clockwise=yes"))).on(ACT).json().exits(0);
+    let told = antrieb(&commission(&format!("{PLATE} reverse=yes"))).on(ACT).json().exits(0);
     let motions = told.data("/steps/4/motions").as_array().unwrap();
     let ways: Vec<_> = motions.iter().map(|motion| motion["setpoint"]["value"].as_f64().unwrap()).collect();
     assert_eq!(ways, [5.0, -5.0]);
     assert!(told.err.contains("Was that counter-clockwise?"), "{}", told.err);
     let no = antrieb(&commission(PLATE)).on(ACT).json().exits(0);
     assert_eq!(no.data("/steps/4/motions").as_array().unwrap().len(), 1);
-    let told = antrieb(&commission(&format!("{PLATE} counter-clockwise=maybe"))).on(ACT).and("-v").exits(7);
+    let told = antrieb(&commission(&format!("{PLATE} reverse=maybe"))).on(ACT).and("-v").exits(7);
     assert!(told.err.contains("expected yes or no") && told.sent().is_empty(), "{}", told.err);
 }
 

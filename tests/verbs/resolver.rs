@@ -15,7 +15,7 @@ use antrieb::transport::witness;
 use clap::Parser;
 use std::path::Path;
 
-const LINE: &str = "-a 1 --yes procedure resolver-offset resolver-pole-pairs=1 current=3.6A";
+const LINE: &str = "-a 1 --yes procedure resolver-offset resolver-pairs=1 current=3.6A";
 const RECORD: &str = "procedure-resolver-offset-1.json";
 
 /// A synchronous motor with its resolver, uncoupled, that a hand turns.
@@ -109,7 +109,7 @@ fn what_cannot_be_is_refused() {
     let ratio = antrieb(&LINE.replace("pairs=1", "pairs=2")).on(&bench(3, 10.0, "")).json().exits(7);
     assert_eq!(ratio.error()["code"], "data.pole_pairs");
     for (line, word) in [
-        (LINE.replace("pairs=1", "pairs=8"), "resolver-pole-pairs"),
+        (LINE.replace("pairs=1", "pairs=8"), "resolver-pairs"),
         (format!("{LINE} limit=20Hz"), "at most 10 Hz"),
         (format!("{LINE} limit=0Hz"), "above 0"),
         (LINE.replace("3.6A", "3.6V"), "above 0 A"),
@@ -122,7 +122,7 @@ fn what_cannot_be_is_refused() {
     let told = antrieb(LINE).on(&low).json().exits(7);
     assert!(told.error()["message"].to_string().contains("only be lowered"), "{}", told.error());
     let without = antrieb("-a 1 --yes procedure resolver-offset current=3A").on(&bench(3, 10.0, "")).exits(2);
-    assert!(without.err.contains("resolver-pole-pairs ("), "{}", without.err);
+    assert!(without.err.contains("resolver-pairs ("), "{}", without.err);
 }
 
 #[derive(Parser)]
@@ -190,7 +190,7 @@ fn whoever_interrupts_anywhere_leaves_nothing_turning_and_the_limits_as_they_wer
     let bench = bench(3, 60.0, "");
     let whole = tempfile::tempdir().unwrap();
     let length = interrupted(whole.path(), &bench, usize::MAX).telegrams;
-    for step in (1..length).step_by((length / 150).max(1)) {
+    for step in (1..length).step_by((length / 60).max(1)) {
         let directory = tempfile::tempdir().unwrap();
         let seen = interrupted(directory.path(), &bench, step);
         let mut later = seen.bench.clone();

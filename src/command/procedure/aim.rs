@@ -90,8 +90,8 @@ impl Aim {
         }
         let rated = number(given, "current", &["A"])?.unwrap_or_default();
         let current = rated * SHARE * 10f64.powi(current_decimals(params).into());
-        let pairs = number(given, "resolver-pole-pairs", &[""])?.unwrap_or_default() as i64;
-        value::check_range(pairs, &params.resolver_pairs).map_err(|error| bad("resolver-pole-pairs", &error.text()))?;
+        let pairs = number(given, "resolver-pairs", &[""])?.unwrap_or_default() as i64;
+        value::check_range(pairs, &params.resolver_pairs).map_err(|error| bad("resolver-pairs", &error.text()))?;
         // About 10 % below the limit.
         Ok(Aim { resolver_pairs: pairs, limit, current: (current.round() as i64).max(1), setpoint: limit * 9 / 10 })
     }

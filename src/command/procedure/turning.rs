@@ -282,11 +282,11 @@ fn run(setpoint: &str, stop: StopArg, given: &Given) -> Result<sollwert::Args, F
 
 /// Whether the other direction is tried too.
 fn both_ways(given: &Given) -> Result<bool, Failure> {
-    match given.get("counter-clockwise") {
+    match given.get("reverse") {
         None | Some("no") => Ok(false),
         Some("yes") => Ok(true),
         Some(other) => Err(bad(
-            "counter-clockwise",
+            "reverse",
             &both!("expected yes or no, got '{other}'", "erwartet: yes oder no; angegeben: '{other}'"),
         )),
     }
