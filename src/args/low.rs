@@ -4,7 +4,7 @@ use super::address::{Addresses, parse_addresses, parse_node};
 use super::globals::Globals;
 use super::project::{ALL, File, GROUP, NamedDrive, PROJECT, is_several, read_config, wrong_in};
 use super::wrong::bad_setting;
-use crate::failure::Failure;
+use crate::failure::{Class, Failure};
 use crate::text::{Text, Wrong, both};
 use crate::transport::Port;
 use std::collections::{BTreeMap, BTreeSet};
@@ -252,6 +252,9 @@ impl<'a> Low<'a> {
     /// The names of the drives of a plant that are meant; all of them if nobody said.
     pub(super) fn plant(&self) -> Result<Vec<String>, Failure> {
         let text = self.flags.address.as_deref().unwrap_or(ALL);
+        if !self.has_drives() && self.flags.address.is_none() {
+            return Err(nobody_named(&Text::default()));
+        }
         let (ports, names) = (self.typed_ports()?, self.meant(text)?);
         if let Some(stranger) = names.iter().find(|name| self.drive(name).is_none()) {
             let known: Vec<&str> =
@@ -353,14 +356,23 @@ fn apart(text: &str, part: &str) -> Failure {
     ))
 }
 
+/// No file names a drive; `typed` is what was said in its place.
+fn nobody_named(typed: &Text) -> Failure {
+    let message = both!(
+        "{typed}no drive has a name; expected a table `[drives.NAME]` in {PROJECT}",
+        "{typed}kein Antrieb hat einen Namen; erwartet wird eine Tabelle `[drives.NAME]` in {PROJECT}",
+        typed
+    );
+    let hint = both!("`antrieb init` writes one from a scan", "`antrieb init` schreibt eine aus einem Scan");
+    match typed.is_empty() {
+        true => Failure::new(Class::Usage, "usage.address", message).hint(hint),
+        false => bad_setting("address", message).hint(hint),
+    }
+}
+
 fn none_there(text: &str, ports: &[Port], has_drives: bool) -> Failure {
     if !has_drives {
-        let message = both!(
-            "'{text}': no drive has a name; expected a table `[drives.NAME]` in {PROJECT}",
-            "'{text}': kein Antrieb hat einen Namen; erwartet wird eine Tabelle `[drives.NAME]` in {PROJECT}"
-        );
-        return bad_setting("address", message)
-            .hint(both!("`antrieb init` writes one from a scan", "`antrieb init` schreibt eine aus einem Scan"));
+        return nobody_named(&Text::name(format!("'{text}': ")));
     }
     let ports = ports.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let message = both!(

@@ -224,8 +224,8 @@ impl Settings {
                 ),
             )
             .hint(both!(
-                "only `scan` works on several ports at once",
-                "nur `scan` arbeitet an mehreren Anschlüssen zugleich"
+                "this verb works on one; `scan`, `init`, `plan`, `apply` and `check` go over several",
+                "dieser Befehl arbeitet an einem; `scan`, `init`, `plan`, `apply` und `check` gehen über mehrere"
             )));
         }
         if self.unknown != Unknown::default() {

@@ -35,7 +35,7 @@ pub(super) fn explain(
         let printed = out.write_all(page.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
-    let place = Place::of(&words);
+    let place = Place::of_error(&words, &error);
     let failure = Again::guessed(arguments).hinted(as_typed(place.failure(error), &words));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));
@@ -65,6 +65,18 @@ fn as_typed(failure: Failure, words: &[Cow<'_, str>]) -> Failure {
     Failure { message, ..failure }
 }
 
+/// What bytes, words and codes are by their look, where nobody said it.
+fn by_look(word: &str) -> Option<&'static str> {
+    let is_hex = |text: &str| !text.is_empty() && text.chars().all(|letter| letter.is_ascii_hexdigit());
+    let code = word.strip_prefix(['F', 'f']).filter(|code| code.len() == 4);
+    match word.strip_prefix("0x").or_else(|| word.strip_prefix("0X")) {
+        Some(number) if is_hex(number) => Some("status"),
+        _ if code.is_some_and(is_hex) => Some("fault"),
+        _ if word.starts_with(':') || is_hex(word) => Some("telegram"),
+        _ => None,
+    }
+}
+
 /// Behind which command something does not fit.
 struct Place {
     root: clap::Command,
@@ -86,6 +98,18 @@ impl Place {
             }
         }
         Place { path, root, words }
+    }
+
+    /// The same for what clap did not take: a word before the verb was taken for one, and nothing stands behind it.
+    fn of_error(words: &[Cow<'_, str>], error: &clap::Error) -> Self {
+        let mut place = Place::of(words);
+        let at = |word: &String| place.words.iter().skip(1).position(|one| one == word);
+        if let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand)
+            && at(word) < place.path.first().and_then(at)
+        {
+            place.path.clear();
+        }
+        place
     }
 
     /// A verb that an option took as its value, because its own was forgotten: `-a read 411`.
@@ -225,7 +249,7 @@ impl Place {
         if let Some((option, verbs)) = self.of_others(error) {
             return both!("`{option}` is an option of {verbs}", "`{option}` ist eine Option von {verbs}");
         }
-        if let Some(line) = self.meant(error) {
+        if let Some(line) = self.meant(error).filter(|_| self.path.is_empty()) {
             return both!("it is `{line}`", "es heißt `{line}`");
         }
         let near = [Told::SuggestedArg, Told::SuggestedValue, Told::SuggestedSubcommand];
@@ -282,8 +306,10 @@ impl Place {
     /// The command that another word for a verb means, with all that was typed.
     fn meant(&self, error: &clap::Error) -> Option<String> {
         let Some(ContextValue::String(said)) = error.get(Told::InvalidSubcommand) else { return None };
-        let command = meant(said).filter(|_| self.path.is_empty())?;
-        let words = self.words.iter().skip(1).map(|one| if one == said { command.to_owned() } else { word(one) });
+        // Who pastes a command behind what he has typed already names the program twice.
+        let command = if said == "antrieb" { "" } else { meant(said)? };
+        let words = self.words.iter().skip(1).filter(|one| *one != said || !command.is_empty());
+        let words = words.map(|one| if one == said { command.to_owned() } else { word(one) });
         Some(std::iter::once("antrieb".to_owned()).chain(words).collect::<Vec<_>>().join(" "))
     }
 
@@ -295,11 +321,18 @@ impl Place {
         (is_number && unit.starts_with(char::is_alphabetic)).then(|| format!("{number}{unit}"))
     }
 
+    /// What is to be decoded, from its first word on, with what it seems to be.
+    fn decoded(&self, first: &str) -> Option<String> {
+        let what = by_look(first)?;
+        let words: Vec<String> = self.words.iter().skip_while(|one| *one != first).map(|one| word(one)).collect();
+        Some(format!("{what} {}", words.join(" ")))
+    }
+
     /// The verb under which an unknown one is to be found: `statemachine enable` for `enable`, `decode telegram` for a byte.
     fn elsewhere(&self, error: &clap::Error) -> Option<String> {
         let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand) else { return None };
-        if self.verb() == "decode" && word.starts_with(|c: char| c == ':' || c.is_ascii_digit()) {
-            return Some(format!("antrieb decode telegram {word}"));
+        if self.verb() == "decode" && self.path.len() == 1 {
+            return Some(format!("antrieb decode {}", self.decoded(word)?));
         }
         let verb = self.root.get_subcommands().find(|verb| verb.find_subcommand(word).is_some())?;
         Some(format!("antrieb {} {word}", verb.get_name()))

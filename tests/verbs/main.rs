@@ -124,6 +124,7 @@ mod output {
     mod exits;
     mod forms;
     mod help;
+    mod mistyped;
     mod regressions;
     mod screens;
     mod typeable;

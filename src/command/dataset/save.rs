@@ -255,8 +255,17 @@ impl Options {
         let directory = file.parent().filter(|directory| !directory.as_os_str().is_empty());
         if let Some(directory) = directory.filter(|directory| files::found(directory) != Some(true)) {
             let shown = directory.display().to_string();
-            let message = both!("{shown} is no directory", "{shown} ist kein Verzeichnis");
-            return Err(Failure::new(Class::Data, "data.output", message));
+            let (message, hint) = match files::found(directory) {
+                None => (
+                    both!("there is no directory {shown}", "es gibt kein Verzeichnis {shown}"),
+                    both!("make it first, or name another one", "es zuerst anlegen, oder ein anderes nennen"),
+                ),
+                Some(_) => (
+                    both!("{shown} is no directory", "{shown} ist kein Verzeichnis"),
+                    both!("name another one", "ein anderes nennen"),
+                ),
+            };
+            return Err(Failure::new(Class::Data, "data.output", message).hint(hint));
         }
         for path in [&file, &part] {
             files::check(path, true).map_err(|error| unwritten(path, &error))?;

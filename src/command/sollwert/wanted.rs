@@ -368,14 +368,24 @@ fn named_mode<'f>(args: &Args, family: &'f Family) -> Result<Option<&'f Mode>, F
 fn unit_mode<'f>(text: &str, family: &'f Family) -> Result<&'f Mode, Text> {
     let modes = modes(family);
     setpoint::mode_of(family, text).ok_or_else(|| {
-        both!(
-            "expected a setpoint with its unit, such as 25Hz, or --mode ({modes}), got '{text}'",
-            "erwartet: Sollwert mit Einheit, etwa 25Hz, oder --mode ({modes}); erhalten: '{text}'"
-        )
+        // Nothing is recommended that this drive refuses.
+        match EXAMPLES.iter().find(|example| setpoint::mode_of(family, example).is_some()) {
+            Some(such) => both!(
+                "expected a setpoint with its unit, such as {such}, or --mode ({modes}), got '{text}'",
+                "erwartet: Sollwert mit Einheit, etwa {such}, oder --mode ({modes}); erhalten: '{text}'"
+            ),
+            None => both!(
+                "expected --mode ({modes}) before the setpoint, because no unit tells it here; got '{text}'",
+                "erwartet: --mode ({modes}) vor dem Sollwert, denn hier sagt es keine Einheit; erhalten: '{text}'"
+            ),
+        }
     })
 }
 
-fn modes(family: &Family) -> String {
+/// Setpoints whose unit tells a mode, of one family or another.
+const EXAMPLES: &[&str] = &["25Hz", "600rpm", "50%"];
+
+pub(super) fn modes(family: &Family) -> String {
     family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ")
 }
 

@@ -10,7 +10,10 @@ use crate::transport::{LinkError, list_ports};
 pub(in crate::drive) fn link(error: &LinkError) -> Failure {
     let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
     let failure = match error {
-        LinkError::NotFound(_) => Failure::new(class, "port.not_found", said(error)).hint(found_ports()),
+        LinkError::NotFound(port) => {
+            let hint = meant(port, &list_ports().iter().map(ToString::to_string).collect::<Vec<_>>());
+            Failure::new(class, "port.not_found", said(error)).hint(hint.unwrap_or_else(found_ports))
+        }
         LinkError::Setting { port, message } if NO_PORT.iter().any(|said| message.starts_with(said)) => {
             let text = both!("{port} is no serial port", "{port} ist kein serieller Anschluss");
             Failure::new(class, "port.no_serial_port", text).hint(found_ports())
@@ -25,6 +28,21 @@ pub(in crate::drive) fn link(error: &LinkError) -> Failure {
         Some(port) => failure.with("port", port),
         None => failure,
     }
+}
+
+/// What was perhaps meant by a port that is not there: several of them, or one of those that are, without its folder.
+fn meant(typed: &str, found: &[String]) -> Option<Text> {
+    if typed.contains(',') && !typed.contains("://") {
+        let each = typed.split(',').map(|port| format!("-p {}", port.trim())).collect::<Vec<_>>().join(" ");
+        return Some(both!(
+            "several ports are several options: {each}",
+            "mehrere Anschlüsse sind mehrere Optionen: {each}"
+        ));
+    }
+    let name = typed.to_lowercase();
+    let is_it = |port: &&String| port.rsplit('/').next().is_some_and(|last| last.to_lowercase() == name);
+    let near = found.iter().find(is_it).filter(|port| *port != typed)?;
+    Some(both!("did you mean {near}?", "gemeint ist vielleicht {near}"))
 }
 
 /// What the system says of a file that has no line settings (ENOTTY, EISDIR).
@@ -95,4 +113,21 @@ pub(in crate::drive) fn found_ports() -> Text {
         false => both!("found: {ports}", "gefunden: {ports}", ports = ports.join(", ")),
     };
     both!("{found}; `--port sim` is the built-in bench", "{found}; `--port sim` ist der eingebaute Prüfstand", found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::meant;
+    use crate::text::Lang;
+
+    #[test]
+    fn a_port_that_is_not_there_leads_to_the_one_that_was_meant() {
+        let found = ["/dev/ttyS0".to_owned(), "/dev/ttyUSB1".to_owned()];
+        let hint = |typed| meant(typed, &found).map(|hint| Lang::ALL.map(|lang| hint.get(lang).to_owned()));
+        assert!(hint("ttyS0").is_some_and(|hint| hint.iter().all(|hint| hint.contains("/dev/ttyS0"))));
+        assert!(hint("ttyusb1").is_some_and(|hint| hint.iter().all(|hint| hint.contains("/dev/ttyUSB1"))));
+        assert!(hint("A,B").is_some_and(|hint| hint.iter().all(|hint| hint.contains("-p A -p B"))));
+        assert_eq!(hint("ttyACM0"), None);
+        assert_eq!(hint("tcp://a,b:1"), None);
+    }
 }
