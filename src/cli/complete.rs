@@ -122,7 +122,10 @@ fn place<'w>(root: &Command, words: &'w [String]) -> (Option<Place<'w>>, &'w str
         let last = command.get_positionals().last();
         last.filter(|arg| matches!(arg.get_action(), ArgAction::Append))
     });
-    (positional.map(|arg| at(arg, word, row)), "")
+    // A verb that takes no word more: what its options have in common at their beginning is none.
+    let nothing = Arg::new("nothing");
+    let ends = word.is_empty() && path.len() > 1 && !command.has_subcommands();
+    (positional.or(ends.then_some(&nothing)).map(|arg| at(arg, word, row)), "")
 }
 
 /// The option with this flag: of the innermost command, or one that comes down to it.

@@ -380,5 +380,6 @@ fn work(
         console.finish();
     }
     console.waits(true);
-    outcome
+    // What was warned of on the way a script finds in the document.
+    console.warned(outcome)
 }

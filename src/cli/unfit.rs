@@ -105,7 +105,7 @@ impl Place {
         let mut place = Place::of(words);
         let at = |word: &String| place.words.iter().skip(1).position(|one| one == word);
         if let Some(ContextValue::String(word)) = error.get(Told::InvalidSubcommand)
-            && at(word) < place.path.first().and_then(at)
+            && at(word).zip(place.path.first().and_then(at)).is_some_and(|(word, verb)| word < verb)
         {
             place.path.clear();
         }
@@ -307,7 +307,8 @@ impl Place {
     fn meant(&self, error: &clap::Error) -> Option<String> {
         let Some(ContextValue::String(said)) = error.get(Told::InvalidSubcommand) else { return None };
         // Who pastes a command behind what he has typed already names the program twice.
-        let command = if said == "antrieb" { "" } else { meant(said)? };
+        let is_twice = said == "antrieb" && self.words.iter().skip(1).any(|one| one == said);
+        let command = if is_twice { "" } else { meant(said)? };
         let words = self.words.iter().skip(1).filter(|one| *one != said || !command.is_empty());
         let words = words.map(|one| if one == said { command.to_owned() } else { word(one) });
         Some(std::iter::once("antrieb".to_owned()).chain(words).collect::<Vec<_>>().join(" "))

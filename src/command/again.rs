@@ -3,7 +3,7 @@
 use super::{Entry, VERBS};
 use crate::args::{Globals, SETTINGS};
 use crate::failure::Failure;
-use crate::outcome::{Data, Load, Outcome, Warning};
+use crate::outcome::{Data, ErrorDoc, Load, Outcome, Warning};
 use crate::text::{Lang, Text, both};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args as _, Command};
@@ -91,7 +91,8 @@ impl Again {
     }
 
     /// An outcome with commands that work as they stand there.
-    pub fn told(&self, outcome: Outcome) -> Outcome {
+    pub fn told(&self, mut outcome: Outcome) -> Outcome {
+        outcome.each_error(&mut |error| self.row(error));
         let Outcome { data, warnings, failure } = outcome;
         let warnings = warnings.into_iter().map(|it| Warning { message: self.typed(&it.message, None), ..it });
         let data = data.map(|data| self.closed(data));
@@ -131,6 +132,13 @@ impl Again {
         }
         let typed = typed.join(" ");
         both!("one at a time, such as `antrieb {typed}`", "einen nach dem anderen, etwa `antrieb {typed}`")
+    }
+
+    /// What is wrong with one row.
+    fn row(&self, error: &mut ErrorDoc) {
+        let address = error.context.get("address").cloned();
+        error.hint = error.hint.as_ref().map(|hint| self.typed(hint, address.as_deref()));
+        error.message = self.typed(&error.message, address.as_deref());
     }
 
     /// The last words of loads, which name a command.

@@ -6,6 +6,7 @@ mod guided;
 mod keys;
 mod shown;
 mod told;
+mod unit;
 mod wanted;
 mod zero;
 
@@ -155,27 +156,14 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let Some(spoken) = spoken(args)? else { return shown::show_all(context).await };
     // Refused before the port is opened if no drive that it could be understands it.
     let understood = offline(context.settings, context.registry, |family| understand(args, &spoken, family));
-    let (family, wanted) = understood.map_err(|failure| of_whom(failure, context))?;
+    let (family, wanted) =
+        understood.map_err(|failure| unit::of_whom(failure, context.settings.drive.is_some(), context.registry))?;
     if context.settings.dry_run {
         return dry::run(args, &family, &wanted, context);
     }
     takes_what_it_needs(args, &wanted)?;
     let relief = zero::is_meant(args, &wanted).then_some(Relief::Zero);
     give(args, &spoken, (relief, zero::goes_first(args, &wanted)), context).await
-}
-
-/// No drive was asked, so its modes may be others than those of the usual one: the hint tells those of each.
-fn of_whom(failure: Failure, context: &Context<'_>) -> Failure {
-    if failure.code != "usage.unit" || failure.hint.is_some() || context.settings.drive.is_some() {
-        return failure;
-    }
-    let families = context.registry.families().into_iter().filter(|family| !family.modes.is_empty());
-    let told = families.map(|family| format!("{}: {}", family.drive, wanted::modes(&family))).collect::<Vec<_>>();
-    let told = told.join("; ");
-    failure.hint(both!(
-        "no drive was asked yet; --mode takes, by the family: {told}",
-        "noch wurde kein Antrieb gefragt; --mode nimmt, je nach Familie: {told}"
-    ))
 }
 
 /// A setpoint alone is obeyed whoever starts and stops the drive: control is taken for an enable only.

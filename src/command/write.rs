@@ -230,8 +230,8 @@ fn cutting_last(mut steps: Vec<Step>) -> Result<Vec<Step>, Failure> {
 
 /// The raw value, if everything that the catalogue knows allows it.
 fn check(param: &Param, family: &Family, text: &str, kind: Option<Type>, force: bool) -> Result<i64, Failure> {
-    let (number, slug) = (param.id, &param.slug);
-    let label = both!("parameter {number} ({slug})", "Parameter {number} ({slug})");
+    let (number, called) = (param.id, param.called());
+    let label = both!("parameter {number} ({called})", "Parameter {number} ({called})", called);
     let bad = |code: &str, error: &ValueError| {
         let message = both!("{label}: {why}", "{label}: {why}", label, why = error.text());
         Failure::new(Class::Data, code, message).with("param", param.id)

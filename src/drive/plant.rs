@@ -14,7 +14,7 @@ use crate::gate::{Permit, Writing};
 use crate::outcome::{LoadEnd, WriteResult};
 use crate::profile::Family;
 use crate::profile::paramfile::Head;
-use crate::text::{Text, both};
+use crate::text::{Lang, Text, both};
 use std::cell::Cell;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -36,6 +36,8 @@ pub struct Member<'a> {
     pub steps: Vec<Step>,
     /// Where its undo file is left.
     pub undo: UndoPlace,
+    /// The language of its comments.
+    pub lang: Lang,
     /// What to do where that place does not take it.
     pub elsewhere: Text,
     /// What to do where another drive stands at its address.
@@ -209,7 +211,7 @@ impl Member<'_> {
 
     async fn look(&mut self, session: &mut Session<'_>) -> Result<(), Failure> {
         let drive = self.identify(session).await?;
-        let head = head(session, &drive);
+        let head = Head { lang: self.lang, ..head(session, &drive) };
         let plan = transaction::plan(session, drive.target, &self.terms, std::mem::take(&mut self.steps)).await?;
         self.found = Some(Found { plan, head });
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::{Finding, Session, Target, decode, introduce, recognise};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Event, Evidence};
+use crate::outcome::{Event, Evidence, Warning};
 use crate::profile::{Family, Registry};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::WordOrder;
@@ -175,11 +175,12 @@ impl Stated {
         let Stated { family, whence, refuses } = self;
         let (address, of, found) = (found.address, &family.drive, &found.family.drive);
         if !refuses {
-            session.tell(Event::Note(both!(
+            let message = both!(
                 "{whence} says that drive {address} is of the family '{of}'; it answers as '{found}', which is taken",
                 "{whence} nennt für Antrieb {address} die Familie '{of}'; er antwortet als '{found}', und so wird er genommen",
                 whence
-            )));
+            );
+            session.tell(Event::Warned(Warning { code: "drive.other_family".to_owned(), message }));
             return Ok(());
         }
         let message = both!(

@@ -4,6 +4,7 @@
 //! language that the user chose; numbers, slugs and codes are the same in every language.
 
 mod document;
+mod errors;
 mod found;
 mod import;
 mod line;
@@ -234,6 +235,8 @@ pub enum Event {
     Found(Box<FoundDrive>),
     /// For people, on the way.
     Note(Text),
+    /// The same, and it belongs into the report as well.
+    Warned(Warning),
     /// A line of a stream: data, as it comes.
     Record(Box<Record>),
 }

@@ -225,6 +225,11 @@ pub struct Param {
 }
 
 impl Param {
+    /// What it is called in a sentence: by its slug, which is English, or by its German name; both can be typed.
+    pub fn called(&self) -> Text {
+        Text::by(|lang| lang.pick(self.slug.clone(), self.name.get(Lang::De).to_owned()))
+    }
+
     /// A parameter that no catalogue knows.
     pub fn unknown(id: u32) -> Self {
         Param {

@@ -5,7 +5,7 @@ use super::words::word;
 use super::wrap::wrap;
 use super::{Outlet, Patience, clean, progress_width, search};
 use crate::failure::Failure;
-use crate::outcome::{Event, FoundDrive, Record, SearchNews};
+use crate::outcome::{Event, FoundDrive, Outcome, Record, SearchNews, Warning};
 use crate::text::{Lang, Text};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
@@ -72,6 +72,8 @@ impl std::fmt::Debug for Console {
 
 struct Inner {
     err: Box<dyn Write>,
+    /// Warnings that were told on the way.
+    has_said: Vec<Warning>,
     lang: Lang,
     quiet: bool,
     progress: bool,
@@ -93,7 +95,9 @@ impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
         let (drawn, run, bars) = (None, None, BTreeMap::new());
-        let inner = Inner { err, lang, quiet, progress, lines: false, width: None, waits: true, drawn, run, bars };
+        let has_said = Vec::new();
+        let inner =
+            Inner { err, has_said, lang, quiet, progress, lines: false, width: None, waits: true, drawn, run, bars };
         Console { inner: Rc::new(RefCell::new(inner)) }
     }
 
@@ -126,7 +130,20 @@ impl Console {
 
     /// What may not be as it should.
     pub fn warning(&self, text: &Text) {
-        self.labelled(WARNING, text);
+        if !self.inner.borrow().has_said.iter().any(|said| said.message == *text) {
+            self.labelled(WARNING, text);
+        }
+    }
+
+    /// An outcome with the warnings that were told on the way; they are not told again.
+    pub fn warned(&self, outcome: Result<Outcome, Failure>) -> Result<Outcome, Failure> {
+        let said = self.inner.borrow().has_said.clone();
+        if said.is_empty() {
+            return outcome;
+        }
+        let mut outcome = outcome.unwrap_or_else(Outcome::from);
+        outcome.warnings.splice(0..0, said);
+        Ok(outcome)
     }
 
     /// What went wrong, and what to do.
@@ -154,7 +171,14 @@ impl Console {
 
     /// Shows what happens on the way.
     pub fn observe(&self, event: Event) {
-        if let Event::Note(text) = &event {
+        if let Event::Warned(warning) = &event {
+            let said = &mut self.inner.borrow_mut().has_said;
+            if said.contains(warning) {
+                return;
+            }
+            said.push(warning.clone());
+        }
+        if let Event::Note(text) | Event::Warned(Warning { message: text, .. }) = &event {
             if !self.inner.borrow().quiet {
                 self.note(text);
             }
@@ -181,7 +205,7 @@ impl Console {
             }
             // A record is data, and goes to stdout by the stream; here it is at most progress.
             Event::Record(record) => inner.shows(&record),
-            Event::Note(_) => {}
+            Event::Note(_) | Event::Warned(_) => {}
         }
     }
 

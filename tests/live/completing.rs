@@ -41,7 +41,38 @@ const CASES: &[(&str, &str)] = &[
     ("--drive act dataset load --only mot", "--drive act dataset load --only motor"),
     ("dataset lo", "dataset load "),
     ("read --form", "read --format "),
+    // Options have a beginning in common, which nobody typed.
+    ("identify ", "identify "),
+    ("-a 1 identify ", "-a 1 identify "),
 ];
+
+/// The same in the others, where a word is a word; what stands there behind a Tab.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("write 480=", "write 480="),
+    ("write 480@2=", "write 480@2="),
+    ("-a 1 write 376@4=", "-a 1 write 376@4="),
+    ("write 480=-", "write 480=-"),
+    ("sollwert -5", "sollwert -5"),
+    ("read 480@2r", "read 480@2ram "),
+    ("write 48@1", "write 48@1"),
+    ("write 395=modbus-r", "write 395=modbus-rtu "),
+    ("--drive act read @actu", "--drive act read @actual "),
+    ("dataset load ba", "dataset load backup.toml "),
+    ("dataset undo ", "dataset undo backup.toml "),
+    ("-p sim:ba", "-p sim:backup.toml "),
+    ("--port=sim:ba", "--port=sim:backup.toml "),
+    ("dataset lo", "dataset load "),
+    ("identify ", "identify "),
+];
+
+const ZSH: &[&str] = &["zsh", "-f", "-i"];
+const ZSH_TAUGHT: &str = "unsetopt zle_bracketed_paste beep auto_menu 2>/dev/null; autoload -Uz compinit; compinit -u -D; \
+    source <(antrieb completions zsh); told() { print -rn -- $'\\n'\"<<$BUFFER>>\" }; zle -N told; bindkey '^T' told; \
+    bindkey '^U' kill-whole-line; echo rea''dy\n";
+
+const FISH: &[&str] = &["fish", "--no-config", "-i"];
+const FISH_TAUGHT: &str = "set -g fish_autosuggestion_enabled 0; set -g fish_greeting; antrieb completions fish | source; \
+    bind \\ct 'printf \"\\n<<%s>>\" (commandline | string collect)'; bind \\cu kill-whole-line; echo rea''dy\n";
 
 #[test]
 fn a_tab_changes_no_value_in_bash() {
@@ -52,4 +83,31 @@ fn a_tab_changes_no_value_in_bash() {
     for (typed, stands) in CASES {
         assert_eq!(bash.completes(&format!("antrieb {typed}")), format!("antrieb {stands}"), "{typed}");
     }
+}
+
+/// One that is not there is said to be missing, and not tried; `.ci/run` installs both.
+fn elsewhere(words: &[&str], taught: &str) {
+    let program = words[0];
+    let path = std::env::var("PATH").unwrap();
+    if !std::env::split_paths(&path).any(|folder| folder.join(program).is_file()) {
+        eprintln!("{program} is not on this machine: not tried");
+        return;
+    }
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("backup.toml"), "").unwrap();
+    let mut shell = Shell::start(words, taught, directory.path());
+    for (typed, stands) in ELSEWHERE {
+        assert_eq!(shell.completes(&format!("antrieb {typed}")), format!("antrieb {stands}"), "{program}: {typed}");
+    }
+}
+
+#[test]
+fn a_tab_changes_no_value_in_zsh() {
+    elsewhere(ZSH, ZSH_TAUGHT);
+}
+
+#[test]
+fn a_tab_changes_no_value_in_fish() {
+    elsewhere(FISH, FISH_TAUGHT);
 }

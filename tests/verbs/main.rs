@@ -127,6 +127,7 @@ mod output {
     mod mistyped;
     mod regressions;
     mod screens;
+    mod spoken;
     mod typeable;
     mod usage;
     mod wording;

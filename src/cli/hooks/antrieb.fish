@@ -9,7 +9,16 @@ function __fish_antrieb_asked
     $program complete fish -- $typed (commandline -ct) 2>/dev/null
 end
 function __fish_antrieb_values
-    __fish_antrieb_asked | string match -rv '^\t'
+    set -l asked (__fish_antrieb_asked)
+    # Behind `--option=` fish has no files of its own.
+    if string match -q \tfiles -- $asked; and set -l value (string replace -rf '^--[^=]*=' '' -- (commandline -ct))
+        set -l kind (string match -r '^(?:sim|tape):' -- $value)
+        for path in (__fish_complete_path (string replace -r '^(?:sim|tape):' '' -- $value))
+            echo "$kind$path"
+        end
+        return
+    end
+    string match -rv '^\t' -- $asked
 end
 function __fish_antrieb_files
     __fish_antrieb_asked | string match -q \tfiles

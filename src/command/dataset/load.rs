@@ -13,7 +13,7 @@ use crate::drive::{Recognised, Session, Terms, job};
 use crate::failure::{Class, Failure};
 use crate::gate::{Ask, Permit, Question, Writing};
 use crate::outcome::{Load, LoadEnd, Outcome, Warning, WriteResult};
-use crate::profile::paramfile::{ParamFile, SavedDrive};
+use crate::profile::paramfile::{Head, ParamFile, SavedDrive};
 use crate::profile::{Family, Registry};
 use crate::text::both;
 use clap::Args as ClapArgs;
@@ -88,7 +88,7 @@ async fn load_into(
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
     let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
-    let head = head(&session, &drive);
+    let head = Head { lang: settings.lang, ..head(&session, &drive) };
     let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
     plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
     (report.eeprom_writes, report.eeprom_writes_back) = (plan.eeprom_writes, plan.eeprom_writes_back);

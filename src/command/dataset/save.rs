@@ -12,7 +12,7 @@ use crate::files::{self, FileError};
 use crate::outcome::{Data, ErrorDoc, Outcome, SavedFile, Saves};
 use crate::profile::Family;
 use crate::profile::paramfile::{NotHeld, Scope, numbers};
-use crate::text::both;
+use crate::text::{Lang, both};
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
 
@@ -62,7 +62,7 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         session.allow(session.now(), <super::Args as Verb>::UPPER.drive);
         let one = match &goal.done {
             Some(done) => Ok((options.there(goal, done, &session), None)),
-            None => save(options, &mut session, &terms, goal, settings.force).await,
+            None => save(options, &mut session, &terms, goal, (settings.force, settings.lang)).await,
         };
         let (row, failure) = match one {
             Ok((row, failure)) => (row, failure),
@@ -94,7 +94,7 @@ async fn save(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     goal: &Goal,
-    force: bool,
+    (force, lang): (bool, Lang),
 ) -> Result<(SavedFile, Option<Failure>), Failure> {
     let mut drive = terms.recognised(session, goal.address, false).await?;
     drive.product = terms.product(session, &drive).await?;
@@ -109,7 +109,7 @@ async fn save(
     let wanted = Wanted::of(scope, &family)?;
     wanted.left.iter().for_each(|&(number, reason)| before.leave(number, reason));
     session.allow(session.now(), <super::Args as Verb>::UPPER.questions(wanted.asked.len() as u64));
-    let draft = Draft::of(session, &drive, scope);
+    let draft = Draft::of(session, &drive, scope, lang);
     // Where it cannot be written, that is told before the drive is asked for all of it.
     let mut first = before.clone();
     let open: Vec<u32> = wanted.asked.iter().map(|one| one.param.id).filter(|id| first.is_open(*id)).collect();
@@ -394,7 +394,6 @@ impl Options {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Lang;
 
     /// The name cannot be taken: a directory has it.
     #[test]

@@ -1,5 +1,6 @@
 //! Which values of parameter files are meant, as it is typed.
 
+use crate::command::again::word;
 use crate::drive::transaction::Choice;
 use crate::profile::Store;
 use crate::text::{Wrong, both};
@@ -22,6 +23,19 @@ impl Scope {
     pub(in crate::command) fn choice(&self) -> Choice {
         let store = if self.ram { Store::Ram } else { Store::Eeprom };
         Choice { store, ..self.picks.choice() }
+    }
+
+    /// As it is typed behind a verb: nothing, or ` --only motor --ram`.
+    pub(in crate::command) fn typed(&self) -> String {
+        let Picks { only, except, sets } = &self.picks;
+        let sets: Vec<String> = sets.iter().map(|range| format!("{}-{}", range.0.start(), range.0.end())).collect();
+        let lists = [("only", only), ("except", except), ("sets", &sets)];
+        let lists = lists.into_iter().filter(|(_, list)| !list.is_empty());
+        let mut typed: String = lists.map(|(name, list)| format!(" --{name} {}", word(&list.join(",")))).collect();
+        if self.ram {
+            typed += " --ram";
+        }
+        typed
     }
 }
 

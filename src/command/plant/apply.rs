@@ -136,7 +136,7 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         let Some(plan) = member.found.as_ref().filter(|_| member.is_due()).map(|found| &found.plan) else { continue };
         let Some(mut asked) = job::question(std::slice::from_ref(&plan.job)) else { continue };
         // Behind the values comes what can happen: told once for all drives.
-        let consequences = asked.details.split_off(plan.todo().min(asked.details.len()));
+        let consequences = asked.details.split_off(job::lines(&plan.job).min(asked.details.len()));
         let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());
         last.extend(consequences.filter(|text| !last.contains(text)).collect::<Vec<_>>());
         details.push(about(one, member, asked.title));

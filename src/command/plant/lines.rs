@@ -55,6 +55,7 @@ impl Wanted {
             terms,
             steps: self.steps.clone(),
             undo: self.undo.clone(),
+            lang: self.place.settings.lang,
             elsewhere: self.elsewhere(),
             another: self.another(),
             found: None,
@@ -235,6 +236,9 @@ async fn line<'a>(
 fn named(port: &str, event: Event) -> Event {
     match event {
         Event::Note(note) => Event::Note(both!("{port}: {note}", "{port}: {note}", note)),
+        Event::Warned(Warning { code, message }) => {
+            Event::Warned(Warning { code, message: both!("{port}: {message}", "{port}: {message}", message) })
+        }
         event => of_port(port, event),
     }
 }

@@ -1,7 +1,7 @@
 //! `plan`: what would be written to the drives of a plant.
 
 use super::lines::{on_lines, wanted};
-use super::told::LEFT_OUT;
+use super::told::{LEFT_OUT, NOT_YET};
 use super::{dry_run, look, must_choose, told};
 use crate::args::Takes;
 use crate::command::Context;
@@ -11,6 +11,7 @@ use crate::command::verb::{Verb, Working};
 use crate::drive::Upper;
 use crate::failure::Failure;
 use crate::outcome::{Document, Outcome, Plant};
+use crate::text::both;
 use clap::Args as ClapArgs;
 
 /// Shows what `apply` would write; 1 if something would change.
@@ -48,7 +49,15 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
     }
     on_lines(context, &wanted, async |lines, _| {
         look(lines, Args::UPPER, &nothing_to_come()).await;
-        told::plant(&wanted, lines, (false, LEFT_OUT))
+        let told = told::plant(&wanted, lines, (false, LEFT_OUT));
+        let failure = told.failure.map(|failure| if failure.code == NOT_YET { writes(failure, args) } else { failure });
+        Outcome { failure, ..told }
     })
     .await
+}
+
+/// What would write just that.
+fn writes(failure: Failure, args: &Args) -> Failure {
+    let scope = args.scope.typed();
+    failure.hint(both!("`antrieb apply{scope}` writes it", "`antrieb apply{scope}` schreibt es"))
 }

@@ -223,8 +223,10 @@ fn would_change(drives: &[PlantDrive]) -> Option<Text> {
     })
 }
 
+/// Something would be written.
+pub(super) const NOT_YET: &str = "no.differences";
+
 /// Nothing is wrong, but something would be written.
 fn not_yet(some: Text) -> Failure {
-    Failure::new(Class::No, "no.differences", some)
-        .hint(both!("`antrieb apply` writes it", "`antrieb apply` schreibt es"))
+    Failure::new(Class::No, NOT_YET, some)
 }

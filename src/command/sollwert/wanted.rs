@@ -2,6 +2,7 @@
 
 use super::Args;
 use super::keys::Keys;
+use super::unit::{modes, unit_mode};
 use crate::args::parse_span;
 use crate::command::stop_meant;
 use crate::drive::motion::Promise;
@@ -362,31 +363,6 @@ fn named_mode<'f>(args: &Args, family: &'f Family) -> Result<Option<&'f Mode>, F
         );
         Failure::new(Class::Usage, "usage.mode", text)
     })
-}
-
-/// The mode that the unit tells.
-fn unit_mode<'f>(text: &str, family: &'f Family) -> Result<&'f Mode, Text> {
-    let modes = modes(family);
-    setpoint::mode_of(family, text).ok_or_else(|| {
-        // Nothing is recommended that this drive refuses.
-        match EXAMPLES.iter().find(|example| setpoint::mode_of(family, example).is_some()) {
-            Some(such) => both!(
-                "expected a setpoint with its unit, such as {such}, or --mode ({modes}), got '{text}'",
-                "erwartet: Sollwert mit Einheit, etwa {such}, oder --mode ({modes}); erhalten: '{text}'"
-            ),
-            None => both!(
-                "expected --mode ({modes}) before the setpoint, because no unit tells it here; got '{text}'",
-                "erwartet: --mode ({modes}) vor dem Sollwert, denn hier sagt es keine Einheit; erhalten: '{text}'"
-            ),
-        }
-    })
-}
-
-/// Setpoints whose unit tells a mode, of one family or another.
-const EXAMPLES: &[&str] = &["25Hz", "600rpm", "50%"];
-
-pub(super) fn modes(family: &Family) -> String {
-    family.modes.iter().map(|mode| mode.slug.as_str()).collect::<Vec<_>>().join(", ")
 }
 
 fn schedule(spoken: &Spoken, said: &[setpoint::Said]) -> Result<Schedule, Failure> {

@@ -4,6 +4,7 @@ use super::{Job, Step, cuts};
 use crate::drive::{describe, who};
 use crate::gate::{Hazard, Question};
 use crate::outcome::{WriteResult, Written};
+use crate::profile::paramfile::ranges;
 use crate::profile::value::format_decimal;
 use crate::profile::{Family, HazardKind, Store};
 use crate::text::{Text, both};
@@ -17,9 +18,13 @@ pub fn question(jobs: &[Job]) -> Option<Question> {
     }
     let mut hazards = vec![Hazard::Write];
     let mut details = Vec::new();
-    for (job, (step, row)) in &todo {
+    for (job, (step, _)) in &todo {
         hazards.extend(hazards_of(step, &job.target.family));
-        details.push(describe_step(step, row, &job.target.family));
+    }
+    for alike in todo.chunk_by(|(_, (_, one)), (_, (_, other))| is_alike(one, other)) {
+        let sets = ranges(alike.iter().map(|(_, (_, row))| row.data_set.into())).replace(", ", ",");
+        let first = alike.first().map(|(job, (step, row))| describe_step(step, row, &sets, &job.target.family));
+        details.extend(first);
     }
     hazards.sort_unstable();
     hazards.dedup();
@@ -33,6 +38,18 @@ pub fn question(jobs: &[Job]) -> Option<Question> {
         count => both!("write {count} values", "{count} Werte schreiben"),
     };
     Some(Question { hazards, title, details })
+}
+
+/// How many lines of a question tell the values of a job, before what can happen.
+pub fn lines(job: &Job) -> usize {
+    let rows: Vec<&Written> = job.rows.iter().filter(|row| row.result == WriteResult::Planned).collect();
+    rows.chunk_by(|one, other| is_alike(one, other)).count()
+}
+
+/// Whether two rows tell the same of two data sets: they stand in one line then, as in the tables.
+fn is_alike(one: &Written, other: &Written) -> bool {
+    let what = |row: &Written| (row.address, row.node, row.param, row.store.to_string(), row.old_raw, row.raw);
+    what(one) == what(other) && one.data_set > 0 && other.data_set > 0
 }
 
 fn hazards_of(step: &Step, family: &Family) -> Vec<Hazard> {
@@ -71,7 +88,7 @@ fn consequence(hazard: Hazard) -> Option<Text> {
     })
 }
 
-fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
+fn describe_step(step: &Step, row: &Written, sets: &str, family: &Family) -> Text {
     let unit = row.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
     let old = row.old.map_or_else(|| "?".to_owned(), |old| format_decimal(old.raw, old.decimals));
     let new = format_decimal(row.value.raw, row.value.decimals);
@@ -81,7 +98,7 @@ fn describe_step(step: &Step, row: &Written, family: &Family) -> Text {
         address => who(address, row.node, &row.drive),
     };
     let (label, store) = match family.link.route.has_data_sets() {
-        true => (format!("P.{}@{}", row.param, row.data_set), format!(", {}", row.store)),
+        true => (format!("P.{}@{sets}", row.param), format!(", {}", row.store)),
         false => (step.param.label(), String::new()),
     };
     both!(

@@ -5,7 +5,7 @@
 
 mod asked;
 
-pub use asked::question;
+pub use asked::{lines, question};
 
 use super::stands::{has_ram, in_ram};
 use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};
@@ -123,8 +123,8 @@ fn nothing_sent(failure: Failure) -> Failure {
 fn check_found(step: &Step, target: &Target) -> Result<(), Failure> {
     let Some(kind) = step.kind.or(target.known_width(step.param.id)) else { return Err(no_width(&step.param)) };
     value::check_type(step.raw, kind, &step.param).map_err(|error| {
-        let (label, slug) = (step.param.label(), &step.param.slug);
-        let message = both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", why = error.text());
+        let (label, called) = (step.param.label(), step.param.called());
+        let message = both!("{label} ({called}): {why}", "{label} ({called}): {why}", called, why = error.text());
         nothing_sent(Failure::new(Class::Data, "data.width", message).with("param", step.param.id))
     })
 }

@@ -22,10 +22,10 @@ pub struct Draft {
 
 impl Draft {
     /// Of a drive at this line, at this time.
-    pub fn of(session: &Session<'_>, drive: &Recognised, scope: Scope) -> Self {
+    pub fn of(session: &Session<'_>, drive: &Recognised, scope: Scope, lang: Lang) -> Self {
         let head = head(session, drive);
         let saved = Provenance { scope: Some(scope), complete: false, ..head.saved };
-        Draft { head: Head { saved, ..head }, family: drive.target.family.clone() }
+        Draft { head: Head { saved, lang, ..head }, family: drive.target.family.clone() }
     }
 
     /// The text of the file with this harvest.
@@ -68,7 +68,7 @@ pub fn head(session: &Session<'_>, drive: &Recognised) -> Head {
         complete: true,
         ..Provenance::default()
     };
-    Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new() }
+    Head { drive, saved, not_held: BTreeMap::new(), types: BTreeMap::new(), lang: Lang::En }
 }
 
 /// The failure of a file that cannot be taken.

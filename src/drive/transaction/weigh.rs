@@ -95,8 +95,12 @@ pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
     let label = param.label();
     keeps_line(param)?;
     let wrong = |code: &str, error: value::ValueError| {
-        let message =
-            both!("{label} ({slug}): {why}", "{label} ({slug}): {why}", slug = param.slug, why = error.text());
+        let message = both!(
+            "{label} ({called}): {why}",
+            "{label} ({called}): {why}",
+            called = param.called(),
+            why = error.text()
+        );
         Failure::new(Class::Data, code, message).with("param", param.id).hint(both!(
             "--except {id} leaves it out",
             "--except {id} lässt es weg",

@@ -2,6 +2,7 @@
 
 use crate::profile::param::Type;
 use crate::profile::select::Store;
+use crate::text::Lang;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -75,6 +76,8 @@ pub struct Head {
     pub not_held: BTreeMap<NotHeld, String>,
     /// Data types that were found out by asking, of parameters whose type no catalogue tells.
     pub types: BTreeMap<u32, Type>,
+    /// The language of its comments; it says nothing of its values.
+    pub lang: Lang,
 }
 
 /// The drive that the settings are of, or for.

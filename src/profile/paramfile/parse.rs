@@ -7,7 +7,7 @@ use crate::profile::broken::stumbled;
 use crate::profile::names::place;
 use crate::profile::param::Type;
 use crate::profile::select::Store;
-use crate::text::{Text, both};
+use crate::text::{Lang, Text, both};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
@@ -172,7 +172,7 @@ impl ParamFile {
         let lines = source.lines(&values)?;
         let undo = undo.map(|undo| Ok(Undo { store: undo.memory.into(), lines: source.lines(&undo.values)? }));
         let undo = undo.transpose()?;
-        Ok(ParamFile { path: source.path, head: Head { drive, saved, not_held, types }, lines, undo })
+        Ok(ParamFile { path: source.path, head: Head { drive, saved, not_held, types, lang: Lang::En }, lines, undo })
     }
 }
 

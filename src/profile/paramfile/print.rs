@@ -6,12 +6,26 @@ use crate::profile::family::Family;
 use crate::profile::param::Param;
 use crate::profile::select::Store;
 use crate::profile::value;
+use crate::text::{Lang, Text};
 use serde::Serialize;
 use std::fmt::Write;
 
+const TITLE: &Text = &Text::new(
+    "Parameters of a drive, for antrieb (docs/parameter-files.md).",
+    "Parameter eines Antriebs, für antrieb (docs/parameter-files.md).",
+);
+const NOT_HELD: &Text =
+    &Text::new("What this file does not hold, and why.", "Was diese Datei nicht enthält, und warum.");
+const TYPES: &Text = &Text::new("Found out by asking.", "Durch Fragen herausgefunden.");
+const TO_COME: &Text = &Text::new(
+    "What was to come; `antrieb dataset undo` brings back the values above.",
+    "Was kommen sollte; `antrieb dataset undo` holt die Werte oben zurück.",
+);
+
 /// The text of a file with these settings: the same settings make the same text.
 pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
-    let mut text = String::from("# Parameters of a drive, for antrieb (docs/parameter-files.md).\n");
+    let says = |comment: &Text| format!("# {}\n", comment.get(head.lang));
+    let mut text = says(TITLE);
     let _ = writeln!(text, "antrieb = {VERSION}\n\n[drive]");
     let SavedDrive { evidence, .. } = &head.drive;
     text.push_str(&table(&SavedDrive { evidence: Vec::new(), ..head.drive.clone() }));
@@ -23,20 +37,20 @@ pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
         let _ = write!(text, "\n[saved]\n{}", table(&head.saved));
     }
     if !head.not_held.is_empty() {
-        text.push_str("\n# What this file does not hold, and why.\n[not-held]\n");
+        let _ = write!(text, "\n{}[not-held]\n", says(NOT_HELD));
         for (reason, list) in &head.not_held {
             let _ = writeln!(text, "{} = {}", reason.name(), quoted(list));
         }
     }
     if !head.types.is_empty() {
-        text.push_str("\n# Found out by asking.\n[types]\n");
+        let _ = write!(text, "\n{}[types]\n", says(TYPES));
         for (number, kind) in &head.types {
             let _ = writeln!(text, "{number} = {}", quoted(kind.name()));
         }
     }
     text.push_str("\n[values]\n");
     for setting in settings.iter() {
-        text.push_str(&line(setting, family));
+        text.push_str(&line(setting, family, head.lang));
     }
     text
 }
@@ -44,10 +58,10 @@ pub fn print(head: &Head, settings: &Settings, family: &Family) -> String {
 /// The text of a file that takes a transaction back: what stood there, what was to come, and where.
 pub fn print_undo(head: &Head, old: &Settings, (new, store): (&Settings, Store), family: &Family) -> String {
     let mut text = print(head, old, family);
-    text.push_str("\n# What was to come; `antrieb dataset undo` brings back the values above.\n[undo]\n");
+    let _ = write!(text, "\n# {}\n[undo]\n", TO_COME.get(head.lang));
     let memory = if store == Store::Ram { "ram" } else { "eeprom" };
     let _ = write!(text, "memory = \"{memory}\"\n\n[undo.values]\n");
-    text.extend(new.iter().map(|setting| line(setting, family)));
+    text.extend(new.iter().map(|setting| line(setting, family, head.lang)));
     text
 }
 
@@ -60,22 +74,28 @@ pub fn value_text(param: &Param, raw: i64) -> String {
     }
 }
 
-/// The line of a setting: `"372@2" = "1450 1/min"  # rated-speed`.
-pub fn line(setting: &Setting, family: &Family) -> String {
+/// The line of a setting: `"372@2" = "1450 1/min"  # rated-speed`; in German its name stands behind the slug.
+pub fn line(setting: &Setting, family: &Family, lang: Lang) -> String {
     let Setting { param, set, raw, .. } = setting;
     let key = if *set == 0 { param.id.to_string() } else { format!("{}@{set}", param.id) };
     let more = match family.text_of(param, *raw) {
-        Some(text) => format!(": {}", text.en),
+        Some(text) => format!(": {}", text.get(lang)),
         None if param.hex && *raw >= 0 => format!(": 0x{raw:04X}"),
         None => String::new(),
     };
     let scale = match &param.unit {
-        Some(unit) if !param.has_scale() => format!(", in {unit} with unknown decimals"),
+        Some(unit) if !param.has_scale() => {
+            lang.pick(format!(", in {unit} with unknown decimals"), format!(", in {unit}, Nachkommastellen unbekannt"))
+        }
         _ => String::new(),
+    };
+    let name = match lang {
+        Lang::En => param.slug.clone(),
+        Lang::De => format!("{}, {}", param.slug, param.name.de),
     };
     // A comment ends with its line, whatever a catalogue says.
     let comment: String =
-        format!("{}{more}{scale}", param.slug).chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        format!("{name}{more}{scale}").chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     // What would be read as another value is told as it is.
     let text = value_text(param, *raw);
     let is_same = value::parse(&text, param, &family.choices(param)).is_ok_and(|read| read == *raw);

@@ -2,9 +2,13 @@
 
 use crate::run::antrieb;
 
-/// What is said of a line, in both languages.
+/// What is said of a line, in both languages. Names of commands are English words too; `german` knows them.
 fn said(line: &str, code: u8) -> [String; 2] {
-    ["en", "de"].map(|lang| antrieb(&format!("{line} --lang {lang}")).exits(code).err)
+    ["en", "de"].map(|lang| {
+        let told = antrieb(&format!("{line} --lang {lang}")).run();
+        assert_eq!(told.exit, code, "{line}: {}", told.err);
+        told.err
+    })
 }
 
 fn told(line: &str, code: u8, words: &[&str]) {

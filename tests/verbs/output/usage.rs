@@ -122,7 +122,10 @@ const MISTAKES: &[Mistake] = &[
     mistake(
         "decode 01 03 21 74 00 01 CE 2C",
         ["expected behind `decode`: telegram, can, trace, ", "erwartet hinter `decode`: telegram, can, trace, "],
-        ["it is `antrieb decode telegram 01`", "es heißt `antrieb decode telegram 01`"],
+        [
+            "it is `antrieb decode telegram 01 03 21 74 00 01 CE 2C`",
+            "es heißt `antrieb decode telegram 01 03 21 74 00 01 CE 2C`",
+        ],
     ),
     mistake(
         "-p sim",
