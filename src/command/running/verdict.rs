@@ -265,18 +265,25 @@ fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>) -
 
 /// What a run changed and could not give back, also where that is better so: it is not as it was promised.
 fn not_given_back(plan: &Plan<'_>, changed: &[Change]) -> Option<Failure> {
-    let bounded = plan.args.hold && plan.args.on_exit != StopArg::Keep;
-    let left = changed.iter().filter(|change| bounded && !change.restored);
-    let left: Vec<_> = left.map(|change| format!("{} = {}", change.name, change.new)).collect();
+    let bounded = (plan.args.hold && plan.args.on_exit != StopArg::Keep) || plan.aim.is_some();
+    let left: Vec<_> = changed.iter().filter(|change| bounded && !change.restored).collect();
+    let settings = |old: bool| {
+        let of = |change: &&Change| match old {
+            true => format!("{}={}", change.name.trim_start_matches("P."), change.old),
+            false => format!("{} = {}", change.name, change.new),
+        };
+        left.iter().map(of).collect::<Vec<_>>()
+    };
     (!left.is_empty()).then(|| {
         let text = both!(
             "all was done, but not given back: {left}",
             "alles ist getan, aber nicht zurückgegeben: {left}",
-            left = left.join(", ")
+            left = settings(false).join(", ")
         );
         Failure::new(Class::Partial, "partial.not_given_back", text).hint(both!(
-            "the notes say why; `write` sets it, when nothing can start",
-            "die Anmerkungen sagen, warum; `write` stellt es zurück, wenn nichts anlaufen kann"
+            "the notes say why; `antrieb write {back}` sets it, when nothing can start",
+            "die Anmerkungen sagen, warum; `antrieb write {back}` stellt es zurück, wenn nichts anlaufen kann",
+            back = settings(true).join(" ")
         ))
     })
 }

@@ -282,7 +282,8 @@ impl<'a, 's> Motor<'a, 's> {
             done => done,
         };
         self.session.believe_since(None);
-        if hold || result.is_err() {
+        // A stop that took control for itself needs it no more.
+        if hold || result.is_err() || (self.stopping && !self.changes.is_empty()) {
             self.give_back(self.may_give_back(stop.as_ref())).await;
         }
         Ended { result, stop }

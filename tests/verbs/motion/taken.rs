@@ -54,8 +54,29 @@ fn a_stop_that_takes_control_first_is_no_success_unless_the_shaft_was_seen_to_st
     for mode in [0, 44] {
         let blind = by_contacts(mode, "").replace("\"418\" = 10", "\"418\" = 10, \"217\" = 0, \"218\" = 0");
         let run = antrieb("-b 115200 -a 1 --yes statemachine quick-stop --take-control").on(&blind).json();
-        assert_eq!(run.exit == 0, run.data("/standing") == &json!(true), "{mode} {:#}", run.value);
+        assert_eq!(run.exit == 9, run.data("/standing") == &json!(true), "{mode} {:#}", run.value);
     }
+}
+
+/// What it took is given back, or it is said why not, and how that is done.
+#[test]
+fn a_stop_that_takes_control_gives_it_back_or_says_why_not() {
+    for verb in ["quick-stop", "disable", "disable-voltage"] {
+        let line = format!("-b 115200 -a 1 --yes statemachine {verb} --take-control");
+        let run = antrieb(&line).on(&by_contacts(0, "")).json();
+        assert!(!turns_later(), "{line}");
+        assert_eq!(run.data("/changed/0/restored"), &json!(false), "{line} {:#}", run.value);
+        assert!(run.data("/notes").to_string().contains("P.412 stays 1"), "{line} {:#}", run.value);
+        assert!(run.exit != 0, "{line} {:#}", run.value);
+        if run.error()["code"] == "partial.not_given_back" {
+            assert!(run.error()["hint"].to_string().contains("write 412@1ram=0"), "{line} {:#}", run.value);
+        }
+        let idle = drive(&READY.replace("\"412\" = 1", "\"412\" = 44"), "");
+        let back = antrieb(&line).on(&idle).json();
+        assert_eq!(back.data("/changed/0/restored"), &json!(true), "{line} {:#}", back.value);
+    }
+    let run = antrieb("-b 115200 -a 1 --yes statemachine disable-voltage --take-control").on(&by_contacts(0, ""));
+    assert_eq!(run.json().exits(9).error()["code"], "partial.not_given_back");
 }
 
 #[test]
