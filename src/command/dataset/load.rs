@@ -56,7 +56,7 @@ pub(super) struct UndoArgs {
 pub(super) async fn load(args: &LoadArgs, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let address = only_one(&addresses_to_write(context.settings)?)?;
     let opened = read_all(&args.files, context.settings, context.registry)?;
-    let warnings = opened.of_others((address, context.settings.node));
+    let warnings = opened.doubts((address, context.settings.node));
     let mut outcome = load_into(args, context, address, (opened, &warnings)).await?;
     outcome.warnings.splice(0..0, warnings);
     Ok(outcome)
@@ -257,8 +257,9 @@ pub(in crate::command) fn read_all(
                 path = opened.file.path
             );
             return Err(Failure::new(Class::Data, "data.file_incomplete", message).hint(both!(
-                "`antrieb dataset save --resume` completes it; a file without `complete = false` is taken as it is",
-                "`antrieb dataset save --resume` vervollständigt sie; ohne `complete = false` wird sie genommen, wie sie ist"
+                "{completes}; a file without `complete = false` is taken as it is",
+                "{completes}; ohne `complete = false` wird sie genommen, wie sie ist",
+                completes = opened.completes()
             )));
         }
         match &mut laid {

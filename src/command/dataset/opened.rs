@@ -1,5 +1,6 @@
 //! A parameter file that the user named: read, and taken by the catalogue of its family.
 
+use crate::command::again::word;
 use crate::drive::paramfile::broken;
 use crate::drive::transaction::Choice;
 use crate::failure::{Class, Failure};
@@ -19,6 +20,8 @@ pub(in crate::command) struct Opened {
     pub(in crate::command) settings: Settings,
     /// Whether it was edited, if only some of it is left.
     edited: Option<bool>,
+    /// The files that were changed since they were saved.
+    changed: Vec<Rc<str>>,
     /// The drives that the files say they are of: path, address, node of the system bus.
     of: Vec<(Rc<str>, u8, u8)>,
 }
@@ -48,7 +51,8 @@ impl Opened {
         let settings = file.settings(&family).map_err(|fault| broken(&fault))?;
         let SavedDrive { address, node, .. } = file.head.drive;
         let of = address.map(|address| (file.path.clone(), address, node.unwrap_or(0))).into_iter().collect();
-        let opened = Opened { file, family, settings, edited: None, of };
+        let mut opened = Opened { file, family, settings, edited: None, changed: Vec::new(), of };
+        opened.changed.extend((opened.is_edited() == Some(true)).then(|| opened.file.path.clone()));
         named.map_or(Ok(()), |named| opened.fits(named))?;
         Ok(opened)
     }
@@ -91,14 +95,16 @@ impl Opened {
         over.fits_file(&self.family.drive)?;
         self.settings.lay_over(over.settings);
         self.of.extend(over.of);
+        self.changed.extend(over.changed);
         self.file.path = format!("{}, {}", self.file.path, over.file.path).into();
         // What two files are together nobody has signed.
         self.file.head.saved.signature = None;
         Ok(())
     }
 
-    /// The files that name another drive than the one at this address and node: the file of the other pump is a common slip.
-    pub(in crate::command) fn of_others(&self, at: (u8, u8)) -> Vec<Warning> {
+    /// What is odd about the files for the drive at this address and node: one that names another drive (the file of the other
+    /// pump is a common slip), one that was changed since it was saved (by hand, or half of it is missing).
+    pub(in crate::command) fn doubts(&self, at: (u8, u8)) -> Vec<Warning> {
         let shown = |address: u8, node: u8| if node == 0 { format!("{address}") } else { format!("{address}.{node}") };
         let others = self.of.iter().filter(|(_, address, node)| (*address, *node) != at);
         let told = others.map(|(path, address, node)| Warning {
@@ -110,7 +116,18 @@ impl Opened {
                 at = shown(at.0, at.1)
             ),
         });
-        told.collect()
+        told.chain(self.changed.iter().map(|path| edited(&Text::name(path)))).collect()
+    }
+
+    /// The command that completes what an interrupted save has left.
+    pub(super) fn completes(&self) -> Text {
+        let path = self.file.path.strip_suffix(".part").unwrap_or(&self.file.path);
+        let address = self.file.head.drive.address.map_or_else(String::new, |address| format!("-a {address} "));
+        both!(
+            "`antrieb {address}dataset save {file} --resume` completes it",
+            "`antrieb {address}dataset save {file} --resume` vervollständigt sie",
+            file = word(path)
+        )
     }
 
     /// Keeps of it what is meant; whether it was edited is told of the whole.
@@ -123,5 +140,17 @@ impl Opened {
     pub(super) fn is_edited(&self) -> Option<bool> {
         let saved = self.file.head.saved.signature.as_ref()?;
         self.edited.or_else(|| Some(*saved != self.settings.signature(&self.family.drive).to_string()))
+    }
+}
+
+/// A file is not what it was when it was saved.
+pub(super) fn edited(name: &Text) -> Warning {
+    Warning {
+        code: "file.edited".to_owned(),
+        message: both!(
+            "{name} was changed since it was saved: its signature is another one",
+            "{name} wurde seit dem Sichern geändert: die Signatur ist eine andere",
+            name
+        ),
     }
 }

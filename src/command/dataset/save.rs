@@ -39,6 +39,8 @@ pub(super) struct Options {
 #[derive(Debug)]
 struct Goal {
     address: u8,
+    /// As it was typed: for several drives with a place for the address, or a directory.
+    typed: PathBuf,
     file: PathBuf,
     /// What an interrupted save leaves.
     part: PathBuf,
@@ -68,7 +70,7 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
             Ok((row, failure)) => (row, failure),
             Err(failure) => (options.nothing(goal, &failure), Some(failure)),
         };
-        succeeded += usize::from(!row.values.is_empty());
+        succeeded += usize::from(row.file.is_some());
         saved.push(row);
         let over = failure.as_ref().is_some_and(is_over);
         failures.extend(failure);
@@ -122,8 +124,12 @@ async fn save(
         leave_factory(&mut done, &family);
     }
     let failure = done.failure().map(|failure| unfinished(failure, goal));
-    let file = store(goal, &draft.text(&done), &done, force)?;
-    let saved = row(goal, &done, (session, &drive.target), scope, file);
+    let told = |file| row(goal, &done, (session, &drive.target), scope, file);
+    let (saved, failure) = match store(goal, &draft.text(&done), &done, force) {
+        Ok(file) => (told(file), failure),
+        // What was read is told, though no file holds it.
+        Err(failure) => (SavedFile { complete: false, signature: None, ..told(None) }, Some(failure)),
+    };
     Ok((SavedFile { error: failure.as_ref().map(ErrorDoc::from), ..saved }, failure))
 }
 
@@ -215,7 +221,7 @@ fn leave_factory(done: &mut Harvest, family: &Family) {
 
 /// Says where what was read is kept, and how it goes on.
 fn unfinished(failure: Failure, goal: &Goal) -> Failure {
-    let (file, part) = (word(&goal.file.display().to_string()), goal.part.display().to_string());
+    let (file, part) = (word(&goal.typed.display().to_string()), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message =
         both!("{message}; what was read stands in {part}", "{message}; was gelesen wurde, steht in {part}", message);
@@ -229,7 +235,7 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
     if files::found(&goal.part) != Some(false) {
         return failure;
     }
-    let (file, part) = (word(&goal.file.display().to_string()), goal.part.display().to_string());
+    let (file, part) = (word(&goal.typed.display().to_string()), goal.part.display().to_string());
     let Failure { message, .. } = &failure;
     let message = both!(
         "{message}; {part} stays, with what was kept on the way",
@@ -246,7 +252,7 @@ fn cut_short(failure: Failure, goal: &Goal) -> Failure {
 impl Options {
     /// Where the settings of the drive at an address go, and what there is of them.
     fn goal(&self, address: u8, several: bool, context: &Context<'_>) -> Result<Goal, Failure> {
-        let file = self.path(address, several)?;
+        let (typed, file) = (self.file.clone(), self.path(address, several)?);
         let mut name = file.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let part = file.with_file_name(name);
@@ -273,7 +279,7 @@ impl Options {
         if several && self.resume && exists(&file) && !exists(&part) {
             let done = Opened::read(&file, context.registry, settings.named_drive())?;
             if done.file.head.drive.address == Some(address) && done.file.head.saved.complete {
-                return Ok(Goal { address, file, part, before: None, done: Some(done) });
+                return Ok(Goal { address, typed, file, part, before: None, done: Some(done) });
             }
         }
         if exists(&file) && !settings.force {
@@ -282,7 +288,7 @@ impl Options {
         if self.resume && exists(&part) {
             let before = Opened::read(&part, context.registry, settings.named_drive())?;
             self.same_scope(&before)?;
-            return Ok(Goal { address, file, part, before: Some(before), done: None });
+            return Ok(Goal { address, typed, file, part, before: Some(before), done: None });
         }
         let shown = part.display().to_string();
         if self.resume && !several {
@@ -303,7 +309,7 @@ impl Options {
                 "--resume setzt es fort, --force beginnt von vorn"
             )));
         }
-        Ok(Goal { address, file, part, before: None, done: None })
+        Ok(Goal { address, typed, file, part, before: None, done: None })
     }
 
     /// What was begun with one scope is not gone on with in another: the file would hold some of either.
@@ -400,7 +406,8 @@ mod tests {
     fn what_was_read_is_not_lost_with_its_name_and_it_is_said_where_it_stands() {
         let at = tempfile::tempdir().unwrap();
         let (file, part) = (at.path().join("f.toml"), at.path().join("f.toml.part"));
-        let goal = Goal { address: 1, file: file.clone(), part: part.clone(), before: None, done: None };
+        let goal =
+            Goal { address: 1, typed: file.clone(), file: file.clone(), part: part.clone(), before: None, done: None };
         std::fs::create_dir(&file).unwrap();
         let failure = store(&goal, "all", &Harvest::default(), false).unwrap_err();
         assert_eq!(std::fs::read_to_string(&part).unwrap(), "all");

@@ -1,6 +1,6 @@
 //! Two sides of a comparison, and what comes of it.
 
-use super::opened::Opened;
+use super::opened::{Opened, edited};
 use super::which::Which;
 use crate::command::verb::Verb;
 use crate::drive::paramfile::{Asking, Harvest, compare, factory, harvest, held, in_force, of_file, of_set, unified};
@@ -21,8 +21,8 @@ pub(super) struct Weight {
     /// The drive that is asked for it.
     pub(super) live: Option<Live>,
     side: Side,
-    /// A file that an interrupted save has left.
-    is_part: bool,
+    /// Of a file that an interrupted save has left: the command that completes it.
+    completes: Option<Text>,
     harvest: Option<Harvest>,
 }
 
@@ -59,8 +59,8 @@ impl Weight {
             }
         };
         let live = target.map(|target| Live { target, set });
-        let is_part = file.is_some_and(|file| !file.file.head.saved.complete);
-        Ok(Weight { family: family.clone(), settings, live, side, is_part, harvest: None })
+        let completes = file.filter(|file| !file.file.head.saved.complete).map(Opened::completes);
+        Ok(Weight { family: family.clone(), settings, live, side, completes, harvest: None })
     }
 
     /// The data set that is meant, if it is not all of the drive.
@@ -106,15 +106,8 @@ impl Weight {
     /// What is odd about a file.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
         let name = &self.side.name;
-        let edited = (self.side.edited == Some(true)).then(|| Warning {
-            code: "file.edited".to_owned(),
-            message: both!(
-                "{name} was changed since it was saved: its signature is another one",
-                "{name} wurde seit dem Sichern geändert: die Signatur ist eine andere",
-                name
-            ),
-        });
-        let part = self.is_part.then(|| Warning {
+        let edited = (self.side.edited == Some(true)).then(|| edited(name));
+        let part = self.completes.is_some().then(|| Warning {
             code: "file.part".to_owned(),
             message: both!(
                 "{name} is what an interrupted save has left: not all of the drive is in it",
@@ -167,7 +160,7 @@ impl Weighed {
             compared.differences.iter().find_map(|row| failures.get(&row.param)).map(|why| unread(untold, count, why));
         let differ = (count > 0).then(|| differing(count));
         let none = (compared.count == 0).then(nothing_to_compare);
-        let part = [&a, &b].into_iter().find(|one| one.is_part).map(|one| incomplete(&one.side.name));
+        let part = [&a, &b].into_iter().find_map(|one| Some(incomplete(&one.side.name, one.completes.clone()?)));
         for one in [&mut a, &mut b] {
             one.side.signature = Some(one.settings.signature(&family.drive).to_string());
         }
@@ -296,16 +289,13 @@ fn differing(count: usize) -> Failure {
 }
 
 /// What is not in a file can be anything.
-fn incomplete(name: &Text) -> Failure {
+fn incomplete(name: &Text, completes: Text) -> Failure {
     let message = both!(
         "nothing differs as far as {name} goes, which is not complete",
         "soweit {name} reicht, ist nichts verschieden, doch die Datei ist nicht vollständig",
         name
     );
-    Failure::new(Class::Partial, "partial.file_incomplete", message).hint(both!(
-        "`antrieb dataset save --resume` completes it",
-        "`antrieb dataset save --resume` vervollständigt sie"
-    ))
+    Failure::new(Class::Partial, "partial.file_incomplete", message).hint(completes)
 }
 
 fn nothing_to_compare() -> Failure {

@@ -140,8 +140,8 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());
         last.extend(consequences.filter(|text| !last.contains(text)).collect::<Vec<_>>());
         details.push(about(one, member, asked.title));
-        let others = one.of_others().into_iter().map(|warning| warning.message);
-        details.extend(asked.details.into_iter().chain(plan.notes.iter().cloned()).chain(others));
+        let doubts = one.doubts().into_iter().map(|warning| warning.message);
+        details.extend(asked.details.into_iter().chain(plan.notes.iter().cloned()).chain(doubts));
         hazards.extend(asked.hazards);
         (values, drives) = (values + plan.todo(), drives + 1);
         (there, back) = (there + plan.eeprom_writes, back + plan.eeprom_writes_back);

@@ -40,9 +40,9 @@ impl Wanted {
         self.place.settings.port.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string)
     }
 
-    /// What its files say of other drives than this one.
-    pub(super) fn of_others(&self) -> Vec<Warning> {
-        self.opened.of_others((self.place.address, self.place.settings.node))
+    /// What is odd about its files.
+    pub(super) fn doubts(&self) -> Vec<Warning> {
+        self.opened.doubts((self.place.address, self.place.settings.node))
     }
 
     fn member<'a>(&self, registry: &'a Registry) -> Result<Member<'a>, Failure> {

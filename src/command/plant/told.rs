@@ -16,7 +16,7 @@ pub(super) fn plant(wanted: &[Wanted], lines: &mut [Line<'_>], (is_over, rest): 
     for (one, member) in wanted.iter().zip(members) {
         let (state, mut told) = tell(one, member);
         told.failure = told.failure.map(|failure| hinted(one, failure));
-        let told_of = one.of_others().into_iter().chain(told.warnings);
+        let told_of = one.doubts().into_iter().chain(told.warnings);
         warnings.extend(told_of.map(|warning| of(one, warning)));
         let closing = told.load.closing.map(|text| named(one, &text));
         told.load.closing = closing;

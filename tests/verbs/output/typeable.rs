@@ -117,3 +117,30 @@ fn failures_of_every_kind_tell_what_works() {
         }
     }
 }
+
+#[test]
+fn a_save_that_was_cut_short_goes_on_under_the_name_that_was_typed() {
+    let drives = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"act\"\naddress = 2\n";
+    let silent = format!("{drives}[[drive.event]]\nafter_telegrams = 60\nsilent = \"10h\"\n");
+    for (name, part) in [("'{dir}/{address}.toml'", "2.toml.part"), ("{dir}", "drive-2.toml.part")] {
+        let cut = antrieb(&format!("-a 1,2 dataset save {name}")).on(&silent).exits(9);
+        assert!(cut.directory().join(part).exists());
+        let [goes_on] = &commands(&cut.err)[..] else { panic!("{}", cut.err) };
+        let goes_on = goes_on.replace(cut.directory().to_str().unwrap(), "{dir}");
+        assert!(goes_on.contains("-a 1,2 dataset save ") && goes_on.ends_with(" --resume"), "{goes_on}");
+        let mut whole = cut.then(&goes_on).on(drives).exits(0);
+        assert!(!whole.directory().join(part).exists());
+        // What it has left is completed at the drive that it is of, whoever is asked about.
+        std::fs::rename(whole.directory().join(part.trim_end_matches(".part")), whole.directory().join(part)).unwrap();
+        let text = whole.text_of(part).replace("[saved]\n", "[saved]\ncomplete = false\n");
+        std::fs::write(whole.directory().join(part), text).unwrap();
+        for line in ["-a 1 dataset load {dir}/", "-a 2 dataset check {dir}/"] {
+            let refused = whole.then(&format!("{line}{part} --yes")).on(drives).run();
+            let [completes] = &commands(&refused.err)[..] else { panic!("{}", refused.err) };
+            let completes = completes.replace(refused.directory().to_str().unwrap(), "{dir}");
+            let file = part.trim_end_matches(".part");
+            assert!(completes.ends_with(&format!("-a 2 dataset save {{dir}}/{file} --resume")), "{completes}");
+            whole = refused;
+        }
+    }
+}

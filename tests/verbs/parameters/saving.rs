@@ -335,3 +335,17 @@ fn a_save_that_is_gone_on_with_without_its_catalogue_is_not_complete() {
     let on = begun.then("-a 1 dataset save {dir}/a.toml --resume").on("[[drive]]\nmodel = \"act\"\n").exits(9);
     assert!(on.err.contains("the catalogues and options with which the save was begun"), "{}", on.err);
 }
+
+/// Half of a file that was copied to a stick.
+#[test]
+fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {
+    let bench = "[[drive]]\nmodel = \"act\"\naddress = 1\n";
+    let saved = antrieb("-a 1 dataset save {dir}/pump.toml").on(bench).exits(0);
+    let whole = saved.then("-a 1 dataset load {dir}/pump.toml --yes").on(bench).exits(0);
+    assert!(!whole.err.contains("signature"), "{}", whole.err);
+    let text = whole.text_of("pump.toml");
+    let half = text.lines().take(text.lines().count() / 2).map(|line| format!("{line}\n")).collect::<String>();
+    std::fs::write(whole.directory().join("half.toml"), half).unwrap();
+    let half = whole.then("-a 1 dataset load {dir}/half.toml --yes").on(bench).json().exits(0);
+    assert_eq!(half.warnings(), ["file.edited"]);
+}
