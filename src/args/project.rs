@@ -151,7 +151,7 @@ impl NamedDrive {
 
 /// A port by whatever name: two paths that lead to one device are one.
 pub(super) fn device(port: &str) -> String {
-    let real = port.starts_with('/').then(|| std::fs::canonicalize(port).ok()).flatten();
+    let real = port.contains('/').then(|| std::fs::canonicalize(port).ok()).flatten();
     real.map_or_else(|| port.to_owned(), |real| real.display().to_string())
 }
 

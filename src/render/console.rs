@@ -259,15 +259,16 @@ impl Inner {
     fn put(&mut self, text: &str) {
         self.clear();
         // A closed stderr is no reason to stop: what matters goes to stdout and into the exit code.
-        let Inner { err, drawn, .. } = self;
+        let Inner { err, drawn, waits, .. } = self;
         let mut write = || {
             let _closed = writeln!(err, "{text}");
+            // Behind the bar that is drawn again, it would leave that standing.
+            settle(&mut **err, *waits);
         };
         match drawn {
             Some(drawn) => drawn.suspend(write),
             None => write(),
         }
-        self.settle();
     }
 
     /// Takes away the line of a run until it is shown again.
@@ -285,9 +286,7 @@ impl Inner {
     }
 
     fn settle(&mut self) {
-        if self.waits {
-            let _closed = self.err.flush();
-        }
+        settle(&mut *self.err, self.waits);
     }
 
     fn progress(&mut self, name: String, done: u64, total: u64, what: &Text) {
@@ -333,6 +332,13 @@ impl Inner {
         bar.set_length(total);
         bar.set_position(done);
         bar.set_message(clean(what.get(self.lang)));
+    }
+}
+
+/// What was written is out, if that is waited for.
+fn settle(err: &mut dyn Write, waits: bool) {
+    if waits {
+        let _closed = err.flush();
     }
 }
 

@@ -68,7 +68,18 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         files::write_whole(&path, &text, overwrite).map_err(|error| unwritten(&path, &error))?;
         init.project = Some(path.display().to_string());
     }
+    let failure = failure.map(|failure| if is_whole { failure } else { cut_short(failure) });
     Ok(Outcome { data: Some(Data::Init(init)), warnings, failure })
+}
+
+/// Not all was searched: a project file would leave out drives that are there.
+fn cut_short(failure: Failure) -> Failure {
+    failure.hint(both!(
+        "no file was written, because not everything was searched; with --within 2min the search ends by itself and the file holds \
+         what was found by then",
+        "es wurde keine Datei geschrieben, weil nicht alles durchsucht ist; mit --within 2min endet die Suche von selbst, und die \
+         Datei enthält, was bis dahin gefunden war"
+    ))
 }
 
 /// The settings of the search. --force replaces the file; beside another master nobody asks because of it.

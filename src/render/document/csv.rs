@@ -45,16 +45,24 @@ fn is_word(value: &Value) -> bool {
     value.get("hex").is_some_and(Value::is_string) && value.get("bits").is_some_and(Value::is_array)
 }
 
-/// A value without any JSON around it: of an object what it is called or says, else its fields by name.
+/// A value without any JSON around it: of what was read the number, of any other object what it is called or says, else its
+/// fields by name.
 fn plain(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),
         Value::Array(list) => {
             let is_clear = |item: &&Value| item.get("set") == Some(&Value::Bool(false));
-            list.iter().filter(|item| !is_clear(item)).map(plain).collect::<Vec<_>>().join("; ")
+            let told = |item: &Value| match reading(item) {
+                Some(value) => format!("{} {value}", item.get("name").map_or_else(String::new, plain)),
+                None => plain(item),
+            };
+            list.iter().filter(|item| !is_clear(item)).map(told).collect::<Vec<_>>().join("; ")
         }
         Value::Object(fields) => {
+            if let Some(value) = reading(value) {
+                return value;
+            }
             let told =
                 ["hex", "name", "message"].iter().find_map(|name| fields.get(*name).filter(|field| field.is_string()));
             let number = fields.get("bit").map(|bit| format!("bit {bit}"));
@@ -66,6 +74,13 @@ fn plain(value: &Value) -> String {
         }
         other => other.to_string(),
     }
+}
+
+/// What was read of a parameter, with its unit; empty where it was not.
+fn reading(value: &Value) -> Option<String> {
+    let (_param, number) = value.get("param").zip(value.get("value"))?;
+    let unit = value.get("unit").map_or_else(String::new, plain);
+    Some([plain(number), unit].join(" ").trim().to_owned())
 }
 
 /// The I/O error inside, with its kind: a closed pipe must be known as one.

@@ -126,7 +126,8 @@ fn a_save_that_was_cut_short_goes_on_under_the_name_that_was_typed() {
         let cut = antrieb(&format!("-a 1,2 dataset save {name}")).on(&silent).exits(9);
         assert!(cut.directory().join(part).exists());
         let [goes_on] = &commands(&cut.err)[..] else { panic!("{}", cut.err) };
-        let goes_on = goes_on.replace(cut.directory().to_str().unwrap(), "{dir}");
+        let goes_on =
+            goes_on.replace(cut.directory().to_str().unwrap(), "{dir}").replace("-p sim:{dir}/bench.toml ", "");
         assert!(goes_on.contains("-a 1,2 dataset save ") && goes_on.ends_with(" --resume"), "{goes_on}");
         let mut whole = cut.then(&goes_on).on(drives).exits(0);
         assert!(!whole.directory().join(part).exists());
@@ -137,7 +138,9 @@ fn a_save_that_was_cut_short_goes_on_under_the_name_that_was_typed() {
         for line in ["-a 1 dataset load {dir}/", "-a 2 dataset check {dir}/"] {
             let refused = whole.then(&format!("{line}{part} --yes")).on(drives).run();
             let [completes] = &commands(&refused.err)[..] else { panic!("{}", refused.err) };
-            let completes = completes.replace(refused.directory().to_str().unwrap(), "{dir}");
+            let completes = completes
+                .replace(refused.directory().to_str().unwrap(), "{dir}")
+                .replace("-p sim:{dir}/bench.toml ", "");
             let file = part.trim_end_matches(".part");
             assert!(completes.ends_with(&format!("-a 2 dataset save {{dir}}/{file} --resume")), "{completes}");
             whole = refused;

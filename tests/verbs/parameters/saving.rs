@@ -347,5 +347,5 @@ fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {
     let half = text.lines().take(text.lines().count() / 2).map(|line| format!("{line}\n")).collect::<String>();
     std::fs::write(whole.directory().join("half.toml"), half).unwrap();
     let half = whole.then("-a 1 dataset load {dir}/half.toml --yes").on(bench).json().exits(0);
-    assert_eq!(half.warnings(), ["file.edited"]);
+    assert!(half.warnings().contains(&"file.edited"), "{:?}", half.warnings());
 }
