@@ -70,7 +70,8 @@ const ZSH_TAUGHT: &str = "unsetopt zle_bracketed_paste beep auto_menu 2>/dev/nul
     source <(antrieb completions zsh); told() { print -rn -- $'\\n'\"<<$BUFFER>>\" }; zle -N told; bindkey '^T' told; \
     bindkey '^U' kill-whole-line; echo rea''dy\n";
 
-const FISH: &[&str] = &["fish", "--no-config", "-i"];
+/// It wants a terminal that is its own (util-linux).
+const FISH: &[&str] = &["setsid", "--ctty", "fish", "--no-config", "-i"];
 const FISH_TAUGHT: &str = "set -g fish_autosuggestion_enabled 0; set -g fish_greeting; antrieb completions fish | source; \
     bind \\ct 'printf \"\\n<<%s>>\" (commandline | string collect)'; bind \\cu kill-whole-line; echo rea''dy\n";
 
@@ -86,8 +87,7 @@ fn a_tab_changes_no_value_in_bash() {
 }
 
 /// One that is not there is said to be missing, and not tried; `.ci/run` installs both.
-fn elsewhere(words: &[&str], taught: &str) {
-    let program = words[0];
+fn elsewhere(program: &str, words: &[&str], taught: &str) {
     let path = std::env::var("PATH").unwrap();
     if !std::env::split_paths(&path).any(|folder| folder.join(program).is_file()) {
         eprintln!("{program} is not on this machine: not tried");
@@ -104,10 +104,10 @@ fn elsewhere(words: &[&str], taught: &str) {
 
 #[test]
 fn a_tab_changes_no_value_in_zsh() {
-    elsewhere(ZSH, ZSH_TAUGHT);
+    elsewhere("zsh", ZSH, ZSH_TAUGHT);
 }
 
 #[test]
 fn a_tab_changes_no_value_in_fish() {
-    elsewhere(FISH, FISH_TAUGHT);
+    elsewhere("fish", FISH, FISH_TAUGHT);
 }
