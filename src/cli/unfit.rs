@@ -35,7 +35,7 @@ pub(super) fn explain(
         let printed = out.write_all(page.as_bytes()).and_then(|()| out.flush());
         return printed.map_or_else(|error| closed(&error, &console), |()| 0);
     }
-    let place = Place::of_error(&words, &error);
+    let place = Place::of_error(&words, error);
     let failure = Again::guessed(arguments).hinted(as_typed(place.failure(error), &words));
     if words.iter().any(|word| word == "--json") || value_of(&words, "--format") == Some("json") {
         let (outcome, verb, manner) = (Outcome::from(failure), place.verb(), Manner::of(lang));

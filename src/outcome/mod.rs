@@ -132,7 +132,7 @@ pub enum Data {
     /// `write`
     Write(Write),
     /// `dataset show`, `dataset copy` …
-    Dataset(Dataset),
+    Dataset(Box<Dataset>),
     /// The same of several drives
     Datasets(Datasets),
     /// `dataset load`, `dataset undo`

@@ -132,8 +132,11 @@ pub struct ProcedureRecord {
     pub title: Text,
     /// Address of the drive.
     pub address: u8,
-    /// Family.
+    /// Family, by which its steps are taken.
     pub drive: String,
+    /// Whether the drive itself has said so; if not, the family is taken for granted.
+    #[serde(default)]
+    pub asked: bool,
     /// How many steps it has.
     pub of: usize,
     /// What was given for it.
@@ -165,6 +168,11 @@ pub struct KeptStep {
 impl ProcedureRecord {
     /// The version that is written.
     pub const VERSION: u32 = 1;
+
+    /// The family, if the drive has told it.
+    pub fn known_drive(&self) -> &str {
+        if self.asked { &self.drive } else { "unknown" }
+    }
 
     /// A step, if it was ever begun.
     pub fn step(&self, slug: &str) -> Option<&KeptStep> {

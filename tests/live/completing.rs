@@ -2,6 +2,7 @@
 //! machine is not tried.
 
 use crate::program::{Shell, alone};
+use std::io::Write;
 
 /// How each is started, and taught: Ctrl-T prints the line between marks.
 const BASH: &[&str] = &["bash", "--norc", "--noprofile", "-i"];
@@ -90,7 +91,7 @@ fn a_tab_changes_no_value_in_bash() {
 fn elsewhere(program: &str, words: &[&str], taught: &str) {
     let path = std::env::var("PATH").unwrap();
     if !std::env::split_paths(&path).any(|folder| folder.join(program).is_file()) {
-        eprintln!("{program} is not on this machine: not tried");
+        let _told = writeln!(std::io::stderr(), "{program} is not on this machine: not tried");
         return;
     }
     let _alone = alone();

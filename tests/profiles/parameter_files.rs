@@ -45,7 +45,7 @@ fn a_file_of_version_1_stays_readable() {
             (1234, 0, -7),
         ]
     );
-    let Head { drive, saved, not_held, types } = &file.head;
+    let Head { drive, saved, not_held, types, .. } = &file.head;
     assert_eq!((drive.family.as_str(), drive.address, drive.evidence.len()), ("acu", Some(3), 2));
     assert_eq!((saved.scope, saved.complete), (Some(Scope::Settings), true));
     assert_eq!(not_held[&NotHeld::ActualValue], "210-213, 411");
@@ -152,6 +152,7 @@ fn the_json_schema_fits_what_is_read_and_what_is_written() {
         saved: Provenance { complete: false, ..Provenance::default() },
         not_held: NotHeld::ALL.iter().map(|&reason| (reason, "1-3, 5".to_owned())).collect(),
         types: [(1, Type::Uint), (2, Type::Int), (3, Type::Word), (4, Type::Long)].into(),
+        lang: antrieb::text::Lang::De,
     };
     for text in [VERSION_1, &print(&file.head, &settings, &family("acu")), &print(&head, &settings, &family("acu"))] {
         let errors: Vec<_> = schema.iter_errors(&json(text)).map(|error| error.to_string()).collect();

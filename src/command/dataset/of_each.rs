@@ -73,7 +73,7 @@ pub(super) fn told(drives: Vec<Told>, named: usize) -> Outcome {
     }
     let failure = if named == 1 { failures.pop().map(|(_, failure)| failure) } else { of_several(failures, named) };
     let data = match (named, reports.pop()) {
-        (1, Some(only)) => Data::Dataset(only),
+        (1, Some(only)) => Data::Dataset(Box::new(only)),
         (_, last) => {
             reports.extend(last);
             Data::Datasets(Datasets { drives: reports })

@@ -32,6 +32,8 @@ pub(super) struct Guide<'g> {
     pub(super) record: ProcedureRecord,
     pub(super) path: PathBuf,
     pub(super) again: bool,
+    /// Who has confirmed what the step asks.
+    pub(super) said: Option<Text>,
 }
 
 /// A step as it is done: which of how many.
@@ -75,6 +77,7 @@ impl Guide<'_> {
             Err(failure) => Err(failure),
         };
         self.is_free_again();
+        deed.found.splice(0..0, self.said.take());
         (row.found, row.motions, row.earlier, row.time) = (deed.found, deed.motions, false, self.session.utc());
         let failure = done.err();
         row.error = failure.as_ref().map(ErrorDoc::from);
@@ -154,7 +157,13 @@ impl Guide<'_> {
         let question = turn.question(more.to_vec());
         let answer = self.session.during(self.ask.ask(&question)).await;
         match answer.map_err(|error| error.failure(self.record.address, None)) {
-            Ok(Answer::Yes) => Ok(()),
+            Ok(Answer::Yes) => {
+                self.said = Some(match self.settings.yes {
+                    true => both!("nobody was asked: --yes was given", "niemand wurde gefragt: --yes war angegeben"),
+                    false => both!("said at the terminal", "am Terminal bestätigt"),
+                });
+                Ok(())
+            }
             Ok(Answer::No) => {
                 let message =
                     both!("not confirmed: the procedure ends here", "nicht bestätigt: die Prozedur endet hier");
@@ -209,7 +218,7 @@ impl Guide<'_> {
                 "`--drive {drive} --force` beginnt mit ihm von vorn; --record nennt eine andere Aufzeichnung"
             )));
         }
-        self.record.drive = drive;
+        (self.record.drive, self.record.asked) = (drive, true);
         Ok(())
     }
 
@@ -311,7 +320,7 @@ pub(super) fn told(record: &ProcedureRecord, steps: Vec<ProcedureStep>, path: &P
         procedure: record.procedure.clone(),
         title: record.title.clone(),
         address: record.address,
-        drive: record.drive.clone(),
+        drive: record.known_drive().to_owned(),
         record: (!record.steps.is_empty()).then(|| path.display().to_string()),
         complete: steps.iter().all(|row| row.result == StepFate::Done),
         given: record.given.clone(),

@@ -116,8 +116,20 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let session = connect(settings, registry, interrupt, *observe).await?;
     let (procedure, given, again) = (&procedure, &given, args.again);
     let ask = &mut **ask;
-    let mut guide =
-        Guide { settings, registry, interrupt, ask, session, target: None, procedure, given, record, path, again };
+    let mut guide = Guide {
+        settings,
+        registry,
+        interrupt,
+        ask,
+        session,
+        target: None,
+        procedure,
+        given,
+        record,
+        path,
+        again,
+        said: None,
+    };
     Ok(guide.go().await)
 }
 

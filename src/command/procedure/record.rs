@@ -36,6 +36,7 @@ pub(super) fn open(
         title: procedure.title.clone(),
         address,
         drive: family.drive.clone(),
+        asked: false,
         of: procedure.steps_of(&family.drive).len(),
         given: given.told(),
         steps: Vec::new(),

@@ -81,12 +81,10 @@ impl Motor<'_, '_> {
                     stop.standing = self.zero_as_the_last().await;
                     break;
                 }
-                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
-                    if self.gives_up(begun).await {
-                        // Who has just answered was reached, and does not obey.
-                        self.unheard = self.session.now().since(self.heard) >= UNHEARD;
-                        break;
-                    }
+                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES && self.gives_up(begun).await => {
+                    // Who has just answered was reached, and does not obey.
+                    self.unheard = self.session.now().since(self.heard) >= UNHEARD;
+                    break;
                 }
                 // Nor does it help to wait on where answers come, and the strongest stop is not obeyed.
                 (Class::Forbidden, None)

@@ -51,7 +51,7 @@ pub(super) fn of(data: &Data) -> &dyn Finding {
         Data::Identify(found) => found,
         Data::Read(found) => found,
         Data::Write(found) => found,
-        Data::Dataset(found) => found,
+        Data::Dataset(found) => found.as_ref(),
         Data::Datasets(found) => found,
         Data::Load(found) => found,
         Data::Saves(found) => found,

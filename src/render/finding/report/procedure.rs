@@ -8,7 +8,7 @@ use crate::text::both;
 impl Page {
     pub(super) fn procedure_part(self, record: &ProcedureRecord) -> Vec<Block> {
         let name = both!("Procedure: {title}", "Prozedur: {title}", title = record.title);
-        let mut facts = vec![self.fact("drive", format!("{} ({})", record.address, record.drive))];
+        let mut facts = vec![self.fact("drive", format!("{} ({})", record.address, record.known_drive()))];
         let done = record.steps.iter().filter(|step| step.result == StepFate::Done).count();
         facts.push(self.fact("steps", format!("{done}/{}", record.of)));
         let given: Vec<String> = record.given.iter().map(|row| format!("{} = {}", row.key, row.value)).collect();
