@@ -31,8 +31,12 @@ fn a_no_ends_it_and_the_same_command_goes_on_there() {
     let first = antrieb("-a 1 procedure first-contact").answered("y\ny\nn").on(ACT).exits(8);
     assert!(first.err.contains("the same command goes on with step 3 of 9"), "{}", first.err);
     assert_eq!(first.text_of(NAME).matches("\"done\"").count(), 2, "{}", first.text_of(NAME));
+    assert_eq!(first.text_of(NAME).matches("said at the terminal").count(), 2, "{}", first.text_of(NAME));
+    // By which family the steps are taken is no answer of a drive.
+    assert!(first.out.contains("drive 1 (unknown)"), "{}", first.out);
     let then = first.then("-a 1 procedure first-contact").answered("y\ny\ny\ny").on(ACT).exits(0);
     assert!(!then.err.contains("[2/9]") && then.err.contains("[3/9] Cable and shield"), "{}", then.err);
+    assert!(then.out.contains("drive 1 (act)"), "{}", then.out);
     let again = then.then("-a 1 -v procedure first-contact").on(ACT).exits(0);
     assert!(again.sent().is_empty() && again.err.contains("by its record all of it is done"), "{}", again.err);
     let anew = again.then("-a 1 --force procedure first-contact").answered("n").on(ACT).exits(8);
