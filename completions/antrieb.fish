@@ -151,6 +151,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -l force -d 'R
 complete -c antrieb -n "__fish_antrieb_using_subcommand identify" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l type -d 'uint, int, word or long, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"
@@ -184,6 +186,8 @@ complete -c antrieb -n "__fish_antrieb_using_subcommand read" -l force -d 'Repla
 complete -c antrieb -n "__fish_antrieb_using_subcommand read" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l type -d 'uint, int, word or long, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l decimals -d 'Decimals, whatever the catalogue says' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l user-prm -d 'User parameters of Set_Prm (hex), if the GSD wants any' -x -a "(__fish_antrieb_values)"
+complete -c antrieb -n "__fish_antrieb_using_subcommand write" -l slot-time -d 'How soon an answer begins [default: 30ms or 8ms]' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s p -l port -d 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s a -l address -d 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml' -x -a "(__fish_antrieb_values)"
 complete -c antrieb -n "__fish_antrieb_using_subcommand write" -s b -l baud -d 'Speed in baud, or auto for `scan` [default: 19200]' -x -a "(__fish_antrieb_values)"

@@ -184,6 +184,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;read' {
             [CompletionResult]::new('--type', '--type', [CompletionResultType]::ParameterName, 'uint, int, word or long, whatever the catalogue says')
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')
@@ -223,6 +225,8 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
         'antrieb;write' {
             [CompletionResult]::new('--type', '--type', [CompletionResultType]::ParameterName, 'uint, int, word or long, whatever the catalogue says')
             [CompletionResult]::new('--decimals', '--decimals', [CompletionResultType]::ParameterName, 'Decimals, whatever the catalogue says')
+            [CompletionResult]::new('--user-prm', '--user-prm', [CompletionResultType]::ParameterName, 'User parameters of Set_Prm (hex), if the GSD wants any')
+            [CompletionResult]::new('--slot-time', '--slot-time', [CompletionResultType]::ParameterName, 'How soon an answer begins [default: 30ms or 8ms]')
             [CompletionResult]::new('-p', '-p', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('--port', '--port', [CompletionResultType]::ParameterName, 'Port: a tty, COM3, tcp://…, mbtcp://…, or `sim`')
             [CompletionResult]::new('-a', '-a', [CompletionResultType]::ParameterName, 'Drives: `1`, `1,2,5-9`, or names of antrieb.toml')

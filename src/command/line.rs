@@ -2,6 +2,7 @@
 
 use super::again::one_of;
 use super::asking::denied;
+use super::profibus::SlaveArgs;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, connect, offline_family, plan, read, target_to_change};
 use crate::args::Takes;
@@ -99,7 +100,11 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
 
 /// The settings of the line as they are stored in every drive that was named.
 pub(super) async fn show(context: &mut Context<'_>) -> Result<Outcome, Failure> {
-    read::run(&read::Args { params: vec!["@line".to_owned()], kind: None, decimals: None }, context).await
+    read::run(
+        &read::Args { params: vec!["@line".to_owned()], kind: None, decimals: None, slave: SlaveArgs::default() },
+        context,
+    )
+    .await
 }
 
 /// Moves one drive to what is wished for.

@@ -21,6 +21,7 @@ mod rehearse;
 pub mod report;
 mod running;
 pub mod scan;
+mod selecting;
 pub mod simulate;
 pub mod sniff;
 pub mod sollwert;
@@ -198,19 +199,19 @@ fn name_one() -> Text {
     both!("name one drive, such as -a 1", "einen Antrieb nennen, etwa -a 1")
 }
 
-/// Refuses a family that is reached over PROFIBUS alone, which no verb speaks yet.
+/// Refuses a family that is reached over PROFIBUS alone.
 fn reachable(family: &Family) -> Result<(), Failure> {
     if family.link.is_asked_on_a_line() {
         return Ok(());
     }
     let drive = &family.drive;
     let message = both!(
-        "{drive} is the inverter behind an SJ2-PB: it is reached over PROFIBUS, which is not spoken yet",
-        "{drive} ist der Umrichter hinter einem SJ2-PB: er ist über PROFIBUS erreichbar, was noch nicht gesprochen wird"
+        "{drive} is the inverter behind an SJ2-PB: it is reached over PROFIBUS alone",
+        "{drive} ist der Umrichter hinter einem SJ2-PB: er ist nur über PROFIBUS erreichbar"
     );
     Err(Failure::new(Class::Usage, "usage.profibus", message).hint(both!(
-        "nothing was sent; its parameters: `antrieb --drive {drive} params`; telegrams: `antrieb decode`",
-        "es wurde nichts gesendet; seine Parameter: `antrieb --drive {drive} params`; Telegramme: `antrieb decode`"
+        "nothing was sent; `read` and `write` speak it with --protocol dp; its parameters: `antrieb --drive {drive} params`",
+        "es wurde nichts gesendet; `read` und `write` sprechen es mit --protocol dp; seine Parameter: `antrieb --drive {drive} params`"
     )))
 }
 

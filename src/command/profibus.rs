@@ -1,14 +1,21 @@
 //! `profibus`: a line of it without a controller, and what a master has to be told of a Hitachi SJ2-PB.
 
-mod read;
+mod given;
+pub(super) mod read;
+mod taking;
+pub(super) mod write;
+
+pub use given::SlaveArgs;
+pub(super) use taking::refuse;
 
 use super::verb::{Verb, Working};
 use super::{Context, named_family};
 use crate::args::{Addresses, Settings, Takes, parse_span};
-use crate::drive::{Opening, Recording, open_port, profibus};
+use crate::drive::{Interrupt, Opening, Recording, open_port, profibus};
 use crate::failure::{Class, Failure};
 use crate::outcome::{BasicModule, Data, Document, Event, LiveList, OrLive, OrRead, Outcome, Plan};
-use crate::text::{Wrong, both};
+use crate::profile::Registry;
+use crate::text::both;
 use crate::tick::Span;
 use clap::{Args as ClapArgs, Subcommand};
 
@@ -47,12 +54,9 @@ enum What {
         /// Indexes, short names (F002) or names
         #[arg(required = true, value_name = "PARAMETER")]
         parameters: Vec<String>,
-        /// User parameters of Set_Prm (hex), if the GSD wants any
-        #[arg(long, value_name = "HEX")]
-        user_prm: Option<UserPrm>,
-        /// How soon an answer begins [default: 30ms or 8ms]
-        #[arg(long, value_name = "TIME", value_parser = parse_span)]
-        slot_time: Option<Span>,
+        /// How it is taken.
+        #[command(flatten)]
+        slave: SlaveArgs,
     },
     /// A module of the Basic mode: by name, or by its bytes
     ///
@@ -65,23 +69,6 @@ enum What {
         #[arg(required = true, value_name = "MODULE")]
         module: Vec<String>,
     },
-}
-
-/// Bytes that the GSD wants in Set_Prm.
-#[derive(Clone, Debug)]
-struct UserPrm(Vec<u8>);
-
-impl std::str::FromStr for UserPrm {
-    type Err = Wrong;
-    fn from_str(text: &str) -> Result<Self, Wrong> {
-        let expected = || {
-            both!(
-                "expected bytes in hex such as C7FFFF, got '{text}'",
-                "erwartet: Bytes in Hex wie C7FFFF; angegeben: '{text}'"
-            )
-        };
-        profibus::user_parameters(text).map(UserPrm).ok_or_else(|| Wrong(expected()))
-    }
 }
 
 impl Verb for Args {
@@ -102,10 +89,7 @@ impl Verb for Args {
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
         match &self.what {
             What::Live { slot_time } => Box::pin(live(*slot_time, context)),
-            What::Read { parameters, user_prm, slot_time } => {
-                let user = user_prm.as_ref().map_or(&[][..], |user| &user.0);
-                Box::pin(read::read(read::Wanted { parameters, user, slot_time: *slot_time }, context))
-            }
+            What::Read { parameters, slave } => Box::pin(read::read(parameters, slave, context)),
             What::Module { module } => Box::pin(std::future::ready(self::module(module, context))),
         }
     }
@@ -131,17 +115,22 @@ async fn live(slot_time: Option<Span>, context: &mut Context<'_>) -> Result<Outc
         )];
         return Ok(Outcome::of(Data::Plan(Plan { dry_run: true, telegrams, notes })));
     }
-    let mut line = open(slot_time, context).await?;
+    let Context { settings, registry, interrupt, observe, .. } = context;
+    let mut line = open(slot_time, (settings, registry), interrupt, *observe).await?;
     let (found, ended) = profibus::live(&mut line, &addresses).await;
     let failure = ended.or_else(|| nobody(&found)).or_else(|| incomplete(&found));
     Ok(Outcome { data: Some(Data::LiveList(found)), warnings: Vec::new(), failure })
 }
 
 /// Opens the line that the settings name.
-async fn open<'a>(slot_time: Option<Span>, context: &'a mut Context<'_>) -> Result<profibus::Line<'a>, Failure> {
-    let Context { settings, registry, interrupt, observe, .. } = context;
+async fn open<'a>(
+    slot_time: Option<Span>,
+    (settings, registry): (&Settings, &Registry),
+    interrupt: &Interrupt,
+    observe: &'a mut dyn FnMut(Event),
+) -> Result<profibus::Line<'a>, Failure> {
     settings.check_one_line()?;
-    let port = open_port(settings.port.as_ref(), *observe)?;
+    let port = open_port(settings.port.as_ref(), observe)?;
     let opening = Opening {
         port: &port,
         line: settings.line,
@@ -157,7 +146,7 @@ async fn open<'a>(slot_time: Option<Span>, context: &'a mut Context<'_>) -> Resu
     if let Some(note) = &settings.port_note {
         observe(Event::Note(note.clone()));
     }
-    profibus::Line::open(opening, slot_time, registry, interrupt.clone(), *observe).await
+    profibus::Line::open(opening, slot_time, registry, interrupt.clone(), observe).await
 }
 
 /// Addresses to ask: those that were named, or all.

@@ -1,5 +1,7 @@
 //! `read`: values of parameters.
 
+use super::profibus::{self, SlaveArgs};
+pub(super) use super::selecting::select_failure;
 use super::verb::{Verb, Working};
 use super::{
     Context, Reader, addresses_to_read, check_number, check_sets, connect, finish, is_over, known_somewhere, offline,
@@ -7,10 +9,9 @@ use super::{
 };
 use crate::args::Takes;
 use crate::drive::{Upper, describe};
-use crate::failure::{Class, Failure};
+use crate::failure::Failure;
 use crate::outcome::{Data, Document, OrPlan, Outcome, Read, Value, Warning};
 use crate::profile::{Family, Selection, Selector, Type};
-use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 
 /// Reads parameters.
@@ -33,17 +34,25 @@ pub struct Args {
     /// Decimals, whatever the catalogue says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=6))]
     pub decimals: Option<u8>,
+
+    /// How a slave is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "read";
     const TAKES: Takes = Takes::READS;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 read 372@2 481 @actual",
         "antrieb --port sim -a 1 read rated-speed@all",
         "antrieb --port sim -a 1 read 1234 --type uint --decimals 2 --dry-run",
+        "antrieb --port sim --protocol dp -a 3 read F002 915.1 --yes",
     ];
-    const UPPER: Upper = Upper::drive(30).each(12, "parameter");
+    const UPPER: Upper = Upper::drive(30)
+        .each(12, "parameter")
+        .unless("Over PROFIBUS a motor that becomes slower under the stop word is waited for as well.");
     type Prints = Document<OrPlan<Read>>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -53,6 +62,12 @@ impl Verb for Args {
 
 /// Reads the parameters of every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if args.slave.is_meant(context.settings)? {
+        profibus::refuse(&[("--type", args.kind.is_some()), ("--decimals", args.decimals.is_some())])?;
+        let actual = ["@actual".to_owned()];
+        let typed = if args.params.is_empty() { &actual[..] } else { &args.params };
+        return profibus::read::read(typed, &args.slave, context).await;
+    }
     let selectors = selectors(&args.params)?;
     let Context { settings, registry, interrupt, observe, .. } = context;
     let addresses = addresses_to_read(settings, *observe)?;
@@ -147,28 +162,6 @@ fn selectors(params: &[String]) -> Result<Vec<Selector>, Failure> {
         return Ok(vec![Selector::group("actual")]);
     }
     params.iter().map(|text| text.parse().map_err(|error| select_failure(&error))).collect()
-}
-
-pub(super) fn select_failure(error: &crate::profile::SelectError) -> Failure {
-    use crate::profile::{LookupError, SelectError};
-    let failure = |class, code: &str| Failure::new(class, code, error.text());
-    match error {
-        SelectError::Lookup(LookupError::Unknown { near, .. }) => {
-            let hint = if near.is_empty() {
-                both!(
-                    "`antrieb params WORD` searches the catalogue; a number always works",
-                    "`antrieb params WORT` sucht im Katalog; eine Nummer geht immer"
-                )
-            } else {
-                both!("did you mean {near}?", "gemeint ist vielleicht {near}", near = Text::join(near, ", "))
-            };
-            failure(Class::Data, "data.unknown_parameter").hint(hint)
-        }
-        SelectError::Lookup(LookupError::Ambiguous { .. }) => failure(Class::Data, "data.ambiguous_parameter")
-            .hint(both!("use the number or the slug", "die Nummer oder die Kennung angeben")),
-        SelectError::Group { .. } => failure(Class::Data, "data.unknown_group"),
-        _ => failure(Class::Usage, "usage.parameter"),
-    }
 }
 
 fn select(selectors: &[Selector], family: &Family, args: &Args) -> Result<Vec<Selection>, Failure> {

@@ -1,5 +1,6 @@
 //! `write`: set parameters, with proof.
 
+use super::profibus::{self, SlaveArgs};
 use super::read::select_failure;
 use super::verb::{Verb, Working};
 use super::{Context, addresses_to_write, asking, connect, offline, target_to_change, terms};
@@ -45,16 +46,24 @@ pub struct Args {
     /// What the catalogue forbids is judged by the drive then.
     #[arg(long)]
     pub force: bool,
+
+    /// How a slave is taken.
+    #[command(flatten)]
+    pub slave: SlaveArgs,
 }
 
 impl Verb for Args {
     const NAME: &'static str = "write";
     const TAKES: Takes = Takes::WRITES;
+    const PROFIBUS: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 write 376@4=1.5kW 480@1=6Hz --yes",
         "antrieb --port sim -a 1 write 480@1ram=6,5 --dry-run",
+        "antrieb --port sim --protocol dp -a 3 write F002=5s 915.1=34 --yes",
     ];
-    const UPPER: Upper = Upper::drive(30).each(16, "value");
+    const UPPER: Upper = Upper::drive(30)
+        .each(16, "value")
+        .unless("Over PROFIBUS a motor that becomes slower under the stop word is waited for as well.");
     type Prints = Document<Write>;
 
     fn run<'a>(&'a self, context: &'a mut Context<'_>) -> Working<'a> {
@@ -64,6 +73,9 @@ impl Verb for Args {
 
 /// Writes to every drive that was named.
 pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    if args.slave.is_meant(context.settings)? {
+        return over_profibus(args, context).await;
+    }
     let addresses = addresses_to_write(context.settings)?;
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
@@ -103,6 +115,16 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         }
     }
     Ok(job::done(jobs, failures, &terms))
+}
+
+/// The same with PROFIBUS spoken: an inverter has no data sets, and its parameters have types of their own.
+async fn over_profibus(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
+    profibus::refuse(&[("--type", args.kind.is_some()), ("--decimals", args.decimals.is_some())])?;
+    let assigned = |family: &Family, who: &str, what: &str| assigned(args, family, who, what);
+    let wanted = profibus::write::Wanted { assignments: assignments(args)?, assigned: &assigned, force: args.force };
+    let mut outcome = profibus::write::write(&wanted, &args.slave, context).await?;
+    outcome.warnings.extend(context.settings.dry_run.then(dry_run_reads));
+    Ok(outcome)
 }
 
 /// Asks for permission for everything that is left to do; `None` if that is nothing.
@@ -189,27 +211,34 @@ fn selectors(args: &Args) -> Result<Vec<Selector>, Failure> {
 fn steps(args: &Args, family: &Family) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     for (who, what) in assignments(args)? {
-        let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
-        if selector.is_group() {
-            let message = both!(
-                "'{who}' is a group: one value for all of it makes no sense",
-                "'{who}' ist eine Gruppe: ein Wert für alle daraus ergibt keinen Sinn"
-            );
-            return Err(Failure::new(Class::Usage, "usage.group", message)
-                .hint(both!("name the parameters one by one", "die Parameter einzeln nennen")));
-        }
-        for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
-            let mut param = selection.param;
-            super::check_number(family, &param)?;
-            super::check_sets(family, selection.sets)?;
-            param.decimals = args.decimals.or(param.decimals);
-            let kind = args.kind.or(param.kind);
-            let raw = check(&param, family, what, kind, args.force)?;
-            let sets = selection.sets.wire();
-            steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
-        }
+        steps.extend(assigned(args, family, who, what)?);
     }
     cutting_last(steps)
+}
+
+/// One of them: a step for each parameter and data set that it names.
+fn assigned(args: &Args, family: &Family, who: &str, what: &str) -> Result<Vec<Step>, Failure> {
+    let selector: Selector = who.parse().map_err(|error| select_failure(&error))?;
+    if selector.is_group() {
+        let message = both!(
+            "'{who}' is a group: one value for all of it makes no sense",
+            "'{who}' ist eine Gruppe: ein Wert für alle daraus ergibt keinen Sinn"
+        );
+        return Err(Failure::new(Class::Usage, "usage.group", message)
+            .hint(both!("name the parameters one by one", "die Parameter einzeln nennen")));
+    }
+    let mut steps = Vec::new();
+    for selection in selector.resolve(family).map_err(|error| select_failure(&error))? {
+        let mut param = selection.param;
+        super::check_number(family, &param)?;
+        super::check_sets(family, selection.sets)?;
+        param.decimals = args.decimals.or(param.decimals);
+        let kind = args.kind.or(param.kind);
+        let raw = check(&param, family, what, kind, args.force)?;
+        let sets = selection.sets.wire();
+        steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
+    }
+    Ok(steps)
 }
 
 /// Behind what cuts the line at once nobody is reached, so it goes last; and there is only one last.

@@ -1,7 +1,8 @@
-//! PROFIBUS without a controller: a line with us as its only master ([`Line`]), who is on it ([`live`]), parameters over PKW
-//! ([`Exchange`]), and modules of an
+//! PROFIBUS without a controller: a line with us as its only master ([`Line`]), who is on it ([`live`]), parameters over PKW,
+//! read and written ([`Exchange`]), and modules of an
 //! SJ2-PB in Basic mode by name, from words to the bytes that a master sends, and back (manual 3.1.1, 3.1.2).
 
+mod ending;
 mod exchange;
 mod line;
 mod live;
@@ -9,11 +10,13 @@ mod phrase;
 mod read;
 mod told;
 mod trouble;
+mod write;
 
 pub use exchange::Exchange;
 pub use line::Line;
 pub use live::{everybody, live, questions};
 pub use read::Haul;
+pub use write::planned;
 
 use super::decode::hex_bytes;
 use crate::failure::{Class, Failure};

@@ -55,7 +55,7 @@ pub use systembus::{
 pub use transfer::{
     Dataset, DatasetRow, Datasets, Load, LoadEnd, NotLoaded, NotLoadedWhy, Plan, Read, Write, WriteResult, Written,
 };
-pub use value::{Bit, Decimal, Fault, Register, State, Value, Word};
+pub use value::{Bit, Decimal, Fault, Register, State, Value, Word, numbered};
 
 use crate::failure::Failure;
 use crate::text::Text;

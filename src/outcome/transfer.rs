@@ -33,6 +33,9 @@ pub struct Written {
     pub drive: String,
     /// Parameter number.
     pub param: u32,
+    /// Element of an array, from 1; missing where it is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<u8>,
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.

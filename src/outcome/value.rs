@@ -46,6 +46,9 @@ pub struct Value {
     pub drive: String,
     /// Parameter number.
     pub param: u32,
+    /// Element of an array, from 1; missing where it is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<u8>,
     /// Stable English name.
     pub slug: String,
     /// Name in the chosen language.
@@ -82,6 +85,11 @@ pub struct Value {
     /// Shown in hexadecimal by habit.
     #[serde(skip)]
     pub hex: bool,
+}
+
+/// A parameter as people call it: `372`, and an element of it `915.1`.
+pub fn numbered(param: u32, index: Option<u8>) -> String {
+    index.map_or_else(|| param.to_string(), |index| format!("{param}.{index}"))
 }
 
 /// A word of bits.

@@ -171,6 +171,7 @@ mod tests {
             node: 0,
             drive: "acu".to_owned(),
             param: column.param,
+            index: None,
             slug: column.slug,
             name: column.name,
             data_set: 0,

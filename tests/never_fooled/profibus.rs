@@ -4,7 +4,8 @@
 use antrieb::exchange::dp::{Asked, Fdl, Heard, Listening, MASTER, Reply, Timing, Unanswered};
 use antrieb::exchange::{Conversation, Step};
 use antrieb::profile::Registry;
-use antrieb::protocol::dp::{Diagnosis, Service};
+use antrieb::protocol::dp::control::{Station, Status};
+use antrieb::protocol::dp::{Control, Diagnosis, Frame, Service, Telegram};
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::simulator::Profibus;
 use antrieb::tick::{Span, Tick};
@@ -158,6 +159,28 @@ fn a_question_that_was_left_alone_has_its_time_before_the_next() {
         assert_eq!(bus.service(Service::GetCfg), Ok(vec![0xF3, 0xF1]));
     }
     assert_eq!(bus.bus.remarks(), [] as [String; 0]);
+}
+
+/// An adapter hands bytes over one by one, and those of a value are nobody's telegram: a token has no check, and SC is one byte.
+#[test]
+fn a_value_may_have_the_bytes_of_a_short_acknowledgement_or_of_a_token() {
+    let line = LineSetting::rtu(19_200, Parity::Even);
+    for byte in [0xE5, 0xDC, 0x10, 0xA2, 0x68] {
+        let mut fdl = Fdl::new(MASTER, line, Timing::of(line), Tick::ZERO);
+        let mut now = Tick::ZERO + Span::from_secs(1);
+        fdl.ask(3, Asked::service(Service::DataExchange, vec![0; 4]), None, now);
+        assert!(matches!(fdl.step(now), Step::Send(_)));
+        let control = Control::Reply { station: Station::Slave, status: Status::DataLow };
+        let data = vec![0, byte, 0, byte];
+        let reply = Frame { to: MASTER, from: 3, control, dsap: None, ssap: None, data: data.clone(), is_fixed: false };
+        now += Span::from_millis(10);
+        for byte in Telegram::Frame(reply).encode() {
+            now += Span::from_micros(573);
+            fdl.feed(now, &[byte]);
+        }
+        let Step::Done(Ok(Reply::Frame { data: told, .. })) = fdl.step(now) else { panic!("{byte:02X}") };
+        assert_eq!(told, data);
+    }
 }
 
 proptest! {

@@ -1,4 +1,5 @@
-//! `profibus read`: the slave is taken, held by the stop word, and let go, however the work ends; the line itself is asked.
+//! Parameters over PROFIBUS, read and written: the slave is taken, held by the stop word, and let go, however the work ends; the line
+//! itself is asked.
 
 use crate::run::antrieb;
 use antrieb::simulator::Profibus;
@@ -89,4 +90,110 @@ fn nothing_is_taken_without_a_yes() {
     antrieb("-a 3 profibus read F002").on(&line("", "")).exits(8);
     assert!(witness::left_profibus().is_none(), "no line was opened");
     antrieb("profibus read F002").on(&line("", "")).exits(2);
+}
+
+/// Every reading that concerns a request, and lines that lose some of it.
+const HARD: [(&str, &str); 9] = [
+    ("", ""),
+    ("", "pkw_waits = \"empty\""),
+    ("", "pkw_again = \"every-cycle\""),
+    ("", "negative_pwe = \"extended\""),
+    ("", "watchdog = \"telegrams\""),
+    ("flips = 3", ""),
+    ("losses = 4", "pkw_again = \"every-cycle\""),
+    ("echo = true", ""),
+    ("latency = \"16ms\"", ""),
+];
+
+#[test]
+fn what_is_written_is_read_back() {
+    for (more, readings) in HARD {
+        let typed = "-a 3 --protocol dp --yes write F002=5s 703=1 915.2=34";
+        let run = antrieb(typed).on(&line(more, readings)).json().exits(0);
+        let row = |at: usize, key: &str| run.data(&format!("/values/{at}/{key}")).clone();
+        assert_eq!([row(0, "old_raw"), row(0, "raw")], [-1_000, -500], "{more} {readings}");
+        assert_eq!([row(0, "old"), row(0, "value")], [10.0, 5.0]);
+        assert_eq!([row(1, "old_raw"), row(1, "raw")], [2, 1]);
+        assert_eq!([row(2, "param"), row(2, "index"), row(2, "raw")], [915, 2, 34]);
+        (0..3).for_each(|at| assert_eq!(row(at, "result"), "verified", "{more} {readings}"));
+        assert_eq!(run.warnings(), ["profibus.let_go"]);
+        assert!(is_let_go(&later()), "{more} {readings}");
+    }
+}
+
+#[test]
+fn what_stands_there_already_is_not_sent() {
+    let run = antrieb("-a 3 --protocol dp --yes write F002=10s 703=2").on(&line("", "")).json().exits(0);
+    let results = ["/values/0/result", "/values/1/result"].map(|at| run.data(at).clone());
+    assert_eq!(results, ["unchanged", "unchanged"]);
+    assert!(is_let_go(&later()));
+}
+
+#[test]
+fn elements_are_read_by_their_number() {
+    let run = antrieb("-a 3 --protocol dp --yes read 964.4 915.1 614").on(&line("", "")).json().exits(0);
+    let row = |at: usize| {
+        let value = |key: &str| run.data(&format!("/values/{at}")).get(key).cloned().unwrap_or_default();
+        [value("param"), value("index"), value("raw")]
+    };
+    assert_eq!(row(0), [964, 4, 2_007]);
+    assert_eq!(row(1), [915, 1, 0]);
+    assert_eq!(run.data("/values/2/raw"), 0);
+    assert!(run.data("/values/2").get("index").is_none());
+    for (typed, code) in [("964.9", 6), ("964", 6), ("F002.1", 7), ("7.1", 6)] {
+        antrieb(&format!("-a 3 --protocol dp --yes read {typed}")).on(&line("", "")).exits(code);
+        if code == 6 {
+            assert!(is_let_go(&later()), "{typed}");
+        }
+    }
+}
+
+#[test]
+fn a_refused_value_leaves_out_the_rest_and_is_said() {
+    for (readings, set) in [("", ""), ("error_word = \"high\"", ""), ("", ", \"927\" = 0")] {
+        let text = line("", readings).replace("\"703\" = 2", &format!("\"703\" = 2{set}"));
+        let typed = "-a 3 --protocol dp --drive l200 --yes write 704=9 F002=5s --force";
+        let run = antrieb(typed).on(&text).json().exits(6);
+        let results = ["/values/0/result", "/values/1/result"].map(|at| run.data(at).clone());
+        assert_eq!(results, ["refused", "skipped"], "{readings}");
+        assert!(is_let_go(&later()));
+    }
+    let offline = |typed: &str| antrieb(&format!("-a 3 --protocol dp --yes write {typed}")).on(&line("", "")).json();
+    assert_eq!(offline("614=1").exits(7).error()["code"], "data.read_only");
+    assert_eq!(offline("F002=5s --type int").exits(2).error()["code"], "usage.profibus");
+    assert!(witness::left_profibus().is_none(), "no line was opened");
+    antrieb("-a 1 --port sim read 480 --slot-time 20ms").exits(2);
+}
+
+#[test]
+fn a_port_that_is_lost_at_any_telegram_of_a_write_leaves_it_to_the_watchdog() {
+    for telegrams in (0..80).step_by(3) {
+        witness::pull_after(Some(telegrams));
+        let run = antrieb("-a 3 --protocol dp --yes write F002=5s 703=2 --json").on(&line("", "")).run();
+        witness::pull_after(None);
+        assert!([0, 3, 9].contains(&run.exit), "{telegrams}: {}", run.err);
+        assert!(is_let_go(&later()), "{telegrams}");
+    }
+}
+
+/// 10 Hz by the terminals, which P.928 = 1 takes from them: the stop is waited for whatever is asked meanwhile.
+#[test]
+fn a_motor_that_turns_stands_before_zero_outputs_go() {
+    let event = "\n[[module.event]]\nat = \"0s\"\ncontact = true\n";
+    for readings in ["", "without_control = \"ramp\"", "unlock = \"no-loss\"", "clear = \"loss\""] {
+        let text = line("", readings) + event;
+        antrieb("-a 3 --protocol dp --yes write F002=5s").on(&text).exits(0);
+        let bus = later();
+        assert!(is_let_go(&bus) && bus.remarks().is_empty(), "{readings}: {:?}", bus.remarks());
+    }
+}
+
+#[test]
+fn a_write_asks_twice_and_a_dry_run_shows_the_telegram() {
+    antrieb("-a 3 --protocol dp write F002=5s").on(&line("", "")).exits(8);
+    antrieb("-a 3 --protocol dp write F002=5s").on(&line("", "")).answered("n\n").exits(8);
+    assert!(witness::left_profibus().is_none(), "no line was opened");
+    let run = antrieb("-a 3 --protocol dp --dry-run write 915.1=34").on(&line("", "")).json().exits(0);
+    assert_eq!(run.data("/values/0/result"), "planned");
+    assert!(run.data("/values/0/meaning").as_str().unwrap().contains("P.915.1"));
 }

@@ -39,7 +39,7 @@ pub(in crate::drive) fn station(station: Station) -> Text {
 
 /// What the cyclic data of a slave are: `basic`, `ppo1` to `ppo5`, or the bytes of its configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cyclic(Layout);
+pub struct Cyclic(pub(in crate::drive) Layout);
 
 impl FromStr for Cyclic {
     type Err = Wrong;

@@ -99,7 +99,10 @@ fn describe_step(step: &Step, row: &Written, sets: &str, family: &Family) -> Tex
     };
     let (label, store) = match family.link.route.has_data_sets() {
         true => (format!("P.{}@{sets}", row.param), format!(", {}", row.store)),
-        false => (step.param.label(), String::new()),
+        false => {
+            let element = row.index.map_or_else(String::new, |index| format!(".{index}"));
+            (step.param.label() + &element, String::new())
+        }
     };
     both!(
         "{who}: {label} {name}: {old} -> {new}{unit}{text}{store}",

@@ -1,38 +1,42 @@
-//! Parameters of an inverter over the PKW channel: the slave is taken for it, held by the stop word, and let go again.
+//! A slave that exchanges data with us: it is taken, asked over the PKW channel, and let go again (`ending`).
 //!
-//! Whoever exchanges data with an SJ2-PB sends it a control word. That is 047E in every cycle: control kept, no start, OFF1. Zero
-//! outputs would be no stop (a word without bit 10 may hand the motor to the terminals, or freeze the last word). However the work
-//! ends, that word goes on until the actual frequency (HIW) is 0; only then go zero outputs, Clear and Unlock. Where we die, the
-//! watchdog of the slave lets it go.
+//! Whoever exchanges data with an SJ2-PB sends it a control word. That is 047E in every cycle, as long as nothing else was agreed to:
+//! control kept, no start, OFF1. Zero outputs would be no stop (a word without bit 10 may hand the motor to the terminals, or freeze
+//! the last word). Where we die, the watchdog of the slave lets it go.
 
 use super::line::Line;
 use super::trouble;
-use crate::exchange::dp::{Cycle, Request, Setup, Station, Told, Trouble};
-use crate::failure::Failure;
+use crate::exchange::dp::{Cycle, Place, Request, Setup, Station, Told, Trouble};
+use crate::failure::{Class, Failure};
 use crate::gate::{Motion, Permit};
 use crate::protocol::dp::cfg::Layout;
 use crate::protocol::dp::pkw::{self, Pkw};
 use crate::tick::{Span, Tick};
+use std::pin::pin;
 
-/// Stop by OFF1, with control kept (SJ2-PB manual 4.1.2.1).
-const STOP: u16 = 0x047E;
+/// OFF1, with control kept (SJ2-PB manual 4.1.2.1).
+pub(super) const STOP: u16 = 0x047E;
 /// The slave lets go of us behind this: 2 s, as factors of 10 ms.
 const WATCHDOG: [u8; 2] = [200, 1];
-/// So many cycles in a row with a frequency of 0 prove the standstill.
-const STILL: u32 = 3;
-/// So long a frequency may stay as it is before the stop is given up.
-const STUCK: Span = Span::from_secs(10);
 /// So often a slave may leave Data_Exchange by itself.
 const MOST_LEFT: u32 = 5;
+/// So long nothing may be heard of a slave that was heard: longer than its watchdog, behind which it is led to Data_Exchange anew.
+const UNHEARD: Span = Span::from_secs(5);
 
 /// A slave that exchanges data.
 pub struct Exchange<'l, 'a> {
-    line: &'l mut Line<'a>,
+    pub(super) line: &'l mut Line<'a>,
     address: u8,
-    station: Station,
+    pub(super) station: Station,
     left: u32,
+    /// Control word; the setpoint is always 0.
+    pub(super) word: u16,
+    pub(super) pkw: Pkw,
     /// Actual frequency as it came last.
-    actual: Option<i16>,
+    pub(super) actual: Option<i16>,
+    heard: Tick,
+    /// The end is on its way: no interrupt and no short silence keeps it from going out.
+    pub(super) insists: bool,
 }
 
 impl std::fmt::Debug for Exchange<'_, '_> {
@@ -46,10 +50,19 @@ impl<'l, 'a> Exchange<'l, 'a> {
     pub fn new(line: &'l mut Line<'a>, address: u8, user: Vec<u8>, _permit: &Permit<Motion>) -> Self {
         let layout = Layout::Ppo(1);
         let setup = Setup { watchdog: WATCHDOG, user, cfg: layout.bytes().to_vec() };
-        let mut outputs = vec![0; layout.length()];
-        put(&mut outputs, Pkw::default(), STOP);
-        let station = Station::new(address, setup, outputs, line.now());
-        Exchange { line, address, station, left: 0, actual: None }
+        let now = line.now();
+        let station = Station::new(address, setup, vec![0; layout.length()], now);
+        Exchange {
+            line,
+            address,
+            station,
+            left: 0,
+            word: STOP,
+            pkw: Pkw::default(),
+            actual: None,
+            heard: now,
+            insists: false,
+        }
     }
 
     /// Address of the slave.
@@ -58,13 +71,24 @@ impl<'l, 'a> Exchange<'l, 'a> {
     }
 
     /// One exchange on the line.
-    async fn cycle(&mut self) -> Result<Cycle, Failure> {
+    pub(super) async fn cycle(&mut self) -> Result<Cycle, Failure> {
+        loop {
+            match self.once().await {
+                Err(failure) if self.bears(&failure) => {}
+                done => return done,
+            }
+        }
+    }
+
+    async fn once(&mut self) -> Result<Cycle, Failure> {
         let waits = self.station.waits();
         self.line.rest(waits).await?;
+        put(self.station.outputs(), self.pkw, self.word);
         let (station, asked) = self.station.question();
         let reply = self.line.ask(station, asked, None).await?;
         let now = self.line.now();
         let cycle = self.station.answered(now, reply).map_err(|why| self.failure(&why))?;
+        self.heard = now;
         match &cycle {
             Cycle::Left => {
                 self.left += 1;
@@ -76,65 +100,81 @@ impl<'l, 'a> Exchange<'l, 'a> {
                 let word = data.get(pkw::LENGTH + 2..pkw::LENGTH + 4).and_then(|word| word.try_into().ok());
                 self.actual = word.map(i16::from_be_bytes);
             }
-            _ => {}
+            Cycle::Prepared | Cycle::Released => {}
         }
         Ok(cycle)
     }
 
-    /// Reads a parameter by its index: its bits, or why not.
-    pub async fn read(&mut self, index: u16) -> Result<Result<u32, Failure>, Failure> {
-        let mut request = Request::read(index, self.line.now());
+    /// Whether it goes on in spite of it. A slave that has exchanged data may miss some; its watchdog is shorter than what is borne.
+    fn bears(&mut self, failure: &Failure) -> bool {
+        match failure.class {
+            Class::Interrupted if self.insists => {
+                self.line.note_interrupts();
+                true
+            }
+            Class::Silence | Class::Garbled if self.insists || self.actual.is_some() => {
+                self.line.now().since(self.heard) < UNHEARD
+            }
+            _ => false,
+        }
+    }
+
+    /// Puts a request and waits for what comes of it.
+    pub(super) async fn request(&mut self, mut request: Request) -> Result<Told, Failure> {
         loop {
-            put(self.station.outputs(), request.outputs(), STOP);
-            let Cycle::Inputs(data) = self.cycle().await? else { continue };
-            let Some(said) = data.first_chunk::<{ pkw::LENGTH }>() else { continue };
-            let Some(told) = request.inputs(self.line.now(), Pkw::decode(said)) else { continue };
-            put(self.station.outputs(), Pkw::default(), STOP);
-            return Ok(match told {
-                Told::Value(bits) => Ok(bits),
-                Told::Refused(pwe) => Err(trouble::refused(self.address, index, pwe)),
-                Told::NoRight => Err(trouble::no_right(self.address, index)),
-                Told::Silence => Err(trouble::no_answer(self.address, index)),
-            });
-        }
-    }
-
-    /// Lets the slave go: the stop word until the frequency is 0, then zero outputs, Clear, Unlock. Nobody's interrupt from before
-    /// keeps it from that.
-    pub async fn leave(mut self) -> Result<(), Failure> {
-        self.line.note_interrupts();
-        if !self.station.is_owned() {
-            return Ok(());
-        }
-        let stopped = self.stop().await;
-        if stopped.is_ok() {
-            self.station.outputs().fill(0);
-            self.cycle().await?;
-        }
-        self.station.release(stopped.is_ok());
-        while self.cycle().await? != Cycle::Released {}
-        stopped
-    }
-
-    /// Proves the standstill under the stop word.
-    async fn stop(&mut self) -> Result<(), Failure> {
-        // Whom no exchange was reached with, no word of ours moves.
-        if self.actual.is_none() {
-            return Ok(());
-        }
-        put(self.station.outputs(), Pkw::default(), STOP);
-        let (mut still, mut moved): (u32, (Option<i16>, Tick)) = (0, (None, self.line.now()));
-        while still < STILL {
-            let Cycle::Inputs(_) = self.cycle().await? else { continue };
-            let now = self.line.now();
-            still = if self.actual == Some(0) { still + 1 } else { 0 };
-            if moved.0 != self.actual {
-                moved = (self.actual, now);
-            } else if still == 0 && now.since(moved.1) > STUCK {
-                return Err(trouble::unproven(self.address, self.actual.unwrap_or_default()));
+            self.pkw = request.outputs();
+            let told = match self.cycle().await? {
+                Cycle::Inputs(data) => {
+                    let said = data.first_chunk::<{ pkw::LENGTH }>();
+                    said.and_then(|said| request.inputs(self.line.now(), Pkw::decode(said)))
+                }
+                // What was on its way may have come; it is not said twice.
+                Cycle::Left if request.writes() => Some(Told::Silence),
+                _ => None,
+            };
+            if let Some(told) = told {
+                self.pkw = Pkw::default();
+                return Ok(told);
             }
         }
-        Ok(())
+    }
+
+    /// Reads a value: its bits, or why not.
+    pub async fn read(&mut self, place: Place) -> Result<Result<u32, Failure>, Failure> {
+        let told = self.request(Request::read(place, self.line.now())).await?;
+        Ok(trouble::told(self.address, place, told))
+    }
+
+    /// Keeps the slave going while something else is waited for, such as the answer to a question. The time of a bench that is not
+    /// paced stands still.
+    pub async fn during<T>(&mut self, wait: impl Future<Output = T>) -> Result<T, Failure> {
+        let mut wait = pin!(wait);
+        let mut waited = None;
+        if self.line.stands_still() {
+            let interrupt = self.line.interrupt();
+            tokio::select! {
+                biased;
+                came = &mut wait => waited = Some(came),
+                () = interrupt.raised() => {}
+            }
+        }
+        while waited.is_none() && !self.line.interrupt().is_raised() {
+            let mut cycle = pin!(self.cycle());
+            loop {
+                tokio::select! {
+                    biased;
+                    came = &mut wait, if waited.is_none() => waited = Some(came),
+                    kept = &mut cycle => {
+                        kept?;
+                        break;
+                    }
+                }
+            }
+        }
+        match waited {
+            Some(waited) if !self.line.interrupt().is_raised() => Ok(waited),
+            _ => Err(trouble::interrupted()),
+        }
     }
 
     fn failure(&self, why: &Trouble) -> Failure {

@@ -100,6 +100,16 @@ impl<'a> Line<'a> {
         Ok(())
     }
 
+    /// Who interrupts.
+    pub(super) fn interrupt(&self) -> Interrupt {
+        self.interrupt.clone()
+    }
+
+    /// Whether its time goes on by waiting on it alone.
+    pub(super) fn stands_still(&self) -> bool {
+        self.link.stands_still()
+    }
+
     /// Takes note of who interrupted so far: the line is used on, for what must still go out.
     pub(super) fn note_interrupts(&mut self) {
         self.interrupt.note();

@@ -3,6 +3,7 @@
 use super::exchange::Exchange;
 use crate::drive::describe;
 use crate::drive::transfer::Reading;
+use crate::exchange::dp::Place;
 use crate::failure::{Class, Failure};
 use crate::outcome::Value;
 use crate::profile::{Family, Param, Registry, Type, value};
@@ -19,7 +20,7 @@ pub struct Haul {
 }
 
 /// Which series it is (SJ2-PB manual 5.3), with the words of `--drive`.
-const SERIES: u16 = 624;
+const SERIES: Place = Place { pnu: 624, element: None };
 const NAMES: [(u32, &str); 3] = [(0x10, "sj200"), (0x20, "l200"), (0x40, "x200")];
 /// What decides on the motor once nobody exchanges data: P.703, A002, A001 (5.2; 5.5 index 89, 88).
 const BEHIND: [u32; 3] = [703, 89, 88];
@@ -43,19 +44,25 @@ impl Exchange<'_, '_> {
         })
     }
 
-    /// Reads a parameter into the haul. Fails only if the exchange is over.
-    pub async fn value(&mut self, family: &Family, param: &Param, haul: &mut Haul) -> Result<(), Failure> {
+    /// Reads a parameter, or an element of it, into the haul. Fails only if the exchange is over.
+    pub async fn value(
+        &mut self,
+        family: &Family,
+        (param, element): &(Param, Option<u8>),
+        haul: &mut Haul,
+    ) -> Result<(), Failure> {
         let address = self.address();
-        let index = u16::try_from(param.id).unwrap_or(u16::MAX);
-        match self.read(index).await? {
+        match self.read(place(param.id, *element)).await? {
             Ok(bits) => {
                 let kind = param.kind.unwrap_or(Type::Word);
                 let raw = value::from_wire(bits, kind, param.min);
                 let reading = Reading { set: 0, raw, text: None, kind, corrected: false };
-                haul.values.push(describe::value(address, family, param, reading, &|_| None));
+                let value = describe::value(address, family, param, reading, &|_| None);
+                haul.values.push(Value { index: *element, ..value });
             }
             Err(failure) => {
-                haul.values.push(describe::unread(address, family, param, 0, &failure));
+                let value = describe::unread(address, family, param, 0, &failure);
+                haul.values.push(Value { index: *element, ..value });
                 haul.failures.push(failure);
             }
         }
@@ -67,7 +74,7 @@ impl Exchange<'_, '_> {
         let mut told = Vec::new();
         for param in BEHIND.into_iter().filter_map(|id| family.params.get(&id)) {
             let (id, name) = (param.id, &param.name);
-            told.push(match self.read(u16::try_from(id).unwrap_or(u16::MAX)).await? {
+            told.push(match self.read(place(id, None)).await? {
                 Ok(raw) => match family.text_of(param, i64::from(raw)) {
                     Some(text) => {
                         both!("{name} (P.{id}) = {raw}: {text}", "{name} (P.{id}) = {raw}: {text}", name, text)
@@ -84,4 +91,9 @@ impl Exchange<'_, '_> {
             told
         ))
     }
+}
+
+/// Where a parameter stands.
+pub(super) fn place(id: u32, element: Option<u8>) -> Place {
+    Place { pnu: u16::try_from(id).unwrap_or(u16::MAX), element }
 }

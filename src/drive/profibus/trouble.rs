@@ -1,6 +1,6 @@
 //! What goes wrong on a PROFIBUS line, said in both languages, with what to do next.
 
-use crate::exchange::dp::{Trouble, Unanswered};
+use crate::exchange::dp::{Place, Told, Trouble, Unanswered};
 use crate::failure::{Class, Failure};
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::Hex;
@@ -74,36 +74,60 @@ pub(super) fn unanswered(address: u8, why: &Unanswered) -> Failure {
 /// Bytes of garbage that are shown.
 const SHOWN: usize = 16;
 
-/// The drive refuses a request over PKW.
-pub(super) fn refused(address: u8, index: u16, pwe: u32) -> Failure {
-    let (number, why) = crate::drive::decode::dp::refused(pwe);
-    let message = both!(
-        "station {address} refuses P.{index}: {number}: {why}",
-        "Station {address} lehnt P.{index} ab: {number}: {why}",
-        number,
-        why
-    );
-    Failure::new(Class::Refused, "refused.pkw", message).with("address", address).with("pwe", format!("{pwe:08X}"))
+/// What came of a request over PKW.
+pub(super) fn told(address: u8, place: Place, told: Told) -> Result<u32, Failure> {
+    let label = label(place);
+    let (class, code, message) = match told {
+        Told::Value(bits) => return Ok(bits),
+        Told::Refused(pwe) => {
+            let (number, why) = crate::drive::decode::dp::refused(pwe);
+            let message = both!(
+                "station {address} refuses {label}: {number}: {why}",
+                "Station {address} lehnt {label} ab: {number}: {why}",
+                number,
+                why
+            );
+            let failure = Failure::new(Class::Refused, "refused.pkw", message).with("address", address);
+            return Err(failure.with("pwe", format!("{pwe:08X}")));
+        }
+        Told::NoRight => (
+            Class::Refused,
+            "refused.no_right",
+            both!(
+                "station {address} gives no right to {label} over PKW",
+                "Station {address} gibt über PKW kein Recht auf {label}"
+            ),
+        ),
+        Told::Silence => (
+            Class::Silence,
+            "silence.pkw",
+            both!(
+                "station {address} exchanges data, but does not answer for {label}",
+                "Station {address} tauscht Daten aus, antwortet aber nicht zu {label}"
+            ),
+        ),
+    };
+    let failure = Failure::new(class, code, message).with("address", address);
+    Err(match told {
+        Told::NoRight => failure.hint(both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal")),
+        _ => failure,
+    })
 }
 
-/// The PKW channel is locked.
-pub(super) fn no_right(address: u8, index: u16) -> Failure {
-    let message = both!(
-        "station {address} gives no right to P.{index} over PKW",
-        "Station {address} gibt über PKW kein Recht auf P.{index}"
-    );
-    Failure::new(Class::Refused, "refused.no_right", message)
-        .with("address", address)
-        .hint(both!("P.927 = 0 locks the channel", "P.927 = 0 sperrt den Kanal"))
+/// A parameter as messages call it: `P.703`, `P.915.1`.
+pub(super) fn label(place: Place) -> String {
+    let element = place.element.map_or_else(String::new, |element| format!(".{element}"));
+    format!("P.{}{element}", place.pnu)
 }
 
-/// A request over PKW was not answered.
-pub(super) fn no_answer(address: u8, index: u16) -> Failure {
+/// What was written does not stand there.
+pub(super) fn differs(address: u8, place: Place, bits: u32) -> Failure {
+    let label = label(place);
     let message = both!(
-        "station {address} exchanges data, but does not answer for P.{index}",
-        "Station {address} tauscht Daten aus, antwortet aber nicht zu P.{index}"
+        "station {address} took the new value of {label}, but {bits:X}h stands there",
+        "Station {address} hat den neuen Wert von {label} angenommen, dort steht aber {bits:X}h"
     );
-    Failure::new(Class::Silence, "silence.pkw", message).with("address", address)
+    Failure::new(Class::Refused, "refused.reads_back_differently", message).with("address", address)
 }
 
 /// The motor was not seen standing.

@@ -305,9 +305,16 @@ impl Fdl {
     fn look(&mut self, now: Tick) {
         let mut at = 0;
         while let Some(rest) = self.heard.get(at..).filter(|rest| !rest.is_empty()) {
-            let whole = length(rest).ok().flatten().and_then(|length| rest.get(..length));
-            let Some((telegram, bytes)) = whole.and_then(|bytes| Some((Telegram::decode(bytes).ok()?, bytes.to_vec())))
-            else {
+            let whole = match length(rest) {
+                // What has begun is nothing else: a value may have the bytes of SC or of a token.
+                Ok(Some(length)) if length > rest.len() => return,
+                Ok(None) => return,
+                length => length.ok().flatten().and_then(|length| rest.get(..length)),
+            };
+            let told = whole.and_then(|bytes| Some((Telegram::decode(bytes).ok()?, bytes.to_vec())));
+            // These have no check: what stands before them tells that they are bytes of something else.
+            let is_bare = |told: &(Telegram, _)| matches!(told.0, Telegram::Ack | Telegram::Token { .. });
+            let Some((telegram, bytes)) = told.filter(|told| at == 0 || !is_bare(told)) else {
                 at += 1;
                 continue;
             };

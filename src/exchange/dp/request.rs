@@ -8,6 +8,11 @@ use crate::tick::{Span, Tick};
 
 /// How long the channel may take for each half: an SJ2-PB asks its inverter meanwhile (how long is in no source).
 const PATIENCE: Span = Span::from_secs(3);
+/// Requests (manual 4.1.1): a value, that of an element, a new word, a new word of an element.
+const READ: u8 = 1;
+const WRITE: u8 = 2;
+const READ_ELEMENT: u8 = 6;
+const WRITE_ELEMENT: u8 = 7;
 
 /// What came of a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +27,15 @@ pub enum Told {
     Silence,
 }
 
+/// A parameter, or an element of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Its number.
+    pub pnu: u16,
+    /// The element of an array, from 1.
+    pub element: Option<u8>,
+}
+
 /// A request on its way.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {
@@ -31,9 +45,31 @@ pub struct Request {
 }
 
 impl Request {
-    /// Reads a parameter.
-    pub fn read(pnu: u16, now: Tick) -> Self {
-        Request { asked: Pkw { ak: 1, pnu, ..Pkw::default() }, is_clear: false, since: now }
+    /// Reads a value.
+    pub fn read(place: Place, now: Tick) -> Self {
+        Request::of(place, [READ, READ_ELEMENT], 0, now)
+    }
+
+    /// Writes a value of at most 16 bits; no longer one can be written (5.5).
+    pub fn write(place: Place, word: u16, now: Tick) -> Self {
+        Request::of(place, [WRITE, WRITE_ELEMENT], word.into(), now)
+    }
+
+    fn of(place: Place, [plain, of_array]: [u8; 2], pwe: u32, now: Tick) -> Self {
+        let Place { pnu, element } = place;
+        // The element stands in the high byte (4.1.2.5).
+        let (ak, ind) = element.map_or((plain, 0), |element| (of_array, u16::from(element) << 8));
+        Request { asked: Pkw { ak, pnu, ind, pwe, ..Pkw::default() }, is_clear: false, since: now }
+    }
+
+    /// The block that asks it.
+    pub fn asked(&self) -> Pkw {
+        self.asked
+    }
+
+    /// Whether it changes something, so that it is not to be said twice.
+    pub fn writes(&self) -> bool {
+        Task::of(self.asked.ak).writes()
     }
 
     /// What stands in the outputs.
@@ -47,13 +83,18 @@ impl Request {
             (self.is_clear, self.since) = (true, now);
             return None;
         }
-        let answer = Answer::of(said.ak);
+        // Whether a refusal names the element, no source tells.
         let is_named = self.is_clear && said.pnu == self.asked.pnu;
-        let told = match (Task::of(self.asked.ak), answer) {
-            (Task::Read, Answer::Word) => Some(Told::Value(said.pwe)),
-            (Task::Read, Answer::Double) => Some(Told::Value(said.pwe)),
-            (_, Answer::Refused) => Some(Told::Refused(said.pwe)),
-            (_, Answer::NoRight) => Some(Told::NoRight),
+        let is_meant = match Task::of(self.asked.ak).has_element() {
+            true => Answer::of(said.ak).has_element() && said.sub_index() == self.asked.sub_index(),
+            false => true,
+        };
+        let told = match Answer::of(said.ak) {
+            Answer::Word | Answer::Double | Answer::ElementWord | Answer::ElementDouble => {
+                is_meant.then_some(Told::Value(said.pwe))
+            }
+            Answer::Refused => Some(Told::Refused(said.pwe)),
+            Answer::NoRight => Some(Told::NoRight),
             _ => None,
         };
         let late = (now.since(self.since) > PATIENCE).then_some(Told::Silence);

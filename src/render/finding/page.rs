@@ -1,7 +1,7 @@
 //! A page for people, aligned and without borders, one row a line when piped; and what several kinds of findings show alike.
 
 use super::narrow::{GAP, hold_words_together};
-use crate::outcome::{Bit, Decimal, Fault, Value, Word};
+use crate::outcome::{Bit, Decimal, Fault, Value, Word, numbered};
 use crate::profile::Lang;
 use crate::profile::value::format_decimal;
 use crate::render::clean;
@@ -108,7 +108,7 @@ impl Page {
             let is_copy = values.iter().any(|other| cell(other) == cell(value) && other.store != value.store);
             let is_ram = is_copy && value.data_set == 0 && value.store == "ram";
             row.extend([
-                value.param.to_string(),
+                numbered(value.param, value.index),
                 if is_ram { "ram".to_owned() } else { set_name(value.data_set, value.store) },
                 self.say(&value.name),
                 number(value),

@@ -2,7 +2,7 @@
 
 use super::page::{Page, set_name, shown};
 use super::{Finding, Rows};
-use crate::outcome::{Write, WriteResult, Written};
+use crate::outcome::{Write, WriteResult, Written, numbered};
 
 impl Finding for Write {
     fn table(&self, page: Page) -> String {
@@ -31,7 +31,7 @@ impl Page {
             }
             vec![
                 row.address.to_string(),
-                row.param.to_string(),
+                numbered(row.param, row.index),
                 set_name(row.data_set, row.store),
                 row.store.to_owned(),
                 self.say(&row.name),
@@ -69,7 +69,7 @@ impl Page {
         let address = several.then(|| row.address.to_string());
         let text = row.text.as_ref().map(|text| format!(" ({})", self.say(text)));
         let cells = [
-            row.param.to_string(),
+            numbered(row.param, row.index),
             sets(row, last),
             self.say(&row.name),
             old(row),
@@ -82,7 +82,7 @@ impl Page {
 
     /// Why a value did not go, what is odd about it, and the telegram of one that is only planned.
     fn remarks(self, row: &Written, last: &Written) -> String {
-        let place = format!("{}@{}", row.param, sets(row, last));
+        let place = format!("{}@{}", numbered(row.param, row.index), sets(row, last));
         let error = row.error.as_ref().map(|error| error.message.get(self.lang).to_owned());
         let note = row.note.as_ref().map(|note| self.say(note));
         let told = error.into_iter().chain(note).map(|told| match told.contains(&format!("P.{}", row.param)) {

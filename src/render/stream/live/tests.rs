@@ -49,6 +49,7 @@ fn sample(address: u8, n: u64, raw: Option<i64>) -> Record {
         node: 0,
         drive: "act".to_owned(),
         param: column.param,
+        index: None,
         slug: column.slug,
         name: column.name,
         data_set: 0,
