@@ -8,7 +8,9 @@ use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, Takes};
-use crate::drive::motion::{self, Motor, Situation, missing, no_control, no_fault, surroundings, upon_enabling};
+use crate::drive::motion::{
+    self, Motor, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling,
+};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -247,6 +249,9 @@ async fn enabling(
     before: &Situation,
     plan: &mut Plan<'_>,
 ) -> Result<(), Failure> {
+    if let Some(failure) = in_fault(before, &target.family) {
+        return Err(failure);
+    }
     if before.state != "operation-enabled" {
         let (told, promises) = upon_enabling(session, target).await?;
         plan.tells(session, told);

@@ -118,8 +118,10 @@ pub struct Dataset {
     pub drive: String,
     /// Data set that the drive works with (P.249).
     pub active: Option<i64>,
-    /// How it is selected (P.414).
+    /// How it is selected (P.414), as the drive works with it.
     pub selection: Option<Value>,
+    /// What is stored, where that is something else.
+    pub selection_stored: Option<Value>,
     /// Parameters beside each other.
     pub rows: Vec<DatasetRow>,
     /// Values that were, or would be, written.

@@ -291,6 +291,7 @@ const GERMAN: &[(&str, &str)] = &[
     ("stored, not all in force", "gespeichert, nicht alles wirkt"),
     ("as before, proven", "wie vorher, geprüft"),
     ("NOT as before", "NICHT wie vorher"),
+    ("stored only", "nur gespeichert"),
     ("left out until named", "ausgelassen bis genannt"),
     ("left out, only told", "ausgelassen, nur lesbar"),
     ("left out, commands", "ausgelassen, Befehle"),

@@ -1,12 +1,12 @@
 //! What is told of the data sets of one drive or of several, and writing to them behind one question.
 
-use crate::command::Reader;
 use crate::command::write::permit;
+use crate::command::{InForce, Reader};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::{Session, Target, Terms, is_over, summary};
 use crate::failure::{Class, Failure};
 use crate::gate::Ask;
-use crate::outcome::{Data, Dataset, Datasets, ErrorDoc, Outcome, Value, Warning, WriteResult};
+use crate::outcome::{Data, Dataset, Datasets, ErrorDoc, Outcome, Warning, WriteResult};
 use crate::text::both;
 
 /// A drive, and what is told of it.
@@ -36,6 +36,7 @@ pub(super) fn blank(address: u8, drive: &str) -> Dataset {
         drive: drive.to_owned(),
         active: None,
         selection: None,
+        selection_stored: None,
         rows: Vec::new(),
         written: Vec::new(),
         dry_run: false,
@@ -47,11 +48,13 @@ pub(super) fn blank(address: u8, drive: &str) -> Dataset {
 pub(super) async fn selection(
     session: &mut Session<'_>,
     target: &mut Target,
-) -> Result<(Option<i64>, Option<Value>), Failure> {
+) -> Result<(Option<i64>, InForce), Failure> {
     let mut reader = Reader::new(session, target);
     let active = reader.vital_role("active-set").await?.and_then(|value| value.raw);
-    let selection = reader.vital_role("set-selection").await?;
-    match reader.failures.pop() {
+    let selection = reader.in_force("set-selection").await?;
+    // It is what the verb is about: a refusal is no answer.
+    let refused = selection.value.is_none().then(|| reader.forgiven.pop()).flatten();
+    match reader.failures.pop().or(refused) {
         Some(failure) => Err(failure),
         None => Ok((active, selection)),
     }
@@ -140,11 +143,12 @@ pub(super) async fn write(
         let good = job.rows.iter().filter(|row| row.error.is_none() && row.result != WriteResult::Skipped).count();
         let (active, selection) = seen.unwrap_or_else(|failure| {
             failures.push(failure);
-            (None, None)
+            (None, InForce::default())
         });
+        let InForce { value: selection, stored: selection_stored } = selection;
         over = over.or_else(|| failures.iter().find(|failure| is_over(failure)).cloned());
-        let report =
-            Dataset { active, selection, written: job.rows, ..blank(job.target.address, &job.target.family.drive) };
+        let blank = blank(job.target.address, &job.target.family.drive);
+        let report = Dataset { active, selection, selection_stored, written: job.rows, ..blank };
         drives.push(Told { report, failure: summary(failures, good), warnings });
     }
     let told = told(drives, named);

@@ -347,6 +347,14 @@ impl Options {
     /// The file of the drive at an address.
     fn path(&self, address: u8, several: bool) -> Result<PathBuf, Failure> {
         let name = self.file.to_string_lossy();
+        if name == "-" {
+            let message =
+                both!("expected the name of a file, got '-'", "erwartet: der Name einer Datei; angegeben: '-'");
+            return Err(Failure::new(Class::Usage, "usage.file", message).hint(both!(
+                "with --json the values stand on stdout as well; ./- names a file that is called so",
+                "mit --json stehen die Werte auch auf stdout; ./- meint eine Datei, die so heißt"
+            )));
+        }
         if name.contains(ADDRESS) {
             return Ok(PathBuf::from(name.replace(ADDRESS, &address.to_string())));
         }

@@ -4,13 +4,13 @@ use super::not_everybody;
 use super::of_each::{Planned, Told, blank, selection, told, write};
 use crate::command::read::select_failure;
 use crate::command::{
-    Context, Reader, addresses_to_read, addresses_to_write, check_sets, connect, offline_family, plan, read_question,
-    role_questions, summary, target, target_to_change, terms,
+    Context, InForce, Reader, addresses_to_read, addresses_to_write, check_sets, connect, offline_family, plan,
+    read_question, role_questions, summary, target, target_to_change, terms,
 };
 use crate::drive::job::Step;
 use crate::drive::{Session, Target, Terms};
 use crate::failure::{Class, Failure};
-use crate::outcome::{Dataset, DatasetRow, Outcome, Warning};
+use crate::outcome::{Dataset, DatasetRow, Event, Outcome, Warning};
 use crate::profile::{DataSets, Param, Selector, Sets, Store, Type};
 use crate::text::both;
 use clap::Subcommand;
@@ -281,7 +281,14 @@ impl Work<'_> {
 
     async fn report(&mut self, session: &mut Session<'_>, rows: Vec<DatasetRow>) -> Result<Told, Failure> {
         let (active, selection) = selection(session, &mut self.target).await?;
-        let report = Dataset { active, selection, rows, ..blank(self.target.address, &self.target.family.drive) };
+        let InForce { value: selection, stored: selection_stored } = selection;
+        let report = Dataset {
+            active,
+            selection,
+            selection_stored,
+            rows,
+            ..blank(self.target.address, &self.target.family.drive)
+        };
         Ok(Told { report, failure: None, warnings: Vec::new() })
     }
 
@@ -305,8 +312,15 @@ impl Work<'_> {
     ) -> Result<Told, Failure> {
         let [a, b] = pair.map(|(set, store)| DataSets::One(set, store));
         let mut told = self.show(session, texts, &pair).await?;
+        let compared = told.report.rows.len();
         told.report.rows.retain(|row| !row.equal);
         let count = told.report.rows.len();
+        if count == 0 && told.failure.is_none() {
+            session.tell(Event::Note(both!(
+                "data sets {a} and {b} are equal in {compared} parameter(s)",
+                "Datensatz {a} und {b} sind in {compared} Parameter(n) gleich"
+            )));
+        }
         let message = match count {
             1 => both!(
                 "data sets {a} and {b} differ in 1 parameter",

@@ -13,9 +13,11 @@ use crate::drive::transaction::{Choice, NO_VALUES};
 use crate::drive::{Upper, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, Document, Event, OrPlan, Outcome, Plan, PlantCheck, PlantComparison};
+use crate::profile::Goes;
 use crate::text::{Text, both};
 use clap::Args as ClapArgs;
 use futures_util::future::join_all;
+use std::collections::BTreeSet;
 
 /// Holds the drives of antrieb.toml against their files; 1 if one differs.
 ///
@@ -125,7 +127,7 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
 /// Every drive beside its files, and how all of it ended.
 fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome {
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut differing, mut values) = (Vec::new(), 0);
+    let (mut differing, mut values, mut unnamed, mut others) = (Vec::new(), 0, BTreeSet::new(), 0);
     for (one, Weighed { comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
         warnings.extend(more.into_iter().map(|warning| told::of(one, warning)));
         let called = one.place.name.clone();
@@ -133,28 +135,48 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome 
             Some(failure) if failure.class != Class::No => failures.push((called.clone(), failure)),
             Some(_) => {
                 differing.push(called.clone());
-                values += comparison.differences.iter().filter(|row| row.error.is_none()).count() as u64;
+                let rows = || comparison.differences.iter().filter(|row| row.error.is_none());
+                values += rows().count() as u64;
+                let family = &one.opened.family;
+                let is_unnamed =
+                    |id: &u32| family.param(*id).is_some_and(|param| family.files.goes(param) == Goes::IfAsked);
+                let (asked, always): (Vec<u32>, Vec<u32>) = rows().map(|row| row.param).partition(is_unnamed);
+                unnamed.extend(asked);
+                others += always.len();
             }
             None => {}
         }
         drives.push(PlantComparison { called, port: one.port(), address: one.place.address, comparison });
     }
-    let failure = match (told::summary(failures, drives.len(), (false, told::UNCOMPARED)), drift(&differing, values)) {
+    let failure = match (
+        told::summary(failures, drives.len(), (false, told::UNCOMPARED)),
+        drift(&differing, values, (&unnamed, others)),
+    ) {
         (Some(failure), Some(drift)) => Some(told::beside(failure, &drift.message)),
         (failure, drift) => failure.or(drift),
     };
     Outcome { data: Some(Data::PlantCheck(PlantCheck { project, drives })), warnings, failure }
 }
 
-fn drift(drives: &[String], values: u64) -> Option<Failure> {
+/// That drives differ. What no load takes unless it is named is brought back by its name alone.
+fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usize)) -> Option<Failure> {
     if drives.is_empty() {
         return None;
     }
     let some =
         Text::count(values, ["value differs", "values differ"], ["Wert ist verschieden", "Werte sind verschieden"]);
     let names = drives.join(", ");
-    Some(Failure::new(Class::No, "no.differences", both!("{some}: {names}", "{some}: {names}", some)).hint(both!(
+    let rest = both!(
         "`antrieb plan` shows what `antrieb apply` would bring back",
         "`antrieb plan` zeigt, was `antrieb apply` wiederherstellen würde"
-    )))
+    );
+    let only = unnamed.iter().map(u32::to_string).collect::<Vec<_>>().join(",");
+    let by_name = both!(
+        "settings of a line go into a drive only if they are named: `antrieb plan --only {only}`",
+        "Einstellungen einer Leitung gehen nur in einen Antrieb, wenn sie genannt sind: `antrieb plan --only {only}`"
+    );
+    let hints: Vec<Text> =
+        (others > 0).then_some(rest).into_iter().chain((!unnamed.is_empty()).then_some(by_name)).collect();
+    let failure = Failure::new(Class::No, "no.differences", both!("{some}: {names}", "{some}: {names}", some));
+    Some(failure.hint(Text::join(&hints, "; ")))
 }

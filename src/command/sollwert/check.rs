@@ -3,7 +3,7 @@
 use super::wanted::{Total, Wanted, out_of_range};
 use super::{Args, in_hertz};
 use crate::args::StopArg;
-use crate::drive::motion::{Own, Promise, Situation, may_change_mode, no_control, role_raw, working};
+use crate::drive::motion::{Own, Promise, Situation, in_fault, may_change_mode, no_control, role_raw, working};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Event;
@@ -26,6 +26,9 @@ impl Check<'_, '_> {
         enable: bool,
         needs_control: bool,
     ) -> Result<Wanted, Failure> {
+        if enable && let Some(failure) = in_fault(self.before, &self.target.family) {
+            return Err(failure);
+        }
         if needs_control && let Some(failure) = no_control(self.before, self.target) {
             return Err(failure);
         }

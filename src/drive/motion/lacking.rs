@@ -55,6 +55,24 @@ pub fn no_control_word() -> Failure {
     Failure::new(Class::Data, "data.role", text)
 }
 
+/// The failure to show where a drive is to start that stands in a fault: nothing was sent that could start it.
+pub fn in_fault(situation: &Situation, family: &Family) -> Option<Failure> {
+    let code = situation.state.starts_with("fault").then(|| situation.fault.unwrap_or(0) as u32)?;
+    let failure = tripped(family, code);
+    let what = describe::fault(family, code).filter(|_| code != 0).map(|fault| fault.told());
+    let text = both!(
+        "the drive is in a fault and starts only once that is acknowledged",
+        "der Antrieb steht in einer Störung und startet erst, wenn sie quittiert ist"
+    );
+    let resets = both!(
+        "`antrieb statemachine reset` acknowledges it when its cause is gone",
+        "`antrieb statemachine reset` quittiert sie, wenn ihre Ursache behoben ist"
+    );
+    let hints: Vec<Text> = std::iter::once(resets).chain(failure.hint.as_deref().cloned()).collect();
+    let message = what.iter().fold(text, |text, what| Text::join([&text, what], ": "));
+    Some(Failure { message, ..failure }.hint(Text::join(&hints, "; ")))
+}
+
 /// The failure to show where the drive has tripped.
 pub fn tripped(family: &Family, code: u32) -> Failure {
     let fault = describe::fault(family, code);

@@ -24,7 +24,7 @@ mod watched;
 
 pub use super::route::Meant;
 pub use before::{Standing, own_setpoints, runs_at, standing, upon_enabling};
-pub use lacking::{missing, no_control, no_control_word, tripped};
+pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };

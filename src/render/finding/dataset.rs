@@ -2,7 +2,7 @@
 
 use super::page::{Page, is_unscaled, number, set_name, shown};
 use super::{Finding, Rows};
-use crate::outcome::{Dataset, Datasets};
+use crate::outcome::{Dataset, Datasets, Value};
 
 impl Finding for Dataset {
     fn table(&self, page: Page) -> String {
@@ -34,11 +34,14 @@ impl Page {
     fn dataset(self, dataset: &Dataset) -> String {
         let mut text = self.heading(dataset.address, &dataset.drive);
         let active = dataset.active.map_or_else(|| "?".to_owned(), |set| set.to_string());
-        let selection = dataset.selection.as_ref().map_or_else(String::new, |value| {
+        let told = |value: &Value| {
             let number = value.value.map_or_else(|| "?".to_owned(), |number| shown(number, false));
             format!("{number} {}", self.say_or_not(value.text.as_ref()))
-        });
-        text += &self.pairs(vec![("active set", active), ("selection", selection)]);
+        };
+        let selection = dataset.selection.as_ref().map_or_else(String::new, told);
+        let mut pairs = vec![("active set", active), ("selection", selection)];
+        pairs.extend(dataset.selection_stored.iter().map(|value| ("stored only", told(value))));
+        text += &self.pairs(pairs);
         let sets = dataset.rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
         if sets > 0 {
             let first = dataset.rows.iter().find(|row| row.values.len() == sets);

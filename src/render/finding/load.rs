@@ -3,6 +3,7 @@
 use super::page::Page;
 use super::{Finding, Rows};
 use crate::outcome::{Load, LoadEnd, NotLoadedWhy, WriteResult, Written};
+use std::collections::BTreeSet;
 
 impl Finding for Load {
     fn table(&self, page: Page) -> String {
@@ -31,6 +32,15 @@ impl Page {
         let told: String =
             loads.filter_map(|load| load.closing.as_ref()).map(|told| self.prose(told.get(self.lang))).collect();
         if told.is_empty() { told } else { format!("\n{told}") }
+    }
+
+    /// What files hold and no load takes unless it is named: a drive that is called equal may have it otherwise.
+    pub(super) fn unnamed<'l>(self, loads: impl IntoIterator<Item = &'l Load>) -> String {
+        let left = loads.into_iter().flat_map(|load| &load.left_out);
+        let left: BTreeSet<u32> =
+            left.filter(|row| row.why == NotLoadedWhy::NotAskedFor).map(|row| row.param).collect();
+        let left: Vec<String> = left.iter().map(u32::to_string).collect();
+        if left.is_empty() { String::new() } else { self.pairs(vec![(UNNAMED, left.join(", "))]) }
     }
 
     fn is_told(self, row: &Written) -> bool {
@@ -69,8 +79,10 @@ fn ended(ended: LoadEnd, rows: &[Written]) -> &'static str {
     }
 }
 
+const UNNAMED: &str = "left out until named";
+
 const LEFT_OUT: &[(NotLoadedWhy, &str)] = &[
-    (NotLoadedWhy::NotAskedFor, "left out until named"),
+    (NotLoadedWhy::NotAskedFor, UNNAMED),
     (NotLoadedWhy::ReadOnly, "left out, only told"),
     (NotLoadedWhy::Command, "left out, commands"),
     (NotLoadedWhy::Restarts, "left out, restarts"),

@@ -88,6 +88,7 @@ impl Page {
         let head = ["name", ">addr", "drive", "state", written, ">equal"];
         let ports: Vec<&str> = plant.drives.iter().map(|drive| drive.port.as_str()).collect();
         let mut text = self.overview(plant.project.as_deref(), &ports, &head, rows.collect());
+        text += &self.unnamed(plant.drives.iter().map(|drive| &drive.load));
         let is_told = |drive: &&PlantDrive| self.full || drive.state != PlantState::Same;
         for drive in plant.drives.iter().filter(is_told) {
             text += &format!("\n{}: ", clean(&drive.called));

@@ -127,6 +127,14 @@ fn a_fault_is_reset_once_behind_its_lock() {
     let tripped = bench("act", "set = { \"412\" = 1 }\n[[drive.event]]\nat = \"1ms\"\nfault = \"F0500\"");
     let refused = antrieb("-a 1 --yes statemachine enable").on(&tripped).json().exits(8);
     assert_eq!(refused.error()["code"], "forbidden.fault", "enabling resets no fault by the way");
+    for line in
+        ["statemachine enable", "statemachine goto operation-enabled", "sollwert 5Hz --enable --hold --duration 1s"]
+    {
+        let refused = antrieb(&format!("-a 1 {line} -v")).on(&tripped).answered("y").exits(8);
+        assert!(refused.err.contains("in a fault") && refused.err.contains("F0500"), "{}", refused.err);
+        assert!(refused.err.contains("-a 1 statemachine reset` acknowledges it"), "{}", refused.err);
+        assert!(!refused.err.contains("MOTION") && !refused.sent().iter().any(|sent| sent.starts_with("01 06")));
+    }
     let reset = antrieb("-a 1 --yes statemachine reset").on(&tripped).json().exits(0);
     assert_eq!(reset.data("/from/slug"), "fault");
     assert_eq!(reset.data("/to/slug"), "switch-on-disabled");

@@ -428,3 +428,19 @@ fn the_commands_of_the_page_work() {
     let base = ["base.toml", "pump.toml", "fan.toml"];
     base.into_iter().fold(run, |run, name| run.file(name, ACT)).exits(0);
 }
+
+/// One file for several drives holds the address of one of them.
+#[test]
+fn what_goes_in_only_by_its_name_is_told_where_nothing_else_is_to_do() {
+    let held = ACT.replace("[values]\n", "[values]\n\"1376\" = 9\n");
+    let same = "[[drive]]\nmodel = \"act\"\naddress = 1\nset = { \"372@1\" = 1440, \"480@2\" = 20 }\n";
+    let on = |line: &str| plant(line, [same, TWO, ONE]).file("act.toml", &held);
+    for verb in ["plan", "apply --yes"] {
+        let nothing = on(&format!("-a a1 {verb}")).exits(0);
+        assert!(nothing.out.contains("left out until named  1376"), "{}", nothing.out);
+    }
+    let drift = on("-a a1 check").exits(1);
+    assert!(drift.err.contains("-a a1 plan --only 1376`") && !drift.err.contains("would bring back"), "{}", drift.err);
+    let both = plant("-a a1 check", [TWO, TWO, ONE]).file("act.toml", &held).exits(1);
+    assert!(both.err.contains("plan --only 1376`") && both.err.contains("would bring back"), "{}", both.err);
+}

@@ -349,3 +349,9 @@ fn a_file_that_is_not_what_was_saved_is_told_before_it_is_loaded() {
     let half = whole.then("-a 1 dataset load {dir}/half.toml --yes").on(bench).json().exits(0);
     assert!(half.warnings().contains(&"file.edited"), "{:?}", half.warnings());
 }
+
+#[test]
+fn a_dash_is_no_file() {
+    let refused = antrieb("-p sim -a 1 dataset save -").exits(2);
+    assert!(refused.err.contains("expected the name of a file") && refused.err.contains("--json"), "{}", refused.err);
+}

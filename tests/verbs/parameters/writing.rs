@@ -256,6 +256,8 @@ fn data_sets_are_shown_compared_and_selected() {
     assert_eq!(document.data("/rows").as_array().unwrap().len(), 1);
     assert_eq!(document.data("/rows/0/param"), 372);
     antrieb("-a 1 dataset diff 1 4").on(differing).json().exits(0);
+    let equal = antrieb("-a 1 dataset diff 1 4").on(differing).exits(0);
+    assert!(equal.err.contains("data sets 1 and 4 are equal in "), "{}", equal.err);
     for bad in ["diff 1 1", "diff 1 5", "diff 0 1", "copy 2 2", "select 5"] {
         antrieb(&format!("-a 1 --yes dataset {bad}")).on(differing).json().exits(2);
     }
@@ -328,4 +330,18 @@ fn a_value_that_is_another_one_in_ram_is_no_value_that_stands() {
         let told = same.data("/values/0/note").to_string();
         assert_eq!(same.data("/values/0/result") == "unchanged", told.contains("--force stores it"), "{reads}: {told}");
     }
+}
+
+/// Told is what selects the data set, not what is stored and does not.
+#[test]
+fn a_data_set_that_was_selected_in_ram_is_told_as_selected() {
+    let selected = antrieb("-p sim -a 1 --yes dataset select 2 --ram").json().exits(0);
+    assert_eq!(selected.data("/active"), 2);
+    assert_eq!((selected.data("/selection/raw"), selected.data("/selection/store")), (&2.into(), &"ram".into()));
+    assert_eq!(selected.data("/selection_stored/raw"), 0);
+    let stored = antrieb("-p sim -a 1 dataset active").json().exits(0);
+    assert_eq!(
+        (stored.data("/selection/raw"), stored.data("/selection_stored")),
+        (&0.into(), &serde_json::Value::Null)
+    );
 }
