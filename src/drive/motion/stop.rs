@@ -81,10 +81,13 @@ impl Motor<'_, '_> {
                     stop.standing = self.zero_as_the_last().await;
                     break;
                 }
-                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES && self.gives_up(begun).await => {
+                (Class::Silence | Class::Garbled, _) if tries >= STOP_TRIES => {
+                    let given_up = self.gives_up(begun).await;
                     // Who has just answered was reached, and does not obey.
-                    self.unheard = self.session.now().since(self.heard) >= UNHEARD;
-                    break;
+                    self.unheard = given_up && self.session.now().since(self.heard) >= UNHEARD;
+                    if given_up {
+                        break;
+                    }
                 }
                 // Nor does it help to wait on where answers come, and the strongest stop is not obeyed.
                 (Class::Forbidden, None)
