@@ -27,15 +27,7 @@ impl Scope {
 
     /// As it is typed behind a verb: nothing, or ` --only motor --ram`.
     pub(in crate::command) fn typed(&self) -> String {
-        let Picks { only, except, sets } = &self.picks;
-        let sets: Vec<String> = sets.iter().map(|range| format!("{}-{}", range.0.start(), range.0.end())).collect();
-        let lists = [("only", only), ("except", except), ("sets", &sets)];
-        let lists = lists.into_iter().filter(|(_, list)| !list.is_empty());
-        let mut typed: String = lists.map(|(name, list)| format!(" --{name} {}", word(&list.join(",")))).collect();
-        if self.ram {
-            typed += " --ram";
-        }
-        typed
+        self.picks.typed() + if self.ram { " --ram" } else { "" }
     }
 }
 
@@ -61,6 +53,15 @@ impl Picks {
     pub(in crate::command) fn choice(&self) -> Choice {
         let sets = self.sets.iter().flat_map(|range| range.0.clone()).collect();
         Choice { only: self.only.clone(), except: self.except.clone(), sets, store: Store::Eeprom }
+    }
+
+    /// As they are typed behind a verb: nothing, or ` --only motor`.
+    pub(in crate::command) fn typed(&self) -> String {
+        let Picks { only, except, sets } = self;
+        let sets: Vec<String> = sets.iter().map(|range| format!("{}-{}", range.0.start(), range.0.end())).collect();
+        let lists = [("only", only), ("except", except), ("sets", &sets)];
+        let lists = lists.into_iter().filter(|(_, list)| !list.is_empty());
+        lists.map(|(name, list)| format!(" --{name} {}", word(&list.join(",")))).collect()
     }
 }
 

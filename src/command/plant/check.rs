@@ -82,7 +82,7 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         join_all(works).await
     });
     let weighed: Vec<Weighed> = weighed.await?.into_iter().flatten().collect();
-    Ok(report(project(&wanted).unwrap_or_default(), &wanted, weighed))
+    Ok(report(project(&wanted).unwrap_or_default(), &wanted, weighed, &args.picks.typed()))
 }
 
 /// Holds the drives of a line against their files, in turn.
@@ -125,7 +125,7 @@ fn dry_run(wanted: &[Wanted]) -> Outcome {
 }
 
 /// Every drive beside its files, and how all of it ended.
-fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome {
+fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>, typed: &str) -> Outcome {
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     let (mut differing, mut values, mut unnamed, mut others) = (Vec::new(), 0, BTreeSet::new(), 0);
     for (one, Weighed { comparison, failure, warnings: more }) in wanted.iter().zip(weighed) {
@@ -150,7 +150,7 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome 
     }
     let failure = match (
         told::summary(failures, drives.len(), (false, told::UNCOMPARED)),
-        drift(&differing, values, (&unnamed, others)),
+        drift(&differing, values, (&unnamed, others), typed),
     ) {
         (Some(failure), Some(drift)) => Some(told::beside(failure, &drift.message)),
         (failure, drift) => failure.or(drift),
@@ -159,7 +159,7 @@ fn report(project: String, wanted: &[Wanted], weighed: Vec<Weighed>) -> Outcome 
 }
 
 /// That drives differ. What no load takes unless it is named is brought back by its name alone.
-fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usize)) -> Option<Failure> {
+fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usize), typed: &str) -> Option<Failure> {
     if drives.is_empty() {
         return None;
     }
@@ -167,8 +167,8 @@ fn drift(drives: &[String], values: u64, (unnamed, others): (&BTreeSet<u32>, usi
         Text::count(values, ["value differs", "values differ"], ["Wert ist verschieden", "Werte sind verschieden"]);
     let names = drives.join(", ");
     let rest = both!(
-        "`antrieb plan` shows what `antrieb apply` would bring back",
-        "`antrieb plan` zeigt, was `antrieb apply` wiederherstellen würde"
+        "`antrieb plan{typed}` shows what `antrieb apply{typed}` would bring back",
+        "`antrieb plan{typed}` zeigt, was `antrieb apply{typed}` wiederherstellen würde"
     );
     let only = unnamed.iter().map(u32::to_string).collect::<Vec<_>>().join(",");
     let by_name = both!(

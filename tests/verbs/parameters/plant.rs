@@ -443,4 +443,6 @@ fn what_goes_in_only_by_its_name_is_told_where_nothing_else_is_to_do() {
     assert!(drift.err.contains("-a a1 plan --only 1376`") && !drift.err.contains("would bring back"), "{}", drift.err);
     let both = plant("-a a1 check", [TWO, TWO, ONE]).file("act.toml", &held).exits(1);
     assert!(both.err.contains("plan --only 1376`") && both.err.contains("would bring back"), "{}", both.err);
+    let motor = plant("-a a1 check --only motor --sets 1", [TWO, TWO, ONE]).exits(1);
+    assert!(motor.err.contains("-a a1 apply --only motor --sets 1-1` would bring back"), "{}", motor.err);
 }
