@@ -291,7 +291,6 @@ const GERMAN: &[(&str, &str)] = &[
     ("stored, not all in force", "gespeichert, nicht alles wirkt"),
     ("as before, proven", "wie vorher, geprüft"),
     ("NOT as before", "NICHT wie vorher"),
-    ("stored only", "nur gespeichert"),
     ("left out until named", "ausgelassen bis genannt"),
     ("left out, only told", "ausgelassen, nur lesbar"),
     ("left out, commands", "ausgelassen, Befehle"),
@@ -307,7 +306,8 @@ mod tests {
     fn no_word_stands_twice() {
         let mut words: Vec<_> = GERMAN.iter().map(|row| row.0).collect();
         words.sort_unstable();
-        assert!(words.windows(2).all(|pair| pair.first() != pair.last()), "{words:?}");
+        let twice: Vec<_> = words.windows(2).filter(|pair| pair.first() == pair.last()).collect();
+        assert!(twice.is_empty(), "{twice:?}");
     }
 
     #[test]
