@@ -40,6 +40,23 @@ fn a_source_that_changes_is_never_run_at_unseen() {
     assert!(seen[0] > 3 && seen[1] > 10, "{seen:?}");
 }
 
+/// What the run itself has set stands in the data set that was in force then.
+#[test]
+fn another_data_set_in_the_run_ends_it_also_where_the_run_chose_its_source() {
+    let sets = "[[drive]]\nmodel = \"acu\"\nfour = [434, 228]\n\
+                set = { \"412\" = 1, \"414\" = 1, \"434\" = 3, \"228@1\" = 0, \"228@2\" = -30, \"418\" = 0 }\n";
+    let typed = "-v -a 1 --yes sollwert 10Hz --source line --enable --hold --duration 8s";
+    let telegrams = antrieb(typed).on(sets).exits(0).sent();
+    let held = telegrams.iter().position(|hex| hex.starts_with("01 06 01 9A 00 0F")).unwrap() + 8;
+    for after in [held, held + 9, held + 30] {
+        let bench = format!("{sets}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"414\" = 2 }}\n");
+        let run = antrieb(typed).on(&bench).json().exits(8);
+        assert_eq!(run.error()["code"], "forbidden.otherwise", "{after}: {}", run.value);
+        assert!(run.err.contains("P.434"), "{after}: {}", run.err);
+        assert_eq!(run.data("/stop/acknowledged"), true, "{after}");
+    }
+}
+
 #[test]
 fn what_starts_the_shaft_by_itself_is_looked_at_again_behind_the_question() {
     for verb in ["statemachine enable", "statemachine goto operation-enabled", "statemachine contacts S1IND S2IND"] {
