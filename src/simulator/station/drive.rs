@@ -8,6 +8,7 @@
 //! - the watchdog counts from the last request to this station that had a right check value, from the first one on
 //!   after power-on or after P.413 was set; a broadcast is no exchange and does not hold it off.
 
+use super::ignored::{acked, acknowledged};
 use super::modbus::{self, Heard};
 use super::script::Script;
 use super::setup::Setup;
@@ -360,6 +361,9 @@ impl Drive {
         if request.address() == own {
             self.device.heard(now, now, is_select);
             self.script.count(is_select);
+            if let Some(reply) = self.ignored.and_then(|place| acked(&request, place)) {
+                return Some(Response::plain(reply));
+            }
             return self.device.vabus()?.answer(now, &request);
         }
         if request.address().is_broadcast() {
@@ -408,19 +412,5 @@ impl Drive {
         let NodeSetting { address: station, spoken, line } = self.place;
         let frame = self.voice.starts(now, line)?;
         Some(Outgoing { station, spoken, line, frame })
-    }
-}
-
-/// What acknowledges a write to this place.
-fn acknowledged(pdu: &[u8], place: u16) -> Option<Reply> {
-    match Request::decode(pdu).ok()? {
-        Request::WriteRegister { address, value } if address == place => {
-            Some(Reply::RegisterWritten { address, value })
-        }
-        Request::WriteRegisters { start, values } if start == place => {
-            Some(Reply::RegistersWritten { start, count: values.len() as u16 })
-        }
-        Request::WriteLong { address, value } if address == place => Some(Reply::LongWritten { address, value }),
-        _ => None,
     }
 }

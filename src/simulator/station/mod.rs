@@ -3,6 +3,7 @@
 //! A station knows a device only by [`super::device::contract`], and no maker. The ears name no other ear.
 
 mod drive;
+mod ignored;
 mod modbus;
 pub(crate) mod script;
 pub(crate) mod setup;
