@@ -13,7 +13,7 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
-use crate::command::{Context, Entry, Flow, Typed};
+use crate::command::{Context, Entry, Flow, Typed, file_failure};
 use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
@@ -271,9 +271,9 @@ fn closed(error: &io::Error, console: &Console) -> u8 {
     if error.kind() == io::ErrorKind::BrokenPipe {
         return 0;
     }
-    let error = of_system(error);
-    let text = both!("cannot write the output: {error}", "die Ausgabe lässt sich nicht schreiben: {error}", error);
-    let failure = Failure::new(Class::Port, "port.output", text);
+    let said = of_system(error);
+    let text = both!("cannot write the output: {said}", "die Ausgabe lässt sich nicht schreiben: {said}", said);
+    let failure = file_failure(error).unwrap_or_else(|| Failure::new(Class::Port, "port.output", text));
     console.failure(&failure);
     failure.class.exit()
 }

@@ -35,6 +35,7 @@ pub mod write;
 
 pub use again::{Again, word};
 pub use monitor::{keeper, recording};
+pub use output::file_failure;
 pub use stopping::stop_meant;
 pub use synonyms::meant;
 pub use verb::{EXAMPLES, Entry, Flow, Typed, Verb, Working, exemplified};

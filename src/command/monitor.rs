@@ -9,6 +9,7 @@ mod trigger;
 
 pub use record::recording;
 
+use super::output::of_file;
 use super::verb::{Flow, Verb, Working};
 use super::{Context, addresses_to_read, check_number, connect, offline, output, plan, read_question, terms};
 use crate::args::{Settings, Takes, Template, called, parse_span, templates};
@@ -21,7 +22,7 @@ use crate::text::{Wrong, both};
 use crate::tick::Span;
 use clap::Args as ClapArgs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Watches drives: state, setpoint, actual value, current, fault.
 ///
@@ -143,16 +144,12 @@ pub fn keeper(path: PathBuf) -> io::Result<impl FnMut(&str) -> io::Result<()>> {
     let is_ours = |text: String| text.is_empty() || text.starts_with("# TYPE antrieb_");
     match files::read(&path, files::TEXT).map(is_ours) {
         Ok(true) => {}
-        Ok(false) => return Err(told(&path, FileError::Exists)),
+        Ok(false) => return Err(of_file(&path, FileError::Exists)),
         Err(error) if error.is_missing() => {}
-        Err(error) => return Err(told(&path, error)),
+        Err(error) => return Err(of_file(&path, error)),
     }
-    files::check(&path, true).map_err(|error| told(&path, error))?;
-    Ok(move |text: &str| files::write_whole(&path, text, true).map_err(|error| told(&path, error)))
-}
-
-fn told(path: &Path, error: FileError) -> io::Error {
-    io::Error::other(format!("{}: {error}", path.display()))
+    files::check(&path, true).map_err(|error| of_file(&path, error))?;
+    Ok(move |text: &str| files::write_whole(&path, text, true).map_err(|error| of_file(&path, error)))
 }
 
 /// Watches until the count or the time is over, the port is lost, or somebody ends it.

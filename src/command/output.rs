@@ -3,7 +3,27 @@
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
 use crate::text::both;
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What went wrong with a file that a stream keeps, on its way through what writes: it is the file's, not the output's.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", path.display())]
+struct OfFile {
+    path: PathBuf,
+    error: FileError,
+}
+
+/// The error with the name of the file in it.
+pub(super) fn of_file(path: &Path, error: impl Into<FileError>) -> io::Error {
+    io::Error::other(OfFile { path: path.to_owned(), error: error.into() })
+}
+
+/// The failure to show where it was not the output that could not be written, but a file beside it.
+pub fn file_failure(error: &io::Error) -> Option<Failure> {
+    let OfFile { path, error } = error.get_ref()?.downcast_ref()?;
+    Some(Failure { hint: None, ..unwritten(path, error) })
+}
 
 /// Writes it whole or not at all.
 ///

@@ -366,7 +366,8 @@ fn a_text_file_holds_the_last_round_and_takes_no_other_files_place() {
     // Type and help name a counter as its sample does, which OpenMetrics does not.
     assert!(text.contains("# TYPE antrieb_line_silences_total counter\n# HELP antrieb_line_silences_total "), "{text}");
     assert_eq!(run.out.lines().count(), 3, "the stream goes on as ever: {}", run.out);
-    let mine = antrieb(watch).file("drives.prom", "something else\n").exits(3);
+    let mine = antrieb(watch).file("drives.prom", "something else\n").exits(7);
+    assert!(mine.err.contains("drives.prom: the file exists already"), "{}", mine.err);
     assert_eq!(mine.text_of("drives.prom"), "something else\n");
     let refused = antrieb("-p sim -a 1 read 210 --format influx").exits(2);
     assert!(refused.err.contains("monitor"), "{}", refused.err);
