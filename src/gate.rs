@@ -164,6 +164,11 @@ pub trait Ask {
 
     /// Whether anybody can answer; if not, nothing needs to be opened to find that out.
     fn is_there(&self) -> bool;
+
+    /// Whether the answer takes its time, in which what was shown may change.
+    fn takes_time(&self) -> bool {
+        true
+    }
 }
 
 /// Why there is no permit.

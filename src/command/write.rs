@@ -98,7 +98,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         let rows = job::prepare(&mut session, &mut target, &terms, &steps, args.force).await?;
         jobs.push(Job { target, steps, rows });
     }
-    let permit = match permit(&mut session, *ask, &jobs).await {
+    let permit = match permit(&mut session, *ask, &mut jobs).await {
         Ok(Some(permit)) => permit,
         Ok(None) => return Ok(job::done(jobs, Vec::new(), &terms)),
         // Nothing was begun; a script is told what it would have been asked about.
@@ -127,16 +127,18 @@ async fn over_profibus(args: &Args, context: &mut Context<'_>) -> Result<Outcome
     Ok(outcome)
 }
 
-/// Asks for permission for everything that is left to do; `None` if that is nothing.
+/// Asks for permission for everything that is left to do, and looks again what stands there; `None` if that is nothing.
 pub(super) async fn permit(
     session: &mut Session<'_>,
     ask: &mut dyn Ask,
-    jobs: &[Job],
+    jobs: &mut [Job],
 ) -> Result<Option<Permit<Writing>>, Failure> {
-    match job::question(jobs) {
-        Some(question) => asking::on_line(session, ask, &question).await.map(Some),
-        None => Ok(None),
+    let Some(question) = job::question(jobs) else { return Ok(None) };
+    let permit = asking::on_line(session, ask, &question).await?;
+    if ask.takes_time() {
+        job::look_again(session, jobs).await;
     }
+    Ok(Some(permit))
 }
 
 /// What was typed as `PARAMETER=VALUE`, or as two words: `PARAMETER VALUE`.

@@ -38,6 +38,10 @@ impl Ask for Terminal {
     fn is_there(&self) -> bool {
         self.yes || self.present
     }
+
+    fn takes_time(&self) -> bool {
+        !self.yes
+    }
 }
 
 impl Terminal {

@@ -123,7 +123,7 @@ pub(super) async fn write(
         jobs.push(Job { target, steps, rows });
         warned.push(warnings);
     }
-    let (permit, denied) = match permit(session, ask, &jobs).await {
+    let (permit, denied) = match permit(session, ask, &mut jobs).await {
         Ok(permit) => (permit, None),
         // Nothing was begun; a script is told what it would have been asked about.
         Err(failure) if failure.class == Class::Port || !ask.is_there() => (None, Some(job::leave(&mut jobs, failure))),

@@ -1,13 +1,36 @@
 //! What is asked before values are written.
 
 use super::{Job, Step, cuts};
-use crate::drive::{describe, who};
+use crate::drive::{Session, describe, who};
 use crate::gate::{Hazard, Question};
-use crate::outcome::{WriteResult, Written};
+use crate::outcome::{Decimal, WriteResult, Written};
 use crate::profile::paramfile::ranges;
-use crate::profile::value::format_decimal;
+use crate::profile::value::{format_decimal, written};
 use crate::profile::{Family, HazardKind, Store};
 use crate::text::{Text, both};
+
+/// Reads behind the answer what stands there now: a row tells what it replaces, and that it is not what was shown.
+pub async fn look_again(session: &mut Session<'_>, jobs: &mut [Job]) {
+    for Job { target, steps, rows } in jobs {
+        let shown = |row: &&mut Written| row.result == WriteResult::Planned && row.old_raw.is_some();
+        for (step, row) in steps.iter().zip(rows.iter_mut()).filter(|(_, row)| shown(row)) {
+            // What does not answer now is told by the write.
+            let Ok(now) = target.read_set(session, &step.param, step.set).await else { continue };
+            if row.old_raw == Some(now.raw) {
+                continue;
+            }
+            let told = |raw: Option<i64>| raw.map_or_else(String::new, |raw| written(&step.param, raw));
+            row.note = Some(both!(
+                "it changed while you were asked: {was} -> {now}",
+                "er änderte sich während der Frage: {was} -> {now}",
+                was = told(row.old_raw),
+                now = told(Some(now.raw))
+            ));
+            row.old = row.old.map(|old| Decimal { raw: now.raw, ..old });
+            row.old_raw = Some(now.raw);
+        }
+    }
+}
 
 /// What is to be asked before everything that is left to do; `None` if that is nothing.
 pub fn question(jobs: &[Job]) -> Option<Question> {

@@ -5,7 +5,7 @@
 
 mod asked;
 
-pub use asked::{lines, question};
+pub use asked::{lines, look_again, question};
 
 use super::stands::{has_ram, in_ram};
 use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, WriteFate, describe, is_over, summary};

@@ -1,7 +1,7 @@
 //! `write` and the verbs that write: what is asked, what is sent, how it is proven, and what is never sent.
 
 use crate::run::{Document, antrieb};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 fn results(document: &Document) -> Vec<String> {
     let rows = document.value["data"].get("written").unwrap_or_else(|| document.data("/values"));
@@ -344,4 +344,24 @@ fn a_data_set_that_was_selected_in_ram_is_told_as_selected() {
         (stored.data("/selection/raw"), stored.data("/selection_stored")),
         (&0.into(), &serde_json::Value::Null)
     );
+}
+
+/// What a row says that it replaces is what stood there, not what was shown a while ago.
+#[test]
+fn what_changes_while_somebody_is_asked_is_told_as_what_it_replaces() {
+    let bench = |after: usize| {
+        format!(
+            "[[drive]]\nmodel = \"acu\"\nset = {{ \"480\" = 5 }}\n[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"480@1\" = 6 }}\n"
+        )
+    };
+    let line = "-v -a 1 write 480@1=7Hz";
+    let asked = antrieb(line).on(&bench(99)).answered("n").exits(8).sent().len();
+    let run = antrieb(line).on(&bench(asked)).answered("y").json().exits(0);
+    assert!(run.err.contains("5.00 -> 7.00"), "{}", run.err);
+    assert_eq!(run.data("/values/0/old"), &json!(6.0), "{:#}", run.value);
+    assert_eq!(run.data("/values/0/note"), "it changed while you were asked: 5.00 -> 6.00");
+    // Nobody was asked, so nothing had time to change.
+    let usual = antrieb(line).on(&bench(99)).answered("y").exits(0).sent().len();
+    let at_once = antrieb(line).and("--yes").on(&bench(99)).exits(0).sent().len();
+    assert_eq!(at_once + 1, usual);
 }
