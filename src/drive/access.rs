@@ -61,7 +61,7 @@ impl From<PumpError> for AccessError {
         match error {
             PumpError::Link(error) => error.into(),
             PumpError::Interrupted => AccessError::Interrupted,
-            PumpError::TimeUp => ExchangeError::Unproven { asked: 0 }.into(),
+            PumpError::TimeUp(error) => error.into(),
         }
     }
 }

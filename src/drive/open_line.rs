@@ -44,6 +44,10 @@ impl<'a> OpenLine<'a> {
             )));
         }
         let records = self.master.take_records();
+        let outcome = outcome.map_err(|error| match error {
+            PumpError::TimeUp(_) => PumpError::TimeUp(cut_short(&records)),
+            error => error,
+        });
         self.account.show(self.master.protocol(), &records, Some(station));
         self.keep(records);
         if self.master.answers_twice(station) {
@@ -82,6 +86,16 @@ impl<'a> OpenLine<'a> {
     /// What came since the last call and was no answer to a question, and what was sent; kept from the first call on.
     pub(super) fn overheard(&mut self) -> Vec<Record> {
         std::mem::take(self.overheard.get_or_insert_default())
+    }
+}
+
+/// What came of a question whose time was over.
+fn cut_short(records: &[Record]) -> ExchangeError {
+    let count = |ours: &[Verdict]| records.iter().filter(|record| ours.contains(&record.verdict)).count();
+    let asked = u8::try_from(count(&[Verdict::Request])).unwrap_or(u8::MAX);
+    match count(&[Verdict::Request, Verdict::Fence, Verdict::Farewell, Verdict::Echo]) == records.len() {
+        true => ExchangeError::NoTime { asked },
+        false => ExchangeError::Unproven { asked },
     }
 }
 

@@ -1,7 +1,7 @@
 //! Carries out a conversation on a link: the only loop between `exchange` and `transport`.
 
 use super::interrupt::Interrupt;
-use crate::exchange::{Conversation, Master, Step};
+use crate::exchange::{Conversation, ExchangeError, Master, Step};
 use crate::tick::Tick;
 use crate::transport::{Link, LinkError, Wake};
 
@@ -12,9 +12,9 @@ pub(super) enum PumpError {
     Link(#[from] LinkError),
     #[error("interrupted")]
     Interrupted,
-    /// The time that was set for it is over.
-    #[error("time is up")]
-    TimeUp,
+    /// The time that was set for it is over; what came of the question by then.
+    #[error("time is up: {0}")]
+    TimeUp(ExchangeError),
 }
 
 /// Waits on the line without a question; what comes is nobody's answer.
@@ -77,7 +77,9 @@ pub(super) async fn run<C: Conversation>(
         }
         match conversation.step(link.now()) {
             Step::Done(outcome) => return Ok(outcome),
-            _ if ends_at.is_some_and(|at| link.now() >= at) => return Err(PumpError::TimeUp),
+            _ if ends_at.is_some_and(|at| link.now() >= at) => {
+                return Err(PumpError::TimeUp(ExchangeError::NoTime { asked: 0 }));
+            }
             Step::Send(bytes) => link.send(&bytes).await?,
             Step::Wait(until) => {
                 let until = ends_at.map_or(until, |at| until.min(at));

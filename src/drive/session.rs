@@ -56,7 +56,7 @@ pub struct Session<'a> {
     since: Option<Tick>,
     /// Behind the next answer a second one is listened for.
     listens: bool,
-    /// Why the last question brought no answer.
+    /// Why the last question brought no answer, if it brought none.
     unanswered: Option<ExchangeError>,
 }
 
@@ -214,7 +214,9 @@ impl<'a> Session<'a> {
             let outcome = self.on_line(put).await;
             self.hear_of(&outcome);
             match outcome {
-                Err(PumpError::TimeUp) => return Err(self.too_late()),
+                Err(PumpError::TimeUp(error)) => {
+                    return Err(self.unanswered.clone().unwrap_or(error.behind(asked)).into());
+                }
                 Ok(Err(error)) => {
                     let error = error.behind(asked);
                     self.unanswered = Some(error.clone());
@@ -223,7 +225,10 @@ impl<'a> Session<'a> {
                         return Err(error.into());
                     }
                 }
-                outcome => return Ok(outcome??),
+                outcome => {
+                    self.unanswered = None;
+                    return Ok(outcome??);
+                }
             }
         }
     }
@@ -239,7 +244,7 @@ impl<'a> Session<'a> {
 
     /// What a question ends with that has no time left: with what the line was like before.
     pub(super) fn too_late(&self) -> AccessError {
-        self.unanswered.clone().unwrap_or(ExchangeError::Unproven { asked: 0 }).into()
+        self.unanswered.clone().unwrap_or(ExchangeError::NoTime { asked: 0 }).into()
     }
 
     /// Carries a survey on until it has something to tell.

@@ -123,6 +123,7 @@ fn sorted(error: &ExchangeError, address: u8) -> (Class, &'static str) {
         ExchangeError::Stray { .. } => (Class::Garbled, "garbled.wrong_responder"),
         ExchangeError::NeverSilent { .. } => (Class::Garbled, "garbled.never_silent"),
         ExchangeError::Unproven { .. } => (Class::Garbled, "garbled.unproven"),
+        ExchangeError::NoTime { .. } => (Class::Silence, "silence.no_time"),
         ExchangeError::TwoAnswers { .. } => (Class::Garbled, "garbled.two_answers"),
         ExchangeError::BroadcastRead => (Class::Usage, "usage.broadcast_read"),
     }
@@ -160,6 +161,11 @@ fn said(error: &ExchangeError, address: u8) -> Text {
                 "answers came, but each may be one to an older question",
                 "Antworten kamen, aber jede kann einer älteren Frage gelten"
             ),
+            Some(*asked),
+        ),
+        ExchangeError::NoTime { asked: 0 } => (both!("no time was left to ask", "zum Fragen blieb keine Zeit"), None),
+        ExchangeError::NoTime { asked } => (
+            both!("no answer came in the time that was left", "in der Zeit, die blieb, kam keine Antwort"),
             Some(*asked),
         ),
         ExchangeError::TwoAnswers { .. } => {

@@ -194,6 +194,12 @@ pub enum ExchangeError {
         /// How often it was asked.
         asked: u8,
     },
+    /// The time that was left for it is over, and nothing came in it.
+    #[error("no answer in the time that was left, asked {asked} times")]
+    NoTime {
+        /// How often it was asked; 0 if no time was left at all.
+        asked: u8,
+    },
     /// A station answered one question in two ways, or everything twice so that nothing is sure.
     #[error("station {station} gives two answers to one question")]
     TwoAnswers {
@@ -217,7 +223,8 @@ impl ExchangeError {
         if let ExchangeError::Silence { asked, .. }
         | ExchangeError::Garbled { asked, .. }
         | ExchangeError::NeverSilent { asked }
-        | ExchangeError::Unproven { asked } = &mut self
+        | ExchangeError::Unproven { asked }
+        | ExchangeError::NoTime { asked } = &mut self
         {
             *asked = asked.saturating_add(before);
         }

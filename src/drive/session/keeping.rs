@@ -12,31 +12,13 @@ const STEP: Span = Span::from_millis(20);
 impl<'a> Session<'a> {
     /// Waits for something that is not on the line, such as the answer to a question, and keeps the line meanwhile: what
     /// comes is nobody's answer. Ends early with an error if somebody interrupts, also in the same moment, or if the port
-    /// is lost. The time of the bench stands still.
+    /// is lost. A bench that follows the wall clock goes on meanwhile; the time of any other one stands still.
     pub async fn during<T>(&mut self, wait: impl Future<Output = T>) -> Result<T, AccessError> {
-        let interrupt = self.interrupt.clone();
-        let virtual_time = self.bench().is_some();
-        let keep = async {
-            loop {
-                match virtual_time {
-                    true => interrupt.raised().await,
-                    false => self.rest(Span::from_secs(60)).await?,
-                }
-                if interrupt.is_raised() {
-                    return Err(AccessError::Interrupted);
-                }
-            }
-        };
-        let waited = tokio::select! {
-            biased;
-            waited = wait => waited,
-            failed = keep => failed?,
-        };
-        if self.interrupt.is_raised() { Err(AccessError::Interrupted) } else { Ok(waited) }
+        // Without a moment there is no other end.
+        self.during_until(wait, None).await?.ok_or(AccessError::Interrupted)
     }
 
-    /// The same, until a moment at most; then `None`. A bench that follows the wall clock goes on meanwhile; any other one stands
-    /// still, so that the moment does not come there.
+    /// The same, until a moment at most; then `None`. Where the time stands still, the moment does not come.
     pub async fn during_until<T>(
         &mut self,
         wait: impl Future<Output = T>,

@@ -17,7 +17,7 @@ const WHO_ANSWERS: Text = Text::new(
     "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
 );
 
-const ADVICE: [(&str, Text); 22] = [
+const ADVICE: [(&str, Text); 23] = [
     (
         "silence.no_reply",
         Text::new(
@@ -27,6 +27,13 @@ const ADVICE: [(&str, Text); 22] = [
             "Adresse, Baudrate, Parität und Protokoll prüfen (P.395; ab Werk spricht der Antrieb VABus, nicht Modbus), \
              ferner vertauschte Adern A und B, Abschluss und ob ein zweiter Master am Bus ist; `antrieb scan` fragt alle \
              Adressen",
+        ),
+    ),
+    (
+        "silence.no_time",
+        Text::new(
+            "is the cable still plugged in, and the drive under power? Where replies are only slow, a longer --timeout helps",
+            "steckt das Kabel noch, und hat der Antrieb Spannung? Sind die Antworten nur langsam, hilft ein längeres --timeout",
         ),
     ),
     (
@@ -43,7 +50,15 @@ const ADVICE: [(&str, Text); 22] = [
             "Baudrate und Parität, doppelt vergebene Adressen, Abschluss und Schirmung prüfen",
         ),
     ),
-    ("garbled.wrong_answer", WHO_ANSWERS),
+    (
+        "garbled.wrong_answer",
+        Text::new(
+            "a reply that comes later than --timeout looks so, too: try a longer one; -v shows the telegrams; or is it no drive of \
+             this family, or another master on the bus?",
+            "auch eine Antwort, die später als --timeout kommt, sieht so aus: länger warten; -v zeigt die Telegramme; oder ist es \
+             kein Antrieb dieser Familie, oder ein zweiter Master am Bus?",
+        ),
+    ),
     ("garbled.wrong_responder", WHO_ANSWERS),
     (
         "garbled.never_silent",

@@ -168,6 +168,10 @@ impl Master {
             true => self.count(at, sent_end, said),
             false => self.settle(at, sent_end, said),
         }
+        if let Some(Job { phase: Phase::Gap(since), .. }) = &mut self.job {
+            // The line did not keep it waiting while a second answer was listened for.
+            *since = now;
+        }
         self.step(now)
     }
 
