@@ -32,13 +32,13 @@ pub struct MotionArgs {
 
     /// Set the drive's own watchdog for the run
     ///
-    /// P.413, MBnode_guard: in RAM, and restored afterwards.
+    /// P.413, MBnode_guard: in RAM; given back behind --hold, a stop and a reset.
     #[arg(long, value_name = "TIME", value_parser = parse_span, hide_short_help = true, help_heading = "Run")]
     pub watchdog: Option<Span>,
 
     /// ACTIVE: take control with P.412 = 1 for the run
     ///
-    /// In RAM, and given back afterwards.
+    /// In RAM; given back behind --hold, a stop and a reset, where that starts nothing.
     #[arg(long, help_heading = "Run")]
     pub take_control: bool,
 

@@ -4,20 +4,22 @@ use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, look, may_turn, shout, shout_zero, watchdog_raw,
+    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, look, shout, shout_zero, watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
 use crate::gate::{self, Ask, Permit, Relief};
 use crate::outcome::{Data, Event, Outcome, RunKeys};
-use crate::profile::{Family, Mode, Registry};
+use crate::profile::{Family, Mode, Param, Registry};
 use crate::text::{Text, both};
 
 mod done;
 mod keypad;
 mod question;
 mod report;
+mod sets;
 mod several;
+mod unstopped;
 mod verdict;
 mod whom;
 
@@ -25,6 +27,7 @@ use done::Seen;
 use question::{nothing_stops_it, question};
 use report::{aftermath, report};
 pub(super) use several::stop_each;
+use unstopped::{but_said, unsent, unstopped};
 use whom::{first_said, meant, stop_harder, whom};
 
 /// The modes of a family in which something is meant.
@@ -40,6 +43,8 @@ pub(super) struct Plan<'p> {
     pub(super) details: Vec<Text>,
     /// What is shown of the drive's own settings: still so when somebody has agreed, or nothing is done.
     pub(super) promises: Vec<Promise>,
+    /// What is set for the run besides.
+    pub(super) sets: Vec<(Param, i64)>,
     /// How the run is bounded.
     pub(super) args: &'p MotionArgs,
     /// The control word is needed, so it must be obeyed.
@@ -67,6 +72,7 @@ impl<'p> Plan<'p> {
             announce,
             details,
             promises: Vec::new(),
+            sets: Vec::new(),
             args,
             needs_control: true,
             aim,
@@ -176,7 +182,8 @@ pub(super) async fn run<'p, C>(
         // A stop goes out and is proven whether or not somebody reads what comes of it.
         interrupt.hear_only_keys();
     }
-    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let session = connect(settings, registry, interrupt, *observe).await;
+    let mut session = session.map_err(|failure| if goes_first.is_some() { unsent(failure) } else { failure })?;
     let mut first_word = FirstWord::default();
     for (drive, act) in meant(settings, registry, &[address])?.iter().zip(goes_first) {
         first_word = first_said(&mut session, (settings, registry), drive, act, &mut plan).await?;
@@ -252,6 +259,10 @@ async fn on_drive<'p, C>(
     let blind = Situation::default();
     let checked = check(session, &mut target, before.as_ref().unwrap_or(&blind), &mut plan).await;
     let checked = checked.map_err(unstopped)?;
+    if plan.relief.is_none() {
+        let told = plan.tells_sets(session, &mut target, before.as_ref().unwrap_or(&blind), watchdog).await;
+        told.map_err(unstopped)?;
+    }
     let permit = match plan.relief {
         Some(act) => act.permit(),
         None => agreed(session, *ask, &mut target, &plan, (settings.node, before.as_ref().unwrap_or(&blind)))
@@ -292,18 +303,6 @@ async fn on_drive<'p, C>(
         return Ok(outcome);
     }
     Ok(report(&plan, &target, seen, done, ended))
-}
-
-/// Nobody agreed to the rest.
-fn but_said(mut failure: Failure) -> Failure {
-    if !["forbidden.not_confirmed", "forbidden.no_terminal"].contains(&failure.code.as_str()) {
-        return failure;
-    }
-    failure.message = both!(
-        "the stop was sent, and is not proven; nobody agreed to the rest",
-        "der Halt wurde gesendet und ist nicht belegt; dem Übrigen stimmte niemand zu"
-    );
-    failure
 }
 
 /// What the drive says before anything else is done. A command that relieves looks for itself, and goes out even where little
@@ -364,47 +363,6 @@ fn is_command(act: Option<Relief>) -> bool {
     act.is_some_and(|act| act != Relief::Zero)
 }
 
-/// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
-fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
-    if !matches!(failure.class, Class::Silence | Class::Garbled | Class::Interrupted | Class::Refused | Class::Data) {
-        return failure;
-    }
-    let mut failure = failure;
-    let (said, hint) = match act {
-        Relief::Zero if said => (
-            both!(
-                "the setpoint 0 was sent, whether it is obeyed is not known",
-                "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt"
-            ),
-            both!(
-                "`antrieb statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
-                "`antrieb statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz"
-            ),
-        ),
-        Relief::Zero => (
-            both!("no setpoint was sent", "es wurde kein Sollwert gesendet"),
-            both!(
-                "what a zero does must be asked from the drive first; `antrieb statemachine quick-stop` goes out at once",
-                "was eine Null bewirkt, muss der Antrieb erst sagen; `antrieb statemachine quick-stop` geht sofort hinaus"
-            ),
-        ),
-        _ => (
-            both!(
-                "the stop was sent, whether it is obeyed is not known",
-                "der Halt wurde gesendet; ob er befolgt wird, ist unbekannt"
-            ),
-            both!(
-                "what stops it now: its enable input, the emergency stop, or the mains",
-                "was ihn jetzt anhält: sein Freigabeeingang, der Not-Halt oder das Netz"
-            ),
-        ),
-    };
-    let turns = may_turn();
-    failure.message = both!("{turns}: {said}; {why}", "{turns}: {said}; {why}", turns, said, why = failure.message);
-    let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
-    failure.hint(Text::join(&hints, "; "))
-}
-
 /// Changes for the run what the user wants changed.
 async fn prepare(
     motor: &mut Motor<'_, '_>,
@@ -415,8 +373,10 @@ async fn prepare(
     if let Some(watchdog) = watchdog {
         motor.change("watchdog", watchdog).await?;
     }
-    if let Some(control) = family.motion.control.filter(|_| plan.args.take_control && plan.needs_control) {
-        motor.change("control-mode", control.obeys).await?;
+    if let Some(obeys) = plan.takes(family).filter(|_| plan.needs_control) {
+        // A stop that went out first stands in the control word already.
+        let enable = family.machine.command("enable").filter(|_| plan.aim.is_none());
+        motor.take_control(obeys, enable.map(|command| command.word)).await?;
     }
     Ok(())
 }

@@ -266,6 +266,7 @@ impl Giving<'_> {
         let mut check = Check { args, session, target, before };
         let wanted = check.run(wanted, enable, needs_control).await?;
         plan.promises.extend(wanted.promise.clone());
+        plan.sets.extend(wanted.settings.iter().cloned());
         plan.announce = announce(&wanted, &target.family, enable);
         plan.details.extend(wanted.told_keys(&target.family));
         plan.keys = wanted.shown_keys();
@@ -297,7 +298,8 @@ async fn carry_out(
     for (param, raw) in &wanted.settings {
         motor.change_param(param, *raw).await?;
     }
-    if wanted.mode.zero && (enable || wanted.mode.value.is_some()) {
+    let starts = enable && !motor.is_enabled();
+    if wanted.mode.zero && (starts || wanted.mode.value.is_some()) {
         // A setpoint that still stands from before must not start the shaft; nor does 0 where the drive then turns by itself.
         let first = if enable && wanted.turns_at_zero() { wanted.schedule.at(0) } else { 0 };
         motor.give(&wanted.param, first, unit).await?;

@@ -90,10 +90,12 @@ mod motion {
     mod rounds;
     mod runs;
     mod several;
+    mod short_of_time;
     mod shown;
     mod stopping;
     mod stops;
     mod taken;
+    mod takeover;
     mod to_the_letter;
     mod told_apart;
     mod unmeasured;

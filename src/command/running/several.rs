@@ -1,6 +1,6 @@
 //! A stop of several drives: each hears it before any of them is looked at, and then all are proven side by side, as if each were alone.
 
-use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unstopped};
+use super::{Around, Plan, Said, meant, on_drive, said_of, stop_harder, unsent, unstopped};
 use crate::command::{Context, connect};
 use crate::drive::motion::{Call, Meant, Motor, Situation, shout_round};
 use crate::drive::{AccessError, Session, Target, is_there, summary};
@@ -27,7 +27,7 @@ pub(in crate::command) async fn stop_each<'p, C>(
 ) -> Result<Outcome, Failure> {
     let Context { settings, registry, interrupt, observe, .. } = context;
     interrupt.hear_only_keys();
-    let mut session = connect(settings, registry, interrupt, *observe).await?;
+    let mut session = connect(settings, registry, interrupt, *observe).await.map_err(unsent)?;
     let named = meant(settings, registry, addresses)?;
     let (calls, pressed) = shout_round(&mut session, registry, &named, act).await;
     let calls: RefCell<Vec<Option<Call<'_>>>> = RefCell::new(calls.into_iter().map(Some).collect());

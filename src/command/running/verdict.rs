@@ -265,8 +265,7 @@ fn not_standing(plan: &Plan<'_>, family: &Family, setpoint: Option<&Setpoint>) -
 
 /// What a run changed and could not give back, also where that is better so: it is not as it was promised.
 fn not_given_back(plan: &Plan<'_>, changed: &[Change]) -> Option<Failure> {
-    let bounded = (plan.args.hold && plan.args.on_exit != StopArg::Keep) || plan.aim.is_some();
-    let left: Vec<_> = changed.iter().filter(|change| bounded && !change.restored).collect();
+    let left: Vec<_> = changed.iter().filter(|change| plan.gives_back() && !change.restored).collect();
     let settings = |old: bool| {
         let of = |change: &&Change| match old {
             true => format!("{}={}", change.name.trim_start_matches("P."), change.old),

@@ -43,6 +43,15 @@ pub(super) async fn tells_more(
         );
         plan.tells(session, vec![told]);
     }
+    if wanted.mode.zero && !wanted.mode.zero_stops() && wanted.schedule.values().all(|raw| raw == 0) {
+        let told = both!(
+            "a setpoint of 0 does not bring the shaft to rest in this mode: {mode}; `antrieb statemachine quick-stop` does",
+            "in dieser Betriebsart bringt ein Sollwert 0 die Welle nicht zum Stillstand: {mode}; `antrieb statemachine \
+             quick-stop` tut es",
+            mode = wanted.mode.text()
+        );
+        plan.tells(session, vec![told]);
+    }
     if enable && wanted.mode.source.is_none() {
         let promises = motion::own_setpoints(session, target).await?;
         let told = promises.iter().filter_map(|promise| promise.runs_at(&target.family)).collect();

@@ -42,7 +42,7 @@ pub(super) async fn set(
         async |session, target, before, plan| heard(session, target, before, plan, word).await,
         async |motor, contacts| {
             if take {
-                motor.change("control-mode", contacts).await?;
+                motor.take_control(contacts, Some(word)).await?;
             }
             motor.contacts(word).await?;
             if let Some(duration) = hold {
@@ -102,8 +102,8 @@ fn unheard(before: &Situation, family: &Family, needed: i64) -> Failure {
         "der Antrieb hört nicht auf virtuelle Kontakte: {label} ist {mode}, nötig ist {needed}"
     );
     Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(both!(
-        "--take-control sets it in RAM for the run and gives it back",
-        "--take-control stellt es für den Lauf im RAM um und danach zurück",
+        "--take-control sets it in RAM; behind a --hold it is given back",
+        "--take-control stellt es im RAM um; nach --hold geht es zurück",
     ))
 }
 

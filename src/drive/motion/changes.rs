@@ -1,16 +1,41 @@
 //! What is changed for a run, and giving it back.
 
 use super::look::{raw, read_working};
+use super::own::shown;
 use super::watchdog::guard;
 use super::{Lever, Motor, StopChoice, has_power};
 use crate::drive::describe;
+use crate::drive::session::Session;
+use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
 use crate::outcome::{Change, Stop};
-use crate::profile::{DataSets, Need, Param};
+use crate::profile::{DataSets, Family, Param};
 use crate::text::both;
 
 /// How often it is tried.
 const TRIES: u8 = 5;
+
+/// The data set of a setting that is changed, and its place, as messages call it.
+fn placed(family: &Family, param: &Param, set: u8) -> (u8, String) {
+    let (data_set, _) = describe::place(set);
+    match family.link.route.has_data_sets() {
+        true => (data_set, format!("{}@{data_set}ram", param.label())),
+        false => (data_set, param.label()),
+    }
+}
+
+/// What [`Motor::change_param`] would change: place, value before and value then, with their units; `None` if it is so already.
+pub async fn would_change(
+    session: &mut Session<'_>,
+    target: &mut Target,
+    param: &Param,
+    new: i64,
+) -> Result<Option<(String, String, String)>, Failure> {
+    let (set, reading) = read_working(session, target, param).await?;
+    let old = reading.map_err(|error| error.failure(target.address, Some(&target.family)))?.raw;
+    let (_, name) = placed(&target.family, param, set);
+    Ok((old != new).then(|| (name, shown(param, old), shown(param, new))))
+}
 
 impl Motor<'_, '_> {
     /// Changes the setting with a role for the run, if the family has it; it is given back at the end.
@@ -58,7 +83,7 @@ impl Motor<'_, '_> {
     }
 
     /// In which data set the drive works with a setting, and its value there.
-    async fn in_force(&mut self, param: &Param) -> Result<(u8, i64), Failure> {
+    pub(super) async fn in_force(&mut self, param: &Param) -> Result<(u8, i64), Failure> {
         let (set, reading) = read_working(self.session, self.target, param).await?;
         Ok((set, reading.map_err(|error| self.failure(&error))?.raw))
     }
@@ -103,13 +128,9 @@ impl Motor<'_, '_> {
         Ok(())
     }
 
-    fn note_change(&mut self, param: &Param, set: u8, old: i64, new: i64) {
+    pub(super) fn note_change(&mut self, param: &Param, set: u8, old: i64, new: i64) {
         self.settled.push((param.id, set));
-        let (data_set, _) = describe::place(set);
-        let name = match self.target.family.link.route.has_data_sets() {
-            true => format!("{}@{data_set}ram", param.label()),
-            false => param.label(),
-        };
+        let (data_set, name) = placed(&self.target.family, param, set);
         self.changes.push(Change { param: param.id, name, data_set, old, new, restored: false });
     }
 
@@ -120,6 +141,23 @@ impl Motor<'_, '_> {
         let ended =
             stop.is_none_or(|stop| stop.choice != StopChoice::Keep.slug() && (stop.acknowledged || is_off(stop)));
         ended || self.lever == Lever::Taken
+    }
+
+    /// Where a run went wrong: whether what it has set in RAM is gone, as behind a power failure.
+    pub(super) async fn notes_restart(&mut self) {
+        let Some(change) = self.changes.iter().find(|change| change.old != change.new).cloned() else { return };
+        let param = self.target.family.param_or_unknown(change.param);
+        let ram = if self.target.family.link.route.has_data_sets() { DataSets::RAM_OFFSET } else { 0 };
+        let now = raw(self.session, self.target, &param, change.data_set + ram).await;
+        if now.is_ok_and(|now| now == Some(change.old)) {
+            self.notes.push(both!(
+                "{name} is {old} again, which this run has not set back: the drive has restarted, or somebody else writes to it",
+                "{name} ist wieder {old}, ohne dass dieser Lauf es zurückstellte: der Antrieb ist neu gestartet, oder jemand \
+                 anderes schreibt",
+                name = change.name,
+                old = change.old
+            ));
+        }
     }
 
     /// Gives back what was changed; settings that decide whether the drive still obeys only once it stands.
@@ -145,7 +183,7 @@ impl Motor<'_, '_> {
             let Some(change) = self.changes.get(index).cloned() else { continue };
             let param = self.target.family.param_or_unknown(change.param);
             if self.target.family.role("control-mode").is_some_and(|mode| mode.id == param.id)
-                && !self.may_give_control_back(change.old).await
+                && !self.may_give_control_back(&change).await
             {
                 continue;
             }
@@ -161,63 +199,4 @@ impl Motor<'_, '_> {
         // What fed the watchdog in the run would bring back what it was.
         self.again = None;
     }
-
-    /// Whether the drive stays where it is when control goes back. The control word of the stop would close virtual
-    /// contacts, so it is cleared first; and contacts that are closed now would start a drive that listens to them, or one
-    /// that ran before control was taken: who started it then is not known, and would start it again. So would a contact
-    /// that was closed since.
-    async fn may_give_control_back(&mut self, old: i64) -> bool {
-        if self.write_control(0).await.is_err() {
-            return false;
-        }
-        let family = self.target.family.clone();
-        let Some(control) = family.motion.control else { return true };
-        let Ok(status) = self.status().await else { return false };
-        let may_start = old == control.terminals || (old != control.contacts && self.taken != Taken::Idle);
-        if !may_start || self.is_released(status) != Some(true) {
-            return true;
-        }
-        let (label, now) = (family.role_label("control-mode"), control.obeys);
-        let ran = self.taken == Taken::Running;
-        self.notes.push(match ran {
-            true => both!(
-                "{label} stays {now}: enable and start contact are closed, and the drive ran under {label} = {old} before",
-                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen, und der Antrieb lief vorher unter {label} = \
-                 {old}"
-            ),
-            false => both!(
-                "{label} stays {now}: enable and start contact are closed and would start the drive under {label} = {old}",
-                "{label} bleibt {now}: Freigabe und Startkontakt sind geschlossen und würden den Antrieb unter {label} = \
-                 {old} starten"
-            ),
-        });
-        false
-    }
-
-    /// Whether the contacts that a run needs are closed; `None` if the status word does not tell.
-    fn is_released(&self, status: u32) -> Option<bool> {
-        let bit = self.target.family.motion.interlock(Need::Release)?.bit?;
-        Some(status >> bit & 1 == 1)
-    }
-
-    /// Takes note of the contacts at the first look behind the taking of control.
-    pub(super) fn notes_contacts(&mut self, status: u32) {
-        if self.taken == Taken::Unseen {
-            self.taken = if self.is_released(status) == Some(true) { Taken::Idle } else { Taken::Open };
-        }
-    }
-}
-
-/// What is known of the drive as control over it was taken from somebody else.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Taken {
-    /// It has not answered since.
-    #[default]
-    Unseen,
-    /// It had power before: somebody else ran it.
-    Running,
-    /// It had none, though its contacts were closed: they do not start it.
-    Idle,
-    /// It had none, and its contacts were open.
-    Open,
 }

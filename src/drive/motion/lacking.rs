@@ -44,8 +44,9 @@ pub fn no_control(situation: &Situation, target: &Target) -> Option<Failure> {
         "der Antrieb hört nicht auf das Steuerwort: {label} ist {mode}, nötig ist {obeys}"
     );
     Some(Failure::new(Class::Forbidden, "forbidden.control_mode", text).hint(both!(
-        "--take-control sets it in RAM for the run and gives it back",
-        "--take-control stellt es für den Lauf im RAM um und danach zurück"
+        "--take-control sets it in RAM; behind a --hold, a stop and a reset it is given back, where that starts nothing",
+        "--take-control stellt es im RAM um; nach --hold, einem Halt und einer Quittierung geht es zurück, wo das nichts \
+         startet"
     )))
 }
 

@@ -18,12 +18,14 @@ mod shaft;
 mod shout;
 mod still;
 mod stop;
+mod taking;
 mod walk;
 mod watchdog;
 mod watched;
 
 pub use super::route::Meant;
 pub use before::{Standing, own_setpoints, runs_at, standing, upon_enabling};
+pub use changes::would_change;
 pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
@@ -33,6 +35,7 @@ pub use relief::{PROOF, may_turn};
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
 pub use stop::StopChoice;
+pub use taking::taken_over;
 pub use walk::no_fault;
 pub use watchdog::watchdog_words;
 pub use watched::{Stays, Watched};
@@ -48,10 +51,10 @@ use crate::outcome::{Change, Setpoint, State, Step, Stop};
 use crate::profile::{Blind, Mode, Need, Param};
 use crate::text::{Text, both};
 use crate::tick::{Span, Tick};
-use changes::Taken;
 use futures_util::FutureExt as _;
 use std::panic::AssertUnwindSafe;
 use still::Sight;
+use taking::Taken;
 use watchdog::guard;
 
 /// Whether the shaft did not become slower.
@@ -150,7 +153,7 @@ pub struct Motor<'a, 's> {
     pub changes: Vec<Change>,
     /// Parameters, and their data sets, of which it is known whether they are to be given back.
     settled: Vec<(u32, u8)>,
-    /// The run ends with its stop, so that a setpoint is part of it too.
+    /// Nothing runs on afterwards, so what was changed goes back; a setpoint is part of it too.
     bounded: bool,
     /// The setpoint that was given.
     pub setpoint: Option<Setpoint>,
@@ -282,8 +285,11 @@ impl<'a, 's> Motor<'a, 's> {
             done => done,
         };
         self.session.believe_since(None);
+        if hold && (result.is_err() || stop.as_ref().is_some_and(|stop| !stop.acknowledged)) {
+            self.notes_restart().await;
+        }
         // A stop that took control for itself needs it no more.
-        if hold || result.is_err() || (self.stopping && !self.changes.is_empty()) {
+        if self.bounded || result.is_err() || (self.stopping && !self.changes.is_empty()) {
             self.give_back(self.may_give_back(stop.as_ref())).await;
         }
         Ended { result, stop }

@@ -35,7 +35,7 @@ use crate::outcome::Event;
 use crate::profile::{Family, Registry};
 use crate::text::both;
 use crate::tick::{Span, Tick};
-use presumed::{narrowed, others, presumed};
+use presumed::{doubted, narrowed, others, presumed};
 use saying::{at_once, glimpsed, in_short, insist, sound, unless_interrupted};
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -376,10 +376,12 @@ impl<'m> Call<'m> {
         let Some((named, others)) = others(registry, may_be).filter(|_| is_refused && !self.widened) else {
             return false;
         };
+        let Some(why) = doubted(self.meant, &named) else { return false };
         session.tell(Event::Note(both!(
-            "the drive refuses the stop of a {drive}: is --drive right? The stop of the other families goes out too",
-            "der Antrieb lehnt den Halt eines {drive} ab: stimmt --drive? Der Halt der anderen Familien geht auch hinaus",
-            drive = named.drive
+            "the drive refuses the stop of a {drive}{why} The stop of the other families goes out too",
+            "der Antrieb lehnt den Halt eines {drive} ab{why} Der Halt der anderen Familien geht auch hinaus",
+            drive = named.drive,
+            why
         )));
         (self.untold, self.widened, self.said) = (others, true, 0);
         true

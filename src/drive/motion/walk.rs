@@ -3,6 +3,7 @@
 use super::lacking::{missing, no_control, tripped};
 use super::look::{no_plan, state_name};
 use super::still::QUICK_STOP;
+use super::taking::Taken;
 use super::{Lever, Motor, Situation};
 use crate::drive::describe;
 use crate::failure::{Class, Failure};
@@ -75,6 +76,8 @@ impl Motor<'_, '_> {
             return Err(no_fault());
         }
         let machine = self.target.family.machine.clone();
+        // Contacts that did not start a drive in a fault may start it behind it.
+        (self.bounded, self.taken) = (true, Taken::Tripped);
         match machine.transition("fault", "reset").cloned() {
             Some(transition) => {
                 self.pass(&transition).await?;

@@ -53,3 +53,31 @@ fn a_drive_that_was_only_enabled_keeps_the_setpoint_of_others() {
     assert!(!run.err.contains("> 01 65 01 E4"), "{}", run.err);
     assert!(run.err.contains("error: THE SHAFT MAY STILL TURN"), "{}", run.err);
 }
+
+/// Who has told which product he is refuses his word for a reason of his own: nobody named a family, and no other one's words go out.
+#[test]
+fn a_servo_that_refuses_its_word_is_not_asked_whether_it_is_one() {
+    let bench = "[[drive]]\nmodel = \"lxm05\"\n[[drive.event]]\nat = \"0s\"\nrefuses = 6914\n";
+    for verb in ["statemachine disable", "statemachine quick-stop", "sollwert 0rpm"] {
+        let run = antrieb(&format!("-v -a 1 {verb}")).on(bench).run();
+        assert!(!run.err.contains("--drive right") && !run.err.contains("other families"), "{verb}: {}", run.err);
+        assert!(!run.sent().iter().any(|hex| hex.starts_with("01 06 01 9A")), "{verb}: {}", run.err);
+        let named = antrieb(&format!("-v -a 1 --drive lxm05 {verb}")).on(bench).run();
+        let refuses = verb.starts_with("statemachine");
+        assert_eq!(named.err.contains("is --drive right?"), refuses, "{verb}: {}", named.err);
+    }
+}
+
+#[test]
+fn a_stop_for_which_no_port_opens_says_that_the_shaft_may_turn() {
+    for verb in ["statemachine quick-stop", "statemachine disable", "statemachine disable-voltage", "sollwert 0"] {
+        for addresses in ["1", "1,2"] {
+            let run = antrieb(&format!("-p {{dir}}/nothing -a {addresses} {verb}")).json().exits(3);
+            let message = run.error()["message"].as_str().unwrap();
+            assert!(message.starts_with("THE SHAFT MAY STILL TURN: no stop was sent"), "{message}");
+            assert!(run.error()["hint"].as_str().unwrap().starts_with("what stops it now"), "{}", run.error());
+        }
+    }
+    let other = antrieb("-p {dir}/nothing -a 1 --yes sollwert 5Hz --enable --hold").json().exits(3);
+    assert!(!other.error()["message"].as_str().unwrap().contains("SHAFT"), "{}", other.error());
+}

@@ -61,3 +61,23 @@ fn a_slow_servo_is_proven_to_stand() {
     let sins = sins("lxm05", "rtu");
     assert!(sins.is_empty(), "{} {}", sins.len(), sins.join("\n"));
 }
+
+/// A ramp of 0.4 s behind replies of 0.3 to 0.45 s: few looks fall into the time in which the drive still has power.
+#[test]
+fn a_short_ramp_behind_slow_replies_is_proven() {
+    let mut sins = Vec::new();
+    for (model, protocol) in [("acu", "ascii"), ("acu", "rtu"), ("act", "vabus")] {
+        for named in [format!("--drive {model}"), String::new()] {
+            for verb in ["statemachine quick-stop", "statemachine disable"] {
+                for delay in (300..450).step_by(25) {
+                    let line = format!("-v --protocol {protocol} -b 19200 {named} -a 1 {verb}");
+                    let run = antrieb(&line).on(&bench(model, protocol, delay, 50)).run();
+                    if run.exit != 0 {
+                        sins.push(format!("{model} {delay} ms {line}: exit {}\n{}", run.exit, run.err));
+                    }
+                }
+            }
+        }
+    }
+    assert!(sins.is_empty(), "{} {}", sins.len(), sins.join("\n"));
+}

@@ -3,8 +3,10 @@
 use super::{BRIEF, unless_interrupted};
 use crate::drive::access::AccessError;
 use crate::drive::recognise;
+use crate::drive::route::Meant;
 use crate::drive::session::Session;
 use crate::profile::{Family, Registry};
+use crate::text::{Text, both};
 use std::rc::Rc;
 
 /// The families that it may be, and whether it has told so. One question tells who describes itself and who does not; without an
@@ -40,6 +42,15 @@ pub(super) fn others(registry: &Registry, families: &[Rc<Family>]) -> Option<(Rc
     let [named] = families else { return None };
     let others = kinds(registry).into_iter().filter(|family| kind(family) != kind(named)).collect();
     named.is_movable().then(|| (named.clone(), others))
+}
+
+/// What is doubted of a drive that refuses the words of its family; `None`: it has told its product and refuses them for another
+/// reason.
+pub(super) fn doubted(meant: &Meant, family: &Family) -> Option<Text> {
+    match meant.family.is_some() {
+        true => Some(both!(": is --drive right?", ": stimmt --drive?")),
+        false => family.link.product.is_none().then(|| Text::name(".")),
+    }
 }
 
 /// One family of each kind that can be moved.

@@ -1,7 +1,7 @@
 //! A setpoint of zero, said before anything is asked that it does not need.
 
 use super::super::look::role_raw;
-use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, in_short, insist, narrowed, others, presumed};
+use super::{BRIEF, PAUSE, SHORT, TIMES, at_once, doubted, in_short, insist, narrowed, others, presumed};
 use crate::drive::access::AccessError;
 use crate::drive::route::{Cell, Inquiry, Meant, no};
 use crate::drive::session::Session;
@@ -40,13 +40,17 @@ async fn say_zero(
         None => presumed(session, registry, meant.address).await?,
     };
     let (mut said, refused) = say_zero_to(session, meant, (&mut families, told), modes).await?;
-    if let Some((named, mut others)) = refused.then(|| others(registry, &families)).flatten() {
+    let others = refused.then(|| others(registry, &families)).flatten();
+    if let Some((named, mut others)) = others
+        && let Some(why) = doubted(meant, &named)
+    {
         session.tell(Event::Note(both!(
-            "the drive refuses the setpoint of a {drive}: is --drive right? A zero of the other families goes out too, \
+            "the drive refuses the setpoint of a {drive}{why} A zero of the other families goes out too, \
              where they know it",
-            "der Antrieb lehnt den Sollwert eines {drive} ab: stimmt --drive? Die Null der anderen Familien geht auch \
+            "der Antrieb lehnt den Sollwert eines {drive} ab{why} Die Null der anderen Familien geht auch \
              hinaus, wo sie sie kennen",
-            drive = named.drive
+            drive = named.drive,
+            why
         )));
         said |= say_zero_to(session, meant, (&mut others, true), modes).await?.0;
     }

@@ -1,0 +1,108 @@
+//! What is said where a stop is not proven, or could not go out at all.
+
+use crate::drive::motion::may_turn;
+use crate::failure::{Class, Failure};
+use crate::gate::Relief;
+use crate::text::{Text, both};
+
+/// The failure of a stop for which no port could be opened: nothing went out.
+pub(super) fn unsent(failure: Failure) -> Failure {
+    if failure.class != Class::Port {
+        return failure;
+    }
+    let mut failure = failure;
+    let hint = match failure.code.as_str() {
+        "port.busy" => both!(
+            "Ctrl-C in the program that holds the port ends a run of antrieb by its stop; or the enable input, the emergency stop, \
+             the mains",
+            "Strg-C in dem Programm, das den Anschluss hält, beendet einen Lauf von antrieb mit seinem Halt; oder der \
+             Freigabeeingang, der Not-Halt, das Netz"
+        ),
+        _ => stops_now(),
+    };
+    let turns = may_turn();
+    failure.message = both!(
+        "{turns}: no stop was sent; {why}",
+        "{turns}: es wurde kein Halt gesendet; {why}",
+        turns,
+        why = failure.message
+    );
+    let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
+    failure.hint(Text::join(&hints, "; "))
+}
+
+fn stops_now() -> Text {
+    both!(
+        "what stops it now: its enable input, the emergency stop, or the mains",
+        "was ihn jetzt anhält: sein Freigabeeingang, der Not-Halt oder das Netz"
+    )
+}
+
+/// The failure of an act that was to take motion away, where the line is the reason: nothing proves that the shaft stands.
+pub(super) fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
+    if !matches!(
+        failure.class,
+        Class::Silence | Class::Garbled | Class::Interrupted | Class::Refused | Class::Data | Class::Port
+    ) {
+        return failure;
+    }
+    let mut failure = failure;
+    let (said, hint) = match act {
+        Relief::Zero if said => (
+            both!(
+                "the setpoint 0 was sent, whether it is obeyed is not known",
+                "der Sollwert 0 wurde gesendet; ob er befolgt wird, ist unbekannt"
+            ),
+            both!(
+                "`antrieb statemachine quick-stop` stops it; or its enable input, the emergency stop, the mains",
+                "`antrieb statemachine quick-stop` hält ihn an; oder sein Freigabeeingang, der Not-Halt, das Netz"
+            ),
+        ),
+        Relief::Zero => (
+            both!("no setpoint was sent", "es wurde kein Sollwert gesendet"),
+            both!(
+                "what a zero does must be asked from the drive first; `antrieb statemachine quick-stop` goes out at once",
+                "was eine Null bewirkt, muss der Antrieb erst sagen; `antrieb statemachine quick-stop` geht sofort hinaus"
+            ),
+        ),
+        _ => (
+            both!(
+                "the stop was sent, whether it is obeyed is not known",
+                "der Halt wurde gesendet; ob er befolgt wird, ist unbekannt"
+            ),
+            stops_now(),
+        ),
+    };
+    let turns = may_turn();
+    failure.message = both!("{turns}: {said}; {why}", "{turns}: {said}; {why}", turns, said, why = failure.message);
+    let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
+    failure.hint(Text::join(&hints, "; "))
+}
+
+/// Nobody agreed to the rest.
+pub(super) fn but_said(mut failure: Failure) -> Failure {
+    if !["forbidden.not_confirmed", "forbidden.no_terminal"].contains(&failure.code.as_str()) {
+        return failure;
+    }
+    failure.message = both!(
+        "the stop was sent, and is not proven; nobody agreed to the rest",
+        "der Halt wurde gesendet und ist nicht belegt; dem Übrigen stimmte niemand zu"
+    );
+    failure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_port_that_is_held_names_who_stops_the_drive_by_it() {
+        let busy = Failure::new(Class::Port, "port.busy", Text::name("held")).hint(Text::name("close it"));
+        let failure = unsent(busy);
+        assert!(failure.message.en.starts_with("THE SHAFT MAY STILL TURN: no stop was sent; held"), "{failure:?}");
+        let hint = failure.hint.as_deref().map_or("", |hint| &*hint.en);
+        assert!(hint.starts_with("Ctrl-C in the program that holds the port") && hint.ends_with("close it"), "{hint}");
+        let other = Failure::new(Class::Usage, "usage.port", Text::name("which?"));
+        assert_eq!(unsent(other).message.en, "which?");
+    }
+}
