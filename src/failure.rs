@@ -94,7 +94,21 @@ impl Failure {
         self.context.push((key, value.to_string()));
         self
     }
+
+    /// The same of a drive whose family was found out.
+    #[must_use]
+    pub fn of_family(self, drive: &str) -> Self {
+        self.with(FAMILY, drive)
+    }
+
+    /// The family that the drive was found to be of, or `unknown`.
+    pub fn family(&self) -> &str {
+        self.context.iter().find(|(key, _)| *key == FAMILY).map_or("unknown", |(_, family)| family)
+    }
 }
+
+/// The name of a drive's family among the facts for machines.
+const FAMILY: &str = "drive";
 
 /// For programs and their logs: in English.
 impl fmt::Display for Failure {

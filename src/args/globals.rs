@@ -190,7 +190,10 @@ pub(super) fn usual_baud(baud: u32) -> Result<u32, Text> {
         return Err(both!("expected {first} to {last}, got {baud}", "erwartet: {first} bis {last}; angegeben: {baud}"));
     }
     match USUAL.iter().find(|usual| **usual != baud && usual.abs_diff(baud) * 50 <= **usual) {
-        Some(usual) => Err(both!("expected {usual}, got {baud}", "erwartet: {usual}; angegeben: {baud}")),
+        Some(usual) => Err(both!(
+            "expected {first} to {last}, but nothing right beside a usual speed; got {baud} (perhaps {usual} is meant)",
+            "erwartet: {first} bis {last}, aber nichts dicht neben einer üblichen Geschwindigkeit; angegeben: {baud} (gemeint ist vielleicht {usual})"
+        )),
         None => Ok(baud),
     }
 }

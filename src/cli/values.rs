@@ -2,6 +2,7 @@
 
 use crate::args::{Environment, Globals, Settings, named_drives, named_groups, ports_there};
 use crate::command::VERBS;
+use crate::profile::procedure::Procedure;
 use crate::profile::{Family, Param, Registry, Sets, fold};
 use crate::text::Lang;
 use std::collections::BTreeMap;
@@ -36,6 +37,9 @@ pub(super) fn fitting(place: &Place<'_>, environment: &Environment) -> Vec<Candi
     let mut found = match (place.verb.as_str(), place.value.as_str()) {
         (_, "port") => ports(),
         (_, "address") => addresses(place, &globals, environment),
+        ("procedure", "name" | "values") => of_procedures(place, lang_of(&globals, environment)),
+        ("dataset", "set") => "1 2 3 4 0".split(' ').map(bare).collect(),
+        ("dataset", "from" | "to") => "1 2 3 4".split(' ').map(bare).collect(),
         ("schema", "verb") => VERBS.iter().map(|verb| bare(verb.name)).collect(),
         (_, name) => match WORDS.iter().find(|row| row.0 == name) {
             Some((_, words)) => words.split(' ').map(bare).collect(),
@@ -94,11 +98,30 @@ fn ports() -> Vec<Candidate> {
     there.chain([("sim".to_owned(), "the built-in bench".to_owned())]).collect()
 }
 
+/// The language in which something is said of candidates.
+fn lang_of(globals: &Globals, environment: &Environment) -> Lang {
+    Settings::resolve(globals, environment).map_or(Lang::En, |settings| settings.lang)
+}
+
+/// Guided work, or, behind its name, what it must know; what is known of that (`power=`) knows only who types.
+fn of_procedures(place: &Place<'_>, lang: Lang) -> Vec<Candidate> {
+    let all = Procedure::all();
+    if place.value == "name" {
+        let names = all.into_iter().map(|one| (one.slug, one.title.get(lang).to_owned()));
+        return names.chain([("list".to_owned(), String::new())]).collect();
+    }
+    let named = all.into_iter().find(|one| place.row.first() == Some(&one.slug.as_str()));
+    let is_said = |key: &str| place.row.iter().any(|word| word.split_once('=').is_some_and(|(said, _)| said == key));
+    let wanted = named.into_iter().flat_map(|one| one.values).filter(|value| !is_said(&value.key));
+    wanted.map(|value| (format!("{}=", value.key), value.what.get(lang).to_owned())).collect()
+}
+
 /// The drives and groups of the project file; behind a comma another one.
 fn addresses(place: &Place<'_>, globals: &Globals, environment: &Environment) -> Vec<Candidate> {
     let before = place.word.rfind(',').map_or("", |comma| place.word.get(..=comma).unwrap_or_default());
     let drives = named_drives(globals, environment).into_iter().map(|(name, address)| (name, address.to_string()));
-    let all = drives.chain(named_groups(globals, environment));
+    let is_said = |name: &str| before.split(',').any(|said| said == name);
+    let all = drives.chain(named_groups(globals, environment)).filter(|(name, _)| !is_said(name));
     all.map(|(name, about)| (format!("{before}{name}"), about)).collect()
 }
 
@@ -121,6 +144,11 @@ fn of_family(place: &Place<'_>, family: &Rc<Family>, lang: Lang) -> Vec<Candidat
     match place.value.as_str() {
         "mode" if place.verb == "sollwert" => family.modes.iter().map(|mode| bare(&mode.slug)).collect(),
         "params" => parameters(place.word, family, lang, &|param| param.access.reads()),
+        "fault_code" => {
+            // A range of codes is called by its letters (`F17nn`), which is none of them.
+            let single = family.faults.iter().filter(|row| row.last.is_none());
+            single.map(|row| (row.key.clone(), row.text().get(lang).to_owned())).collect()
+        }
         "search" => parameters(place.word, family, lang, &|_| true),
         "only" | "except" => listed(place.word, family, lang),
         "assignments" | "options" => match (place.word.split_once('='), open(&place.row)) {

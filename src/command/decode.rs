@@ -86,6 +86,7 @@ enum What {
     /// Or EB303, 0x0500, 1280.
     Fault {
         /// The code
+        #[arg(id = "fault_code", value_name = "CODE")]
         code: String,
     },
     /// A code of the error register (P.11), such as 11

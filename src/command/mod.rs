@@ -222,8 +222,8 @@ fn movable(family: &Family) -> Result<(), Failure> {
         return Ok(());
     }
     let message = both!(
-        "no catalogue tells how a {drive} is moved: its parameters can be read and written, and that is all",
-        "kein Katalog sagt, wie ein {drive} bewegt wird: nur seine Parameter lassen sich lesen und schreiben",
+        "no catalogue tells how a drive of the family {drive} is moved: its parameters can be read and written, and that is all",
+        "kein Katalog sagt, wie ein Antrieb der Familie {drive} bewegt wird: nur seine Parameter lassen sich lesen und schreiben",
         drive = family.drive
     );
     Err(Failure::new(Class::Data, "data.not_movable", message).hint(both!(

@@ -179,7 +179,9 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     let mut names = called(settings)?;
     let places: Vec<_> =
         addresses.into_iter().map(|address| Place { address, called: names.remove(&address) }).collect();
-    Ok(watch(&mut session, &terms(settings, registry)?, rounds, &places, &chosen, &select).await)
+    let waited = (!wanted.triggers.is_empty()).then_some(args.record.as_deref()).flatten();
+    let outcome = watch(&mut session, &terms(settings, registry)?, rounds, &places, &chosen, &select).await;
+    Ok(record::told(outcome, waited))
 }
 
 /// What is watched and waited for, in words.

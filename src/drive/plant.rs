@@ -221,13 +221,14 @@ impl Member<'_> {
     fn must_be_meant(&self, drive: &Recognised) -> Result<(), Failure> {
         let (address, found) = (self.address, &drive.target.family.drive);
         let failure = |code: &str, message| {
-            Failure::new(Class::Data, code, message).with("address", address).hint(self.another.clone())
+            let failure = Failure::new(Class::Data, code, message).with("address", address).of_family(found);
+            failure.hint(self.another.clone())
         };
         let of = &self.family;
         if of.drive != *found {
             let message = both!(
-                "expected a drive of the family {of}, address {address} is a {found}",
-                "erwartet wird ein Antrieb der Familie {of}, an Adresse {address} ist ein {found}",
+                "expected a drive of the family {of}, address {address} is of the family {found}",
+                "erwartet wird ein Antrieb der Familie {of}, Adresse {address} ist von der Familie {found}",
                 of = of.drive
             );
             return Err(failure("data.other_family", message));

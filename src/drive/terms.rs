@@ -195,7 +195,10 @@ impl Stated {
             "ist dieser Antrieb gemeint: --drive {found}, und ihn so in die Datei schreiben; sonst den richtigen mit \
              `antrieb scan` suchen"
         );
-        Err(Failure::new(Class::Data, "data.other_family", message).hint(hint).with("address", address))
+        Err(Failure::new(Class::Data, "data.other_family", message)
+            .hint(hint)
+            .with("address", address)
+            .of_family(found))
     }
 }
 

@@ -290,6 +290,12 @@ pub struct Monitor {
     pub gaps: u64,
     /// Triggers that came true.
     pub triggers: u64,
+    /// Seconds from round to round that were asked for; 0 is as fast as the line allows, null is a round whenever one was called for.
+    pub interval: Option<Decimal>,
+    /// Seconds from round to round on average; null before the second round.
+    pub interval_kept: Option<Decimal>,
+    /// Rounds that came later than the interval says, because the one before took so long.
+    pub late: u64,
 }
 
 /// What was streamed.

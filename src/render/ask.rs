@@ -66,7 +66,9 @@ impl Terminal {
         self.console.prompt(prompt);
         let mut open = OpenPrompt { console: &self.console, is_open: true };
         let (typed, input) = read_line(input).await;
-        open.is_open = false;
+        // The newline of who answers is on the screen; who ends the input (Ctrl-D) has typed none.
+        open.is_open = !typed.as_ref().is_some_and(|line| line.ends_with('\n'));
+        drop(open);
         self.input = input;
         match typed {
             Some(line) if yes.contains(&line.trim().to_lowercase().as_str()) => Answer::Yes,

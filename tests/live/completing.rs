@@ -41,6 +41,11 @@ const CASES: &[(&str, &str)] = &[
     ("--port=sim:ba", "--port=sim:backup.toml "),
     ("--drive act dataset load --only mot", "--drive act dataset load --only motor"),
     ("dataset lo", "dataset load "),
+    // What can be done, and what it must be told.
+    ("procedure comm", "procedure commission "),
+    ("-p sim procedure f", "-p sim procedure first-contact "),
+    ("procedure commission pow", "procedure commission power="),
+    ("procedure commission power=", "procedure commission power="),
     ("read --form", "read --format "),
     // Options have a beginning in common, which nobody typed.
     ("identify ", "identify "),
@@ -63,6 +68,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("-p sim:ba", "-p sim:backup.toml "),
     ("--port=sim:ba", "--port=sim:backup.toml "),
     ("dataset lo", "dataset load "),
+    ("procedure comm", "procedure commission "),
+    ("procedure commission pow", "procedure commission power="),
     ("identify ", "identify "),
 ];
 

@@ -36,6 +36,8 @@ mod parameters {
     mod own_family;
     pub(crate) mod plant;
     mod reading;
+    #[cfg(unix)]
+    mod same_port;
     mod saving;
     mod stated;
     mod transactions;

@@ -82,6 +82,27 @@ fn a_stream_is_a_start_samples_and_an_end() {
     );
 }
 
+/// Who asked for 200 ms and gets 400 shall not believe to have them.
+#[test]
+fn an_interval_that_the_line_cannot_keep_is_told() {
+    let end = |line: &str| {
+        let run = antrieb(&format!("-p sim -a 1,2 monitor --unpaced {line}")).exits(0);
+        (records(&run).pop().unwrap(), run.err)
+    };
+    let (slow, told) = end("--count 5 --interval 200ms --json");
+    let summary = &slow["summary"];
+    assert_eq!((&summary["interval"], &summary["late"]), (&json!(0.2), &json!(4)), "{slow:#}");
+    assert_eq!(summary["interval_kept"], 0.4);
+    assert_eq!(slow["warnings"][0]["code"], "monitor.interval");
+    assert!(told.contains("the interval of 200 ms was not kept: a round came every 400 ms on average"), "{told}");
+    let (kept, told) = end("--count 5 --interval 500ms --json");
+    assert_eq!((&kept["summary"]["interval_kept"], &kept["summary"]["late"]), (&json!(0.5), &json!(0)));
+    assert!(!told.contains("not kept"), "{told}");
+    let (free, _) = end("--count 5 --interval 0 --json");
+    assert!(free["summary"]["interval_kept"].as_f64().unwrap() > 0.2 && free["warnings"] == json!([]), "{free:#}");
+    assert_eq!(end("--count 1 --json").0["summary"]["interval_kept"], Value::Null);
+}
+
 #[test]
 fn json_means_ndjson_and_runs_are_alike() {
     let line = "-p sim -a 1,2 monitor --count 4 --unpaced";

@@ -105,6 +105,22 @@ fn a_value_triggers_where_it_passes_its_level_and_repeatedly() {
     assert_eq!((at_once("frequency < 10Hz"), at_once("frequency falling 10Hz"), at_once("state -> fault")), (1, 0, 0));
 }
 
+/// An empty file says nothing of why it is empty.
+#[test]
+fn a_trigger_that_never_came_true_is_told_with_its_empty_record() {
+    let line = "-p sim -a 1 monitor 210 --count 3 --unpaced --json --record {dir}/none.csv --trigger 'current > 90A'";
+    let run = antrieb(line).exits(0);
+    assert_eq!(run.text_of("none.csv").lines().count(), 1);
+    assert!(
+        run.err.contains("no trigger came true, so ") && run.err.contains("none.csv holds no sample"),
+        "{}",
+        run.err
+    );
+    assert_eq!(records(&run.out).pop().unwrap()["warnings"][0]["code"], "monitor.no_trigger");
+    let met = antrieb(line).and("--trigger 'frequency < 10Hz'").exits(0);
+    assert!(!met.err.contains("no trigger came true"), "{}", met.err);
+}
+
 #[test]
 fn what_a_trigger_looks_at_is_watched_and_nothing_twice() {
     let slugs = |line: &str| -> Vec<String> {

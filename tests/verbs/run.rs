@@ -85,6 +85,12 @@ impl Run {
         self
     }
 
+    /// At a terminal, where somebody ends the input (Ctrl-D) when asked.
+    pub(crate) fn answered_by_the_end(mut self) -> Self {
+        self.answer = Some(String::new());
+        self
+    }
+
     /// With this on stdin, which is no terminal.
     pub(crate) fn fed(mut self, input: &str) -> Self {
         self.input = Some(input.to_owned());

@@ -291,7 +291,7 @@ async fn same_family(
         "Antrieb {address} ist von der Familie '{found}', die Datei ist für '{of}'; geändert wurde nichts",
         of = family.drive
     );
-    Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
+    Err(Failure::new(Class::Data, "data.other_family", message).of_family(found).hint(both!(
         "what two families have in common has the same numbers, not the same meaning; --drive is believed with --force alone",
         "gleiche Nummern zweier Familien bedeuten nicht dasselbe; --drive wird nur mit --force geglaubt"
     )))

@@ -20,7 +20,7 @@ pub(super) struct Told {
 impl Told {
     /// Of a drive that could not be asked.
     pub(super) fn nothing(address: u8, failure: Failure) -> Self {
-        Told { report: blank(address, "unknown"), failure: Some(failure), warnings: Vec::new() }
+        Told { report: blank(address, failure.family()), failure: Some(failure), warnings: Vec::new() }
     }
 
     /// Whether nobody can be asked any more.

@@ -384,7 +384,7 @@ impl Options {
     fn nothing(&self, goal: &Goal, failure: &Failure) -> SavedFile {
         SavedFile {
             address: goal.address,
-            drive: "unknown".to_owned(),
+            drive: failure.family().to_owned(),
             file: None,
             scope: self.scope(goal).name(),
             complete: false,

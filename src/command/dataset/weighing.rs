@@ -197,7 +197,7 @@ impl Weighed {
         let family = files.iter().flatten().next().map_or("unknown", |file| &file.family.drive);
         let [a, b] = sides.map(|which| {
             let own = which.address(Some(address));
-            let drive = if own.is_some() { "unknown" } else { family };
+            let drive = if own.is_some() { failure.family() } else { family };
             Side {
                 kind: which.kind(),
                 name: named(which, own),
@@ -253,7 +253,7 @@ pub(in crate::command) async fn against_target(
     file: &Opened,
     is_unified: bool,
 ) -> Result<Weighed, Failure> {
-    file.fits(&target.family.drive)?;
+    file.fits(&target.family.drive).map_err(|failure| failure.of_family(&target.family.drive))?;
     let which = Which::File(file.file.path.as_ref().into());
     let mut a = Weight::of(&which, Some(file), None, &file.family)?;
     let mut b = Weight::of(&Which::Drive(None), None, Some(target), &file.family)?;

@@ -2,6 +2,8 @@
 
 use crate::command::output::of_file;
 use crate::files;
+use crate::outcome::{Data, Outcome, Warning};
+use crate::text::both;
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -13,6 +15,20 @@ use std::path::{Path, PathBuf};
 pub fn recording(path: &Path, force: bool) -> io::Result<impl Write + 'static> {
     let file = files::create(path, force).map_err(|error| of_file(path, error))?;
     Ok(Lines { file, path: path.to_owned(), whole: 0 })
+}
+
+/// What came of a watch; `waited` is its file, if that was to hold what lies around a trigger only.
+pub(super) fn told(mut outcome: Outcome, waited: Option<&Path>) -> Outcome {
+    let is_empty = matches!(&outcome.data, Some(Data::Monitor(done)) if done.triggers == 0);
+    outcome.warnings.extend(waited.filter(|_| is_empty).map(|path| Warning {
+        code: "monitor.no_trigger".to_owned(),
+        message: both!(
+            "no trigger came true, so {path} holds no sample",
+            "kein Auslöser ist eingetreten, {path} enthält deshalb keinen Messpunkt",
+            path = path.display()
+        ),
+    }));
+    outcome
 }
 
 /// What is written at once is in the file, or nothing of it.

@@ -63,7 +63,8 @@ pub(super) fn hinted(one: &Wanted, failure: Failure) -> Failure {
 /// How a drive stands, and all that is told of it.
 fn tell(one: &Wanted, member: Member<'_>) -> (PlantState, loaded::Told) {
     let Member { found, left, applied, .. } = member;
-    let mut load = blank(one.place.address, "unknown", one.files(), one.left_out.clone());
+    let drive = left.as_ref().map_or("unknown", Failure::family);
+    let mut load = blank(one.place.address, drive, one.files(), one.left_out.clone());
     let Some(Found { plan, .. }) = found else {
         return (PlantState::Skipped, loaded::Told { load, warnings: Vec::new(), failure: left });
     };

@@ -210,8 +210,8 @@ impl Guide<'_> {
             drive != meant && self.record.steps.iter().any(|step| step.result == StepFate::Done && is_named(step));
         if was_another || self.procedure.steps_of(&drive) != self.procedure.steps_of(&meant) {
             let message = both!(
-                "a {drive} answers, but the steps so far were those of a {meant}",
-                "es antwortet ein {drive}, die Schritte bisher galten aber einem {meant}"
+                "a drive of the family {drive} answers, but the steps so far were for the family {meant}",
+                "es antwortet ein Antrieb der Familie {drive}, die Schritte bisher galten aber der Familie {meant}"
             );
             return Err(Failure::new(Class::Data, "data.other_drive", message).hint(both!(
                 "`--drive {drive} --force` begins anew with it; --record names another record",
@@ -357,8 +357,8 @@ pub(super) fn describes(procedure: &Procedure, drive: &str) -> Result<(), Failur
         return Ok(());
     }
     let message = both!(
-        "no manual describes {name} for a {drive} (only for {known})",
-        "kein Handbuch beschreibt {name} für einen {drive} (nur für {known})",
+        "no manual describes {name} for the family {drive} (only for {known})",
+        "kein Handbuch beschreibt {name} für die Familie {drive} (nur für {known})",
         name = procedure.slug,
         known = procedure.drives.join(", ")
     );

@@ -378,8 +378,8 @@ impl<'m> Call<'m> {
         };
         let Some(why) = doubted(self.meant, &named) else { return false };
         session.tell(Event::Note(both!(
-            "the drive refuses the stop of a {drive}{why} The stop of the other families goes out too",
-            "der Antrieb lehnt den Halt eines {drive} ab{why} Der Halt der anderen Familien geht auch hinaus",
+            "the drive refuses the stop of the family {drive}{why} The stop of the other families goes out too",
+            "der Antrieb lehnt den Halt der Familie {drive} ab{why} Der Halt der anderen Familien geht auch hinaus",
             drive = named.drive,
             why
         )));

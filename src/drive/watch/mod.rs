@@ -6,6 +6,7 @@
 
 mod item;
 mod moment;
+mod pace;
 mod rounds;
 mod station;
 mod trigger;
@@ -25,6 +26,7 @@ use crate::outcome::{
 use crate::profile::Family;
 use crate::text::both;
 use crate::tick::{Span, Tick};
+use pace::Pace;
 use station::Station;
 
 /// What lies around a trigger.
@@ -80,7 +82,8 @@ pub async fn watch(
         triggers: chosen.waited_for.iter().map(|condition| condition.text.clone()).collect(),
         end: rounds.duration.map(|duration| (session.now() + duration, "duration")),
         rounds,
-        tally: Monitor { because: "interrupted", t: decimal(Span::ZERO), rounds: 0, samples: 0, gaps: 0, triggers: 0 },
+        tally: untold(),
+        pace: Pace::default(),
         warnings: Vec::new(),
         lost: None,
         unheard: None,
@@ -88,6 +91,9 @@ pub async fn watch(
     watch.tally.because = watch.run(session, &mut stations).await;
     watch.start(session, &stations);
     watch.tally.t = watch.seconds(session.now());
+    let interval = watch.rounds.when.interval();
+    watch.pace.tell(&mut watch.tally, interval);
+    watch.warnings.extend(watch.pace.warning(interval));
     watch.outcome(stations)
 }
 
@@ -106,6 +112,7 @@ struct Watch<'a> {
     /// When it ends, and why then.
     end: Option<(Tick, &'static str)>,
     tally: Monitor,
+    pace: Pace,
     warnings: Vec<Warning>,
     /// The port is lost.
     lost: Option<Failure>,
@@ -116,12 +123,11 @@ struct Watch<'a> {
 impl Watch<'_> {
     /// Goes round until it is over; returns why it is.
     async fn run(&mut self, session: &mut Session<'_>, stations: &mut [Station]) -> &'static str {
-        let mut last = None;
         loop {
-            if let Some(because) = self.pause(session, last).await {
+            if let Some(because) = self.pause(session, self.pace.last()).await {
                 return because;
             }
-            last = Some(session.now());
+            self.pace.begins(session.now(), self.begin, self.rounds.when.interval());
             let result = match self.lost.clone() {
                 Some(failure) => {
                     self.blank(session, stations, &failure);
@@ -300,7 +306,7 @@ impl Watch<'_> {
             begun: session.since_1970().map(|now| decimal(now - session.now().since(self.begin))),
             line: self.terms.line.to_string(),
             protocol: self.terms.speech.protocol.name(),
-            interval: self.interval(),
+            interval: self.rounds.when.interval().map(decimal),
             waits: self.waits(),
             drives: stations.iter().map(|station| self.watched(station)).collect(),
         };
@@ -353,6 +359,12 @@ impl Watch<'_> {
         let failure = lost.or(self.unheard).or_else(|| summary(failures, good));
         Outcome { data: Some(Data::Monitor(self.tally)), warnings: self.warnings, failure }
     }
+}
+
+/// What is told of a watch that has not begun.
+fn untold() -> Monitor {
+    let (t, interval, interval_kept) = (decimal(Span::ZERO), None, None);
+    Monitor { because: "interrupted", t, rounds: 0, samples: 0, gaps: 0, triggers: 0, interval, interval_kept, late: 0 }
 }
 
 /// What the line has come to.

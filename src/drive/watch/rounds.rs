@@ -1,10 +1,10 @@
 //! When the next round comes: by the clock, or when somebody calls for it.
 
-use super::{Watch, Window, decimal};
+use super::{Watch, Window};
 use crate::drive::Session;
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
-use crate::outcome::{Decimal, Event, Record};
+use crate::outcome::{Event, Record};
 use crate::text::both;
 use crate::tick::{Span, Tick};
 use std::io;
@@ -33,6 +33,16 @@ pub enum When {
     Every(Span),
     /// When somebody calls for it. It ends when nobody can call any more.
     Called(Calls),
+}
+
+impl When {
+    /// The time from round to round, if it is the clock that says when they come.
+    pub(super) fn interval(&self) -> Option<Span> {
+        match *self {
+            When::Every(interval) => Some(interval),
+            When::Called(_) => None,
+        }
+    }
 }
 
 /// Somebody who calls for rounds, one by one; nothing comes any more when he has left. An error: he cannot be heard.
@@ -121,14 +131,6 @@ impl Watch<'_> {
             None => {}
         }
         Came::End
-    }
-
-    /// Seconds from round to round, if it is the clock that says when they come.
-    pub(super) fn interval(&self) -> Option<Decimal> {
-        match self.rounds.when {
-            When::Every(interval) => Some(decimal(interval)),
-            When::Called(_) => None,
-        }
     }
 
     /// What to do when the session is over: end with this reason, or go on without a port.

@@ -52,7 +52,7 @@ fn plain(value: &Value) -> String {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),
         Value::Array(list) => {
-            let is_clear = |item: &&Value| item.get("set") == Some(&Value::Bool(false));
+            let is_clear = |item: &&Value| ABSENT.iter().any(|flag| item.get(flag) == Some(&Value::Bool(false)));
             let told = |item: &Value| match reading(item) {
                 Some(value) => format!("{} {value}", item.get("name").map_or_else(String::new, plain)),
                 None => plain(item),
@@ -63,18 +63,37 @@ fn plain(value: &Value) -> String {
             if let Some(value) = reading(value) {
                 return value;
             }
-            let told =
-                ["hex", "name", "message"].iter().find_map(|name| fields.get(*name).filter(|field| field.is_string()));
+            let told = TOLD.iter().find(|told| told.iter().all(|name| fields.contains_key(*name)));
+            let told = told.map(|told| {
+                let parts = told.iter().map(|name| fields.get(*name).map_or_else(String::new, plain));
+                parts.collect::<Vec<_>>().join(" ").trim().to_owned()
+            });
+            let told = told.filter(|told| !told.is_empty());
             let number = fields.get("bit").map(|bit| format!("bit {bit}"));
             let all = || {
                 let filled = fields.iter().filter(|(_, field)| !field.is_null());
                 filled.map(|(name, field)| format!("{name} {}", plain(field))).collect::<Vec<_>>().join(", ")
             };
-            told.map(plain).or(number).unwrap_or_else(all)
+            told.or(number).unwrap_or_else(all)
         }
         other => other.to_string(),
     }
 }
+
+/// What says of a member of a list that it is not there.
+const ABSENT: [&str; 2] = ["set", "present"];
+
+/// What tells an object, the first of which it has all fields: a field of a telegram, a fault, the error register, a counter; a
+/// word; what is called something; what went wrong.
+const TOLD: [&[&str]; 7] = [
+    &["hex", "name", "value"],
+    &["key", "name"],
+    &["code", "name"],
+    &["name", "count"],
+    &["hex"],
+    &["name"],
+    &["message"],
+];
 
 /// What was read of a parameter, with its unit; empty where it was not.
 fn reading(value: &Value) -> Option<String> {

@@ -68,9 +68,12 @@ impl Page {
         }
         let Comparison { a, b, compared, differences, error, .. } = comparison;
         let mut rows = vec![vec!["a".to_owned(), self.side(a)], vec!["b".to_owned(), self.side(b)]];
-        rows.push(vec![self.word("compared").to_owned(), compared.to_string()]);
-        let count = differences.iter().filter(|row| row.error.is_none()).count();
-        rows.push(vec![self.word("different").to_owned(), count.to_string()]);
+        // Where nothing could be held against anything, no number says how much of it was alike.
+        if error.is_none() || *compared > 0 {
+            let count = differences.iter().filter(|row| row.error.is_none()).count();
+            rows.push(vec![self.word("compared").to_owned(), compared.to_string()]);
+            rows.push(vec![self.word("different").to_owned(), count.to_string()]);
+        }
         if let Some(error) = error {
             rows.push(vec![self.word("error").to_owned(), self.say(&error.message)]);
         }

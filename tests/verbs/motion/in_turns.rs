@@ -104,7 +104,7 @@ fn what_is_said_of_a_drive_in_the_round_names_it() {
     let bench = [drive(1, "10", ""), drive(2, "10", "")].concat();
     let run = running("-a 1,2 --drive lxm05 statemachine quick-stop", &bench);
     for address in [1, 2] {
-        let named = format!("address {address}: the drive refuses the stop of a lxm05");
+        let named = format!("address {address}: the drive refuses the stop of the family lxm05");
         assert_eq!(run.err.matches(&named).count(), 1, "{}", run.err);
     }
 }

@@ -37,6 +37,12 @@ fn every_kind_of_value_is_completed() {
         ("state goto op", "operation-enabled"),
         ("protocol set a", "ascii"),
         ("schema sta", "statemachine"),
+        ("procedure f", "first-contact"),
+        ("procedure li", "list"),
+        ("procedure commission pow", "power="),
+        ("dataset select 2", "2"),
+        ("dataset copy 1 3", "3"),
+        ("decode fault F201", "F2010"),
         ("-a p", "pump"),
         ("-a pump,f", "pump,fan"),
         ("-p si", "sim"),
@@ -106,6 +112,18 @@ fn outside_of_quotes(line: &str) -> String {
         }
     }
     bare
+}
+
+/// What stands there already is not offered once more, and what nobody but who types knows is not offered at all.
+#[test]
+fn a_candidate_is_offered_once() {
+    assert_eq!(candidates("-a pump,"), ["pump,fan", "pump,servo", "pump,all"]);
+    assert_eq!(candidates("dataset select ''"), ["1", "2", "3", "4", "0"]);
+    let open = candidates("procedure commission power=2.2kW ''");
+    assert!(open.contains(&"voltage=".to_owned()) && !open.contains(&"power=".to_owned()), "{open:?}");
+    for nothing in ["procedure commission power=", "procedure list ''", "procedure nonsense ''"] {
+        assert_eq!(candidates(nothing), [""; 0], "{nothing}");
+    }
 }
 
 /// A completion that has nothing to say, or cannot, is silent: it stands in somebody's command line.

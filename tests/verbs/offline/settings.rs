@@ -148,7 +148,10 @@ fn a_bad_setting_names_the_file_that_it_stands_in() {
     for (slip, told) in [
         ("drive = \"acx\"", "antrieb.toml:2:1: `drive`: unknown drive 'acx'"),
         ("parity = \"mark\"", "antrieb.toml:2:1: `parity`: "),
-        ("baud = 19201", "antrieb.toml:2:1: `baud`: expected 19200, got 19201"),
+        (
+            "baud = 19201",
+            "antrieb.toml:2:1: `baud`: expected 300 to 1250000, but nothing right beside a usual speed; got 19201 (perhaps 19200",
+        ),
         ("data_bits = 9", "antrieb.toml:2:1: `data_bits`: "),
     ] {
         // The values of a parity are words of the command line.
@@ -166,7 +169,7 @@ fn a_bad_setting_names_the_file_that_it_stands_in() {
         }
     }
     // A speed that no line could tell from a usual one; an unusual one is taken.
-    assert!(antrieb("-p sim -a 1 -b 9601 read 411").exits(2).err.contains("expected 9600, got 9601"));
+    assert!(antrieb("-p sim -a 1 -b 9601 read 411").exits(2).err.contains("got 9601 (perhaps 9600 is meant)"));
     assert!(!antrieb("-p sim -a 1 -b 12500 read 411").run().err.contains("expected"));
 }
 

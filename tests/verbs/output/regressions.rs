@@ -204,6 +204,33 @@ fn the_active_data_set_stands_in_every_format() {
     assert_eq!(&reader.records().next().unwrap().unwrap()[column], "3");
 }
 
+/// The cells of the first row of what is printed as CSV, by the names of their columns.
+fn first_row(csv: &str) -> std::collections::BTreeMap<String, String> {
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let cells = reader.records().next().unwrap().unwrap();
+    names.into_iter().zip(cells.iter().map(str::to_owned)).collect()
+}
+
+#[test]
+fn a_cell_holds_what_was_counted_and_which_fault_and_not_only_what_it_is_called() {
+    let bench = "[[drive]]\nmodel = \"act\"\n[[drive.event]]\nat = \"0s\"\nfault = \"F0500\"\n";
+    let csv = |line: &str| first_row(&antrieb(&format!("-a 1 --format csv {line}")).on(bench).run().out);
+    let diag = csv("diag");
+    let counted = diag["counters"].split("; ").map(|one| one.rsplit(' ').next().unwrap().parse::<u16>());
+    assert!(counted.clone().all(|count| count.is_ok()) && counted.count() == 8, "{}", diag["counters"]);
+    assert_eq!(diag["error_register"], "0 No error");
+    assert!(diag["fault"].starts_with("F0500 "), "{}", diag["fault"]);
+    let field = first_row(&antrieb("--format csv decode telegram 01 65 21 77 00 00 03 E8 46 C5").exits(0).out);
+    assert!(field["fields"].starts_with("01 "), "{}", field["fields"]);
+    assert!(field["fields"].contains("00 00 03 E8 ") && field["fields"].contains("10.00 Hz"), "{}", field["fields"]);
+    // A module that is not there is none of those that are.
+    let found = antrieb("-a 1 identify").on(bench).json().exits(0);
+    let modules = found.data("/drives/0/modules").as_array().unwrap();
+    let there = modules.iter().filter(|one| one["present"] == true).map(|one| one["name"].as_str().unwrap());
+    assert_eq!(csv("identify")["modules"], there.collect::<Vec<_>>().join("; "));
+}
+
 #[test]
 fn a_width_that_was_found_out_is_said_to_who_wants_to_know_or_cannot_know() {
     let run = antrieb("-p sim -a 1 -v read 241").exits(0);

@@ -91,6 +91,10 @@ fn what_is_broken_of_another_family_or_newer_is_refused_before_anything_is_asked
     assert_eq!(case("antrieb = 1\ndrive.family = \"acx\"\n[values]\n").0, "data.unknown_family");
     let (code, message) = case("antrieb = 1\ndrive.family = \"acu\"\n[values]\n372 = 1\n");
     assert!(code == "data.other_family" && message.contains("the drive is of the family act"), "{message}");
+    let other = antrieb("-a 1 dataset check {dir}/f.toml").on(&on);
+    let other = other.file("f.toml", "antrieb = 1\ndrive.family = \"acu\"\n[values]\n372 = 1\n");
+    let shown = other.exits(7).out;
+    assert!(shown.contains("drive 1 (act)") && !shown.contains("compared") && !shown.contains("different"), "{shown}");
     assert_eq!(
         antrieb("-p sim -a 1 dataset check {dir}/none.toml").json().exits(7).error()["code"],
         "data.parameter_file"

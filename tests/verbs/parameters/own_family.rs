@@ -70,7 +70,11 @@ fn nothing_moves_it() {
         "sollwert 0",
     ] {
         let refused = hydra(line).exits(7);
-        assert!(refused.err.contains("no catalogue tells how a hydra3 is moved"), "{line}: {}", refused.err);
+        assert!(
+            refused.err.contains("no catalogue tells how a drive of the family hydra3 is moved"),
+            "{line}: {}",
+            refused.err
+        );
         assert_eq!(refused.sent(), [""; 0], "{line}");
     }
     let line = hydra("line set --baud 9600 --yes").exits(7);

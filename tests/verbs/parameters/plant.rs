@@ -48,7 +48,7 @@ ones = [\"a1\", \"b1\"]
 pub(crate) const TWO: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";
 pub(crate) const ONE: &str = "[[drive]]\nmodel = \"lxm05\"\naddress = 3\n";
 
-fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
+pub(crate) fn with(run: Run, config: &str, [left, middle, right]: [&str; 3]) -> Run {
     let config = config.replace("{dir}", &run.directory().display().to_string());
     let files = [
         ("antrieb.toml", config.as_str()),
@@ -132,6 +132,10 @@ fn who_is_silent_or_another_one_is_left_out_and_named() {
         assert_eq!(states(&ended), format!("a1 skipped, a2 {done}, b1 {done}, b2 skipped, c3 {done}"));
         assert_eq!(error(&ended, "a1"), "data.other_family");
         assert_eq!(error(&ended, "b2"), "silence.no_reply");
+        let families = ["/drives/0/drive", "/drives/3/drive"].map(|place| ended.data(place).clone());
+        assert_eq!(families, ["acu", "unknown"], "what a drive is was found out, of who is silent it was not");
+        let told = ended.data("/drives/0/error/message").as_str().unwrap();
+        assert!(told.contains("address 1 is of the family acu"), "{told}");
         let message = ended.error()["message"].as_str().unwrap();
         assert!(message.contains("2 of 5 drives could not be looked at (a1, b2)"), "{message}");
     }
@@ -309,28 +313,6 @@ fn a_file_that_does_not_do_is_told_before_anything_is_opened() {
         let german = with(antrieb("--lang de -p sim plan"), text, [TWO, TWO, ONE]);
         german.exits(7);
     }
-}
-
-#[cfg(unix)]
-#[test]
-fn two_names_of_one_port_are_one_port() {
-    let run = antrieb("plan");
-    let dir = run.directory().to_owned();
-    std::fs::write(dir.join("tty"), "").unwrap();
-    std::os::unix::fs::symlink(dir.join("tty"), dir.join("by-id")).unwrap();
-    let config = "[ports.one]\npath = \"{dir}/tty\"\n[ports.other]\npath = \"{dir}/by-id\"\n\
-                  [drives.a]\nport = \"one\"\naddress = 1\n[drives.b]\nport = \"other\"\naddress = 1\n";
-    let told = with(run, config, [TWO, TWO, ONE]).json().exits(7).error()["message"].to_string();
-    assert!(told.contains("antrieb.toml:10:1: drives a and b have the same address 1"), "{told}");
-    // At two addresses they are two drives of one line: opened once, and it is no serial port.
-    let run = antrieb("plan");
-    let dir = run.directory().to_owned();
-    std::fs::write(dir.join("tty"), "").unwrap();
-    std::os::unix::fs::symlink(dir.join("tty"), dir.join("by-id")).unwrap();
-    let config =
-        config.replace("address = 1\n[", "address = 2\nfiles = [\"act.toml\"]\n[") + "files = [\"act.toml\"]\n";
-    let told = with(run, &config, [TWO, TWO, ONE]).json().exits(3);
-    assert_eq!(told.error()["code"].as_str().unwrap().split('.').next(), Some("port"));
 }
 
 #[test]

@@ -45,6 +45,15 @@ fn a_no_is_a_no() {
     assert_eq!(document.error()["code"], "forbidden.not_confirmed");
 }
 
+/// Who ends the input has typed no newline: what is said next stands on a line of its own all the same.
+#[test]
+fn the_end_of_the_input_is_a_no_and_the_refusal_begins_a_line() {
+    for (lang, said) in [("en", "[y/N] \nerror: not confirmed"), ("de", "[j/N] \nFehler: nicht bestätigt")] {
+        let run = antrieb(&format!("-p sim -a 1 --lang {lang} write 480@1=6")).answered_by_the_end().exits(8);
+        assert!(run.err.contains(said), "{}", run.err);
+    }
+}
+
 #[test]
 fn a_yes_is_a_yes_in_the_language_of_the_question() {
     for answer in ["y", "Y", "yes", " y "] {

@@ -45,9 +45,9 @@ async fn say_zero(
         && let Some(why) = doubted(meant, &named)
     {
         session.tell(Event::Note(both!(
-            "the drive refuses the setpoint of a {drive}{why} A zero of the other families goes out too, \
+            "the drive refuses the setpoint of the family {drive}{why} A zero of the other families goes out too, \
              where they know it",
-            "der Antrieb lehnt den Sollwert eines {drive} ab{why} Die Null der anderen Familien geht auch \
+            "der Antrieb lehnt den Sollwert der Familie {drive} ab{why} Die Null der anderen Familien geht auch \
              hinaus, wo sie sie kennen",
             drive = named.drive,
             why
