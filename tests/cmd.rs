@@ -66,6 +66,23 @@ fn what_the_system_does_not_give_is_named() {
     }
 }
 
+/// Who reopens a port that was lost shall not do so because of a disk; what is in the file ends with a whole line.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_record_that_has_no_place_any_more_is_named_and_is_no_lost_port() {
+    let directory = tempfile::tempdir().unwrap();
+    let watch = "-p sim -a 1 monitor --count 500 --interval 0 --unpaced --format csv --record watch.ndjson";
+    for (lang, why) in [("en", "File too large"), ("de", "die Datei wird zu groß")] {
+        let line = format!("ulimit -f 8; exec {} --lang {lang} {watch} --force", env!("CARGO_BIN_EXE_antrieb"));
+        let ended = Command::new("bash").args(["-c", &line]).current_dir(&directory).output().unwrap();
+        let told = String::from_utf8_lossy(&ended.stderr).into_owned();
+        assert_eq!(ended.status.code(), Some(7), "{told}");
+        assert!(told.contains("watch.ndjson: ") && told.contains(why), "{told}");
+        let kept = std::fs::read_to_string(directory.path().join("watch.ndjson")).unwrap();
+        assert!(kept.ends_with("}\n") && kept.lines().count() > 1, "{kept}");
+    }
+}
+
 #[test]
 fn the_project_file_lies_in_the_working_directory() {
     let directory = tempfile::tempdir().unwrap();

@@ -183,8 +183,13 @@ fn whole(
 ) -> io::Result<Outcome> {
     match render::print(&outcome, verb.name, format, manner, out, console) {
         // Nobody reads any more, but how a run ended, or why none came of it, must be heard of: a shaft may still turn. So must
-        // what was written, and which file takes it back.
-        Err(error) if outcome.is_run() || outcome.has_written() || verb.turns && outcome.failure.is_some() => {
+        // what was written, and which file takes it back; and who asked whether drives are as they shall be has his answer.
+        Err(error)
+            if outcome.is_run()
+                || outcome.has_written()
+                || outcome.is_verdict()
+                || verb.turns && outcome.failure.is_some() =>
+        {
             let outcome = unwritten(outcome, &error);
             render::print_end(&outcome, verb.name, Manner { color: false, ..manner }, console);
             if outcome.failure.is_some() || is_untaken(&error) { Ok(outcome) } else { Err(error) }
@@ -367,6 +372,10 @@ fn work(
         }
         outcome
     });
+    // Before a signal can end us as it ends any program: the terminal of a run is given back.
+    if watch.is_some() {
+        console.finish();
+    }
     if interrupt.is_raised() {
         // Another signal, such as Ctrl-C pressed twice, takes nobody the report of what was put back or stopped.
         patience.limit(UNTAKEN_BY_WISH);
@@ -375,9 +384,6 @@ fn work(
         if outcome.as_ref().map_or(entry.turns, Outcome::is_run) {
             patience.limit(UNTAKEN);
         }
-    }
-    if watch.is_some() {
-        console.finish();
     }
     console.waits(true);
     // What was warned of on the way a script finds in the document.

@@ -133,8 +133,8 @@ impl Haul {
     async fn take(&mut self, mut reader: Reader<'_, '_>, selections: &[Selection]) -> bool {
         let params: Vec<_> = selections.iter().map(|selection| selection.param.clone()).collect();
         let mut fetched = reader.fetch(&params).await;
-        for Selection { param, sets, of_group } in selections {
-            reader.lenient = *of_group;
+        for Selection { param, sets, lenient, .. } in selections {
+            reader.lenient = *lenient;
             let rows = match std::mem::replace(&mut fetched, Ok(())) {
                 Ok(()) => reader.rows(param, *sets).await,
                 Err(failure) => Err(failure),

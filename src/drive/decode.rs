@@ -1,5 +1,6 @@
 //! Takes telegrams apart without a line: for `decode`, `-v` and recordings.
 
+mod answered;
 mod can;
 pub mod dp;
 mod modbus;
@@ -125,8 +126,12 @@ impl Reader<'_> {
 
     /// A request and its reply, if these are two whole telegrams.
     fn pair(&self, request: &[u8], reply: &[u8]) -> Option<Vec<TelegramDoc>> {
-        let docs = [(request, true), (reply, false)].map(|(bytes, asks)| self.telegram(bytes, Some(asks)));
-        docs.iter().all(|doc| doc.check_ok).then(|| docs.into())
+        let [asked, mut told] = [(request, true), (reply, false)].map(|(bytes, asks)| self.telegram(bytes, Some(asks)));
+        if !asked.check_ok || !told.check_ok {
+            return None;
+        }
+        self.answered(&asked, (request, reply), &mut told);
+        Some(vec![asked, told])
     }
 
     /// Takes a recording apart, telegram by telegram. What it says of its protocol goes before what is set here.

@@ -99,8 +99,17 @@ impl Outcome {
             Some(Data::Dataset(dataset)) => !dataset.dry_run && !dataset.written.is_empty(),
             Some(Data::Datasets(datasets)) => datasets.drives.iter().any(|one| !one.dry_run && !one.written.is_empty()),
             Some(Data::Load(load)) => !load.dry_run && !load.values.is_empty(),
+            Some(Data::Plant(plant)) => {
+                use PlantState::{Planned, Same, Skipped};
+                plant.drives.iter().any(|one| !matches!(one.state, Same | Planned | Skipped))
+            }
             _ => false,
         }
+    }
+
+    /// Whether its exit code says how drives are, and not what could be read of them.
+    pub fn is_verdict(&self) -> bool {
+        matches!(self.data, Some(Data::Comparisons(_) | Data::Plant(_) | Data::PlantCheck(_))) && self.failure.is_some()
     }
 }
 

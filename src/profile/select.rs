@@ -73,8 +73,10 @@ pub struct Selection {
     pub param: Param,
     /// The data sets.
     pub sets: DataSets,
-    /// It came as one of a group or range, so a drive need not have it.
+    /// It came as one of a group or range: nobody named it alone.
     pub of_group: bool,
+    /// It came as one of a group, so a drive need not have it.
+    pub lenient: bool,
 }
 
 /// Why a text is no selector.
@@ -228,8 +230,9 @@ impl Selector {
     /// The parameters that are meant, in the order in which they were named. A range takes the rows that the
     /// catalogue has in it; if it has none, every number of it.
     pub fn resolve(&self, family: &Family) -> Result<Vec<Selection>, SelectError> {
-        let of_group = matches!(self.who, Who::Group(_) | Who::Range(..));
-        let select = |param: Param| Selection { param, sets: self.sets, of_group };
+        let lenient = self.is_group();
+        let of_group = lenient || matches!(self.who, Who::Range(..));
+        let select = |param: Param| Selection { param, sets: self.sets, of_group, lenient };
         Ok(match &self.who {
             Who::Number(id) => vec![select(family.param_or_unknown(*id))],
             Who::Range(first, last) => {

@@ -1,5 +1,6 @@
 //! stderr: notes, telegrams, progress; shared by everybody who has something to say.
 
+use super::hush::Hush;
 use super::run_line::RunLine;
 use super::words::word;
 use super::wrap::wrap;
@@ -87,6 +88,8 @@ struct Inner {
     drawn: Option<MultiProgress>,
     /// The line of a run that is held, if there is to be one.
     run: Option<RunLine>,
+    /// What is typed meanwhile is nobody's.
+    hush: Option<Hush>,
     /// By what they are called; the bar of a verb that does one thing at a time has no name.
     bars: BTreeMap<String, ProgressBar>,
 }
@@ -94,10 +97,22 @@ struct Inner {
 impl Console {
     /// stderr; a bar is only drawn on a terminal.
     pub fn new(err: Box<dyn Write>, lang: Lang, quiet: bool, progress: bool) -> Self {
-        let (drawn, run, bars) = (None, None, BTreeMap::new());
+        let (drawn, run, hush, bars) = (None, None, None, BTreeMap::new());
         let has_said = Vec::new();
-        let inner =
-            Inner { err, has_said, lang, quiet, progress, lines: false, width: None, waits: true, drawn, run, bars };
+        let inner = Inner {
+            err,
+            has_said,
+            lang,
+            quiet,
+            progress,
+            lines: false,
+            width: None,
+            waits: true,
+            drawn,
+            run,
+            hush,
+            bars,
+        };
         Console { inner: Rc::new(RefCell::new(inner)) }
     }
 
@@ -236,10 +251,11 @@ impl Console {
         inner.run = inner.progress.then(|| RunLine::new(lang));
     }
 
-    /// Takes the bars, and the line of a run, away.
+    /// Takes the bars, and the line of a run, away; the terminal is as before.
     pub fn finish(&self) {
         let mut inner = self.inner.borrow_mut();
         inner.clear();
+        inner.hush = None;
         std::mem::take(&mut inner.bars).values().for_each(ProgressBar::finish_and_clear);
         inner.drawn = None;
     }
@@ -279,6 +295,9 @@ impl Inner {
     }
 
     fn shows(&mut self, record: &Record) {
+        if self.run.is_some() && self.hush.is_none() && matches!(record, Record::Run(_)) {
+            self.hush = Hush::begin();
+        }
         if let Some(line) = self.run.as_mut().and_then(|run| run.record(record)) {
             let _closed = write!(self.err, "{line}");
             self.settle();

@@ -5,6 +5,7 @@ mod calls;
 mod console;
 mod document;
 mod finding;
+mod hush;
 mod outlet;
 mod run_line;
 mod search;

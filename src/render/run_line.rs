@@ -120,7 +120,7 @@ impl RunLine {
         Some(match (news.phase, news.stop) {
             ("stopping", stop) => format!("{}: {stop}", self.lang.pick("stopping", "hält an")),
             (_, "keep") => self.lang.pick("Ctrl-C leaves: keep", "Strg-C verlässt: keep").to_owned(),
-            (_, stop) => format!("{}: {stop}", self.lang.pick("Ctrl-C stops", "Strg-C hält an")),
+            (_, stop) => format!("{}: {stop}", self.lang.pick("Ctrl-C stops", "Strg-C")),
         })
     }
 
@@ -243,9 +243,9 @@ mod tests {
     fn it_fits_into_80_columns_in_both_languages() {
         let whole = "Operation enabled  25.00 -> 24.93 Hz  3.20 A  10.3 s left  Ctrl-C stops: ramp";
         assert_eq!(line(Lang::En, "held", 0, 79), whole);
-        let german = "Betrieb freigegeben  25.00 -> 24.93 Hz  3.20 A  noch 10.3 s  Strg-C hält an: ramp";
-        assert_eq!(line(Lang::De, "held", 0, 81), german);
-        assert_eq!(line(Lang::De, "held", 0, 79), german.replace("  3.20 A", ""), "the current goes first");
+        let german = "Betrieb freigegeben  25.00 -> 24.93 Hz  3.20 A  noch 10.3 s  Strg-C: ramp";
+        assert_eq!(line(Lang::De, "held", 0, 79), german);
+        assert_eq!(line(Lang::De, "held", 0, 70), german.replace("  3.20 A", ""), "the current goes first");
     }
 
     #[test]

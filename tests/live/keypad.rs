@@ -53,6 +53,22 @@ fn every_key_of_the_view_does_what_it_says() {
     assert!(run.is_cooked(), "the terminal is as before");
 }
 
+/// An arrow and Enter that somebody presses who forgot `--view` are the same run once more to the shell behind it.
+#[test]
+fn what_is_typed_into_the_line_of_a_run_is_shown_to_nobody_and_left_to_nobody() {
+    let _alone = alone();
+    let (_directory, port) = bench();
+    let mut run = AtTerminal::start(&format!("-p {port} -a 1 --yes sollwert 5Hz --enable --hold --duration 3s"));
+    let behind = run.other_side();
+    run.shows(" s left  Ctrl-C stops: ramp");
+    assert!(!run.is_cooked(), "nothing is echoed");
+    run.types("xyzzy\n");
+    assert_eq!(run.ends(), Some(0), "{}", run.seen);
+    assert!(!run.seen.contains("xyzzy"), "{}", run.seen);
+    assert!(run.is_cooked(), "the terminal is as before");
+    assert_eq!(rustix::io::ioctl_fionread(&behind).unwrap(), 0, "nothing waits for a shell");
+}
+
 #[test]
 fn a_profile_is_led_in_the_view_and_its_keys_work_at_its_end() {
     let _alone = alone();

@@ -196,6 +196,12 @@ impl AtTerminal {
         modes.contains(LocalModes::ICANON | LocalModes::ECHO)
     }
 
+    /// The program's side of the terminal: what is typed and not read waits there for who comes next.
+    pub(crate) fn other_side(&self) -> File {
+        let name = ptsname(&self.keyboard, Vec::new()).unwrap();
+        File::options().read(true).write(true).open(name.to_str().unwrap()).unwrap()
+    }
+
     /// Nobody reads the screen from now on.
     pub(crate) fn looks_away(&self) {
         self.deaf.store(true, Ordering::Relaxed);

@@ -69,7 +69,7 @@ async fn load_into(
     address: u8,
     (opened, warnings): (Opened, &[Warning]),
 ) -> Result<Outcome, Failure> {
-    let Opened { family, settings: values, .. } = opened;
+    let Opened { file, family, settings: values, .. } = opened;
     let (steps, left_out) = args.scope.choice().steps(&values, &family)?;
     let files = args.files.iter().map(|file| file.display().to_string()).collect();
     let mut report = blank(address, &family.drive, files, left_out);
@@ -87,7 +87,7 @@ async fn load_into(
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, &file.path, settings.force)).await?;
     let head = Head { lang: settings.lang, ..head(&session, &drive) };
     let mut plan = transaction::plan(&mut session, drive.target, &terms, steps).await?;
     plan.notes.extend(warnings.iter().map(|warning| warning.message.clone()));
@@ -151,7 +151,7 @@ pub(super) async fn undo(args: &UndoArgs, context: &mut Context<'_>) -> Result<O
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
-    let drive = same_family(&mut session, &terms, address, (&family, settings.force)).await?;
+    let drive = same_family(&mut session, &terms, address, (&family, &file.path, settings.force)).await?;
     same_product(&file, drive.product.as_deref(), settings.force)?;
     let mut plan = transaction::plan_back(&mut session, drive.target, &terms, steps, from).await?;
     (report.eeprom_writes, report.node) = (plan.eeprom_writes, session.node());
@@ -275,7 +275,7 @@ async fn same_family(
     session: &mut Session<'_>,
     terms: &Terms<'_>,
     address: u8,
-    (family, force): (&Rc<Family>, bool),
+    (family, path, force): (&Rc<Family>, &str, bool),
 ) -> Result<Recognised, Failure> {
     let mut drive = match force {
         true => terms.recognised(session, address, false).await?,
@@ -287,8 +287,8 @@ async fn same_family(
         return Ok(drive);
     }
     let message = both!(
-        "drive {address} is of the family '{found}', the file is for '{of}'; nothing was changed",
-        "Antrieb {address} ist von der Familie '{found}', die Datei ist für '{of}'; geändert wurde nichts",
+        "drive {address} is of the family '{found}', {path} is for '{of}'; nothing was changed",
+        "Antrieb {address} ist von der Familie '{found}', {path} ist für '{of}'; geändert wurde nichts",
         of = family.drive
     );
     Err(Failure::new(Class::Data, "data.other_family", message).of_family(found).hint(both!(

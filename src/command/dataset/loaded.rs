@@ -8,7 +8,7 @@ use crate::drive::{Terms, describe};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Data, ErrorDoc, Load, LoadEnd, NotLoaded, NotLoadedWhy, Outcome, Warning, WriteResult, Written};
 use crate::profile::paramfile::{Settings, ranges};
-use crate::profile::{Effective, Family, Role, Type};
+use crate::profile::{Effective, Family, Param, Role, Type};
 use crate::text::{Text, both};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -111,7 +111,10 @@ pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
         report.left_out.iter().filter(|row| row.why == NotLoadedWhy::NotAskedFor).map(number).collect();
     let asked: BTreeSet<String> = asked.into_iter().collect();
     let asked = asked.into_iter().collect::<Vec<_>>().join(",");
-    let is_none_a_setting = asked.is_empty() && !report.left_out.is_empty();
+    let is_left_out = |param: &Param| report.left_out.iter().any(|row| row.param == param.id);
+    let is_none_a_setting = asked.is_empty() && held > 0 && values.params().all(is_left_out);
+    let sent = report.left_out.iter().filter(|row| matches!(row.why, NotLoadedWhy::Command | NotLoadedWhy::Restarts));
+    let sent = ranges(sent.map(|row| row.param).collect::<BTreeSet<_>>());
     let message = match held {
         0 => both!(
             "the files hold no values; nothing was written",
@@ -136,9 +139,12 @@ pub(super) fn nothing_to_write(mut report: Load, values: &Settings) -> Outcome {
             "`antrieb dataset save` writes files with values",
             "`antrieb dataset save` schreibt Dateien mit Werten"
         ),
+        _ if is_none_a_setting && sent.is_empty() => {
+            both!("they can only be read: {numbers}", "sie lassen sich nur lesen: {numbers}")
+        }
         _ if is_none_a_setting => both!(
-            "actual values, commands and setpoints are not loaded; `antrieb write` sends them one by one: {numbers}",
-            "Istwerte, Befehle und Sollwerte werden nicht geladen; `antrieb write` sendet sie einzeln: {numbers}"
+            "actual values, commands and setpoints are not loaded; `antrieb write` sends one by one: {sent}",
+            "Istwerte, Befehle und Sollwerte werden nicht geladen; `antrieb write` sendet einzeln: {sent}"
         ),
         (_, true) => both!(
             "--only, --except and --sets pick what is written; the files hold {numbers}",

@@ -161,6 +161,8 @@ impl Weighed {
         let differ = (count > 0).then(|| differing(count));
         let none = (compared.count == 0).then(nothing_to_compare);
         let part = [&a, &b].into_iter().find_map(|one| Some(incomplete(&one.side.name, one.completes.clone()?)));
+        // What differs does so whatever is missing.
+        let part = part.filter(|_| count == 0);
         for one in [&mut a, &mut b] {
             one.side.signature = Some(one.settings.signature(&family.drive).to_string());
         }
@@ -300,7 +302,7 @@ fn incomplete(name: &Text, completes: Text) -> Failure {
 
 fn nothing_to_compare() -> Failure {
     let message = both!("there is nothing to compare", "es gibt nichts zu vergleichen");
-    Failure::new(Class::No, "no.common", message).hint(both!(
+    Failure::new(Class::Data, "data.no_common", message).hint(both!(
         "the sides have no parameter in common of which both are known",
         "die Seiten haben keinen Parameter gemeinsam, von dem beide bekannt sind"
     ))

@@ -106,7 +106,7 @@ fn parts(text: &str) -> Option<(&str, Option<Kind>, &str)> {
 fn item(name: &str, family: &Family) -> Result<Item, Failure> {
     let short = SHORT.iter().find(|row| row.0.eq_ignore_ascii_case(name)).map(|row| row.1);
     if let Some(param) = short.and_then(|roles| super::one_of(roles, family)) {
-        return Ok(Item::new(Selection { param, sets: DataSets::Unnamed, of_group: false }));
+        return Ok(Item::new(Selection { param, sets: DataSets::Unnamed, of_group: false, lenient: false }));
     }
     let selector: Selector = name.parse().map_err(|error| select_failure(&error))?;
     let selections = selector.resolve(family).map_err(|error| select_failure(&error))?;

@@ -124,11 +124,11 @@ impl Reader<'_> {
     }
 
     /// The family, if its address words carry a data set and a parameter number.
-    fn active(&self) -> Option<&Family> {
+    pub(super) fn active(&self) -> Option<&Family> {
         self.family.filter(|family| family.link.route == Route::Active)
     }
 
-    fn param(&self, word: u16) -> Text {
+    pub(super) fn param(&self, word: u16) -> Text {
         let address = ParamAddress::from_word(word);
         let label = Text::name(format_args!("P.{}@{}", address.number(), address.set()));
         match self.active().and_then(|family| family.param(address.number().into())) {
@@ -141,7 +141,7 @@ impl Reader<'_> {
         Text::join([&self.param(word), shown], " = ")
     }
 
-    fn value(&self, word: u16, bits: u32, long: bool) -> Text {
+    pub(super) fn value(&self, word: u16, bits: u32, long: bool) -> Text {
         let number = ParamAddress::from_word(word).number();
         Text::name(match self.active().and_then(|family| family.param(number.into())) {
             Some(param) => format_value(param, bits, long),

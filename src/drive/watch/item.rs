@@ -25,7 +25,7 @@ pub struct Item {
 impl Item {
     /// Nothing of it was read yet.
     pub fn new(selection: Selection) -> Self {
-        let Selection { param, sets, of_group } = selection;
+        let Selection { param, sets, of_group, .. } = selection;
         Item { param, sets, lenient: of_group, good: 0, failure: None, failed: false, refused: None }
     }
 

@@ -196,6 +196,32 @@ fn every_state_of_the_status_word_has_a_name() {
     }
 }
 
+/// The reply alone does not say what was asked; beside its request it is told like what `read` tells.
+#[test]
+fn a_reply_beside_its_request_says_what_it_answers() {
+    for (pair, says) in [
+        ("01 03 01 E0 00 01 84 00 01 03 02 04 E2 3A CD", "address 1: P.480@0 Fixed Frequency 1 = 12.50 Hz"),
+        (
+            "01 03 01 9B 00 01 F4 19 01 03 02 02 37 F8 F2",
+            "address 1: P.411@0 Status word = 0x0237 (Operation enabled: Ready to switch on",
+        ),
+        ("01 03 01 9C 00 01 45 D8 01 03 02 00 01 79 84", "address 1: P.412@0 Local/Remote = 1 (State machine)"),
+        ("01 64 00 D2 C0 5A 01 64 00 00 03 E8 70 BC", "address 1: P.210@0 Stator frequency = 10.00 Hz"),
+        ("01 03 01 E0 00 01 84 00 01 83 04 40 F3", "(asked for: address 1: read P.480@0 Fixed Frequency 1, 16 bit)"),
+    ] {
+        let told = antrieb(&format!("--drive act decode telegram {pair}")).json().exits(0);
+        let meaning = told.data("/telegrams/1/meaning").as_str().unwrap();
+        assert!(meaning.contains(says), "{meaning}");
+    }
+    let shown = antrieb("decode telegram 01 03 01 E0 00 01 84 00 01 03 02 04 E2 3A CD").exits(0).out;
+    assert_eq!(shown.matches("12.50 Hz").count(), 2, "the field too: {shown}");
+    // Another drive's reply answers nobody.
+    let other = antrieb("decode telegram 01 03 01 E0 00 01 84 00 02 03 02 04 E2 7E CD").run();
+    assert!(!other.out.contains("12.50 Hz"), "{}", other.out);
+    let servo = antrieb("--drive lxm05 decode telegram 01 03 01 E0 00 01 84 00 01 03 02 04 E2 3A CD").json().exits(0);
+    assert_eq!(servo.data("/telegrams/1/meaning"), "address 1: register 480 = 1250 (0x04E2)");
+}
+
 #[test]
 fn the_control_word_depends_on_the_control_mode() {
     let slugs = |mode: u8| {

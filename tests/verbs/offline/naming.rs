@@ -72,7 +72,7 @@ fn a_request_and_its_reply_are_told_as_a_pair() {
         }
     }
     let page = antrieb("decode telegram 01 03 21 74 00 01 CE 2C 01 03 02 05 6E 3A F8").exits(0).out;
-    assert!(page.contains("read P.372@2") && page.contains("value 1390"), "{page}");
+    assert!(page.contains("read P.372@2") && page.contains("P.372@2 Rated Speed = 1390"), "{page}");
 }
 
 #[cfg(unix)]

@@ -78,6 +78,24 @@ fn a_file_that_was_changed_by_hand_is_told_from_one_that_was_not() {
     assert_eq!((document.data("/comparisons/0/a/edited"), document.warnings().len()), (&false.into(), 0));
 }
 
+/// What a file lacks takes nothing from what differs in what it holds.
+#[test]
+fn a_file_that_is_not_whole_and_differs_is_not_said_to_be_the_same() {
+    let part = |value: u32| {
+        format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[saved]\ncomplete = false\n[values]\n\"480\" = {value}\n")
+    };
+    for line in ["-a 1 dataset check {dir}/f.toml", "-a 1 dataset diff {dir}/f.toml drive"] {
+        let told = antrieb(line).on(&bench("act", "rtu", "")).file("f.toml", &part(8)).exits(1);
+        assert!(!told.out.contains("nothing differs") && told.err.contains("is what an interrupted save has left"));
+        let same = antrieb(line).on(&bench("act", "rtu", "")).file("f.toml", &part(5)).exits(9);
+        assert!(same.out.contains("nothing differs as far as"), "{}", same.out);
+    }
+    // What has nothing to be compared is no difference.
+    let empty = "antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n";
+    let none = antrieb("-a 1 dataset diff {dir}/f.toml drive").on(&bench("act", "rtu", "")).file("f.toml", empty);
+    assert_eq!(none.json().exits(7).error()["code"], "data.no_common");
+}
+
 #[test]
 fn what_is_broken_of_another_family_or_newer_is_refused_before_anything_is_asked() {
     let on = bench("act", "rtu", "");

@@ -122,6 +122,19 @@ fn what_is_equal_is_no_difference_and_asks_nobody() {
     assert_eq!(drifted.data("/drives/1/differences/0/b_raw"), 500);
 }
 
+/// The pipe concerns what is printed, not what became of the drives: `| head` makes no drift the same.
+#[test]
+fn a_closed_pipe_makes_no_failure_a_success() {
+    for (line, exit) in [("plan", 9), ("check", 9), ("apply --yes", 9), ("-a a1,b1 check", 1), ("-a a1,b1 plan", 1)] {
+        for form in ["", "--json"] {
+            let run = plant(line, [TWO, "[[drive]]\nmodel = \"act\"\naddress = 1\n", ONE]).and(form);
+            let ended = run.into_pipe_of(5).exits(exit);
+            assert!(ended.err.contains("error: "), "{line}: {}", ended.err);
+        }
+    }
+    plant("-a a1 apply --yes", [TWO, TWO, ONE]).into_pipe_of(5).exits(0);
+}
+
 #[test]
 fn who_is_silent_or_another_one_is_left_out_and_named() {
     let family = "[[drive]]\nmodel = \"acu\"\naddress = 1\n[[drive]]\nmodel = \"acu\"\naddress = 2\n";

@@ -249,6 +249,15 @@ fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
     }
 }
 
+/// Of a group a drive need not have everything; who names a range wants all of it.
+#[test]
+fn what_is_refused_of_a_range_is_counted() {
+    let some = antrieb("-p sim -a 1 read 420-423 480").json().exits(9);
+    assert!(some.error()["message"].as_str().unwrap().contains("4 of 5"), "{}", some.error());
+    antrieb("-p sim -a 1 read 480-483").exits(0);
+    antrieb("-p sim -a 1 read @all").exits(0);
+}
+
 /// Number of the first reply that tells the register of P.11, and a verb that reads it: named, or recognised on the way.
 const CLEARED_BY_READING: [(u64, &str); 3] = [(2, "--drive act read 11"), (4, "read 11"), (4, "diag")];
 
