@@ -112,6 +112,7 @@ fn of_procedures(place: &Place<'_>, lang: Lang) -> Vec<Candidate> {
     }
     let named = all.into_iter().find(|one| place.row.first() == Some(&one.slug.as_str()));
     let is_said = |key: &str| place.row.iter().any(|word| word.split_once('=').is_some_and(|(said, _)| said == key));
+    let named = named.filter(|_| !place.word.contains('='));
     let wanted = named.into_iter().flat_map(|one| one.values).filter(|value| !is_said(&value.key));
     wanted.map(|value| (format!("{}=", value.key), value.what.get(lang).to_owned())).collect()
 }

@@ -88,7 +88,7 @@ struct Inner {
     drawn: Option<MultiProgress>,
     /// The line of a run that is held, if there is to be one.
     run: Option<RunLine>,
-    /// What is typed meanwhile is nobody's.
+    /// What is typed meanwhile is not shown.
     hush: Option<Hush>,
     /// By what they are called; the bar of a verb that does one thing at a time has no name.
     bars: BTreeMap<String, ProgressBar>,
@@ -296,7 +296,7 @@ impl Inner {
 
     fn shows(&mut self, record: &Record) {
         if self.run.is_some() && self.hush.is_none() && matches!(record, Record::Run(_)) {
-            self.hush = Hush::begin();
+            self.hush = Hush::begin(false);
         }
         if let Some(line) = self.run.as_mut().and_then(|run| run.record(record)) {
             let _closed = write!(self.err, "{line}");
@@ -336,6 +336,9 @@ impl Inner {
     }
 
     fn bar(&mut self, name: String, (done, total): (u64, u64), what: &Text, template: &str) {
+        if self.hush.is_none() && self.drawn.is_none() {
+            self.hush = Hush::begin(true);
+        }
         let stderr = || MultiProgress::with_draw_target(ProgressDrawTarget::stderr());
         let drawn = self.drawn.get_or_insert_with(stderr);
         let bar = self.bars.entry(name).or_insert_with_key(|name| {

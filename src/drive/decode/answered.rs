@@ -50,7 +50,9 @@ impl Reader<'_> {
         let (param, shown) = (self.param(word), self.value(word, bits, is_long));
         let address = ParamAddress::from_word(word);
         let known = self.active().and_then(|family| Some((family, family.param(address.number().into())?)));
-        let meant = known.and_then(|(family, param)| meant(family, param, (address.set(), bits, is_long)));
+        let told = known.map(|(family, param)| told(family, param, (address.set(), bits, is_long)));
+        let (hex, meant) = told.unwrap_or_default();
+        let shown = hex.map_or(shown, Text::name);
         let shown = match meant {
             Some(meant) => both!("{shown} ({meant})", "{shown} ({meant})", shown, meant),
             None => shown,
@@ -64,14 +66,14 @@ impl Reader<'_> {
     }
 }
 
-/// What a value stands for: the state of a status word and what is set in any, a fault, a choice.
-fn meant(family: &Family, param: &Param, (set, bits, is_long): (u8, u32, bool)) -> Option<Text> {
+/// What a value stands for: the state of a status word and what is set in any, a fault, a choice; words as their hex.
+fn told(family: &Family, param: &Param, (set, bits, is_long): (u8, u32, bool)) -> (Option<String>, Option<Text>) {
     let kind = param.kind.unwrap_or(if is_long { Type::Long } else { Type::Word });
     let reading = Reading { set, raw: from_wire(bits, kind, param.min), text: None, kind, corrected: false };
     let value = describe::value(0, family, param, reading, &|_| None);
-    let Some(word) = value.word else { return value.text };
+    let Some(word) = value.word else { return (None, value.text) };
     let set = word.bits.iter().filter(|bit| bit.set).filter_map(|bit| bit.name.clone()).collect::<Vec<_>>();
     let state = word.state.map(|state| state.name);
     let told: Vec<Text> = state.into_iter().chain((!set.is_empty()).then(|| Text::join(&set, ", "))).collect();
-    (!told.is_empty()).then(|| Text::join(&told, ": "))
+    (Some(word.hex), (!told.is_empty()).then(|| Text::join(&told, ": ")))
 }

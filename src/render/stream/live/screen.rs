@@ -113,7 +113,10 @@ impl Screen {
     pub(super) fn draw(&self, frame: &mut Frame<'_>) {
         let area = frame.area();
         let drives = (self.drives.len() as u16).min((area.height / 4).max(1));
-        let foot = if self.run.is_some() { 3.min(area.height / 3) } else { u16::from(area.height >= 5) };
+        let foot = match &self.run {
+            Some(run) => (self.said(run, area.width).len() as u16).min(area.height / 3),
+            None => u16::from(area.height >= 5),
+        };
         let head = u16::from(area.height >= 3);
         let [head, list, body, foot] = Layout::vertical([
             Constraint::Length(head),
@@ -179,6 +182,13 @@ impl Screen {
             return Line::from(spans);
         }
         if let Some(state) = &sample.state {
+            if let Some(age) = self.before_the_end(sample) {
+                // Nobody has looked since: it is no state of now.
+                let seen =
+                    self.lang.pick("seen {} s before the end: ", "{} s vor dem Ende gesehen: ").replace("{}", &age);
+                spans.push(Span::raw(format!("{seen}{}", clean(state.name.get(self.lang)))));
+                return Line::from(spans);
+            }
             let tint = match state.slug.as_str() {
                 "operation-enabled" => self.tint(Color::Green),
                 slug if slug.starts_with("fault") => self.tint(Color::Red),
@@ -205,8 +215,7 @@ impl Screen {
 
     fn foot(&self, frame: &mut Frame<'_>, area: Rect) {
         if let Some(run) = &self.run {
-            let lines = [self.keys(run, area.width), self.course(run), format!(" {}", clean(&self.note))];
-            let lines: Vec<_> = lines.into_iter().take(area.height.into()).map(Line::raw).collect();
+            let lines: Vec<_> = self.said(run, area.width).into_iter().map(Line::raw).collect();
             return frame.render_widget(Paragraph::new(lines), area);
         }
         let next = if self.drives.len() > 1 { format!("  Tab {}", self.word("next drive")) } else { String::new() };
@@ -261,7 +270,7 @@ impl Screen {
 }
 
 /// A value older than this says so: what is beside it may be of now.
-const OLD: f64 = 1.0;
+pub(super) const OLD: f64 = 1.0;
 
 /// How old a value is when its sample is told, in seconds, if it is not of now.
 fn age(column: &Column, sample: &Sample) -> Option<String> {
