@@ -79,6 +79,20 @@ fn a_fault_comes_with_what_was_seen_last_before_it() {
     assert!(run.err.contains(told), "{}", run.err);
 }
 
+/// No manual that we have names the number of the DC-link voltage; who knows it brings it along, and sees it before a trip.
+#[test]
+fn a_catalogue_of_ones_own_brings_the_voltage_of_the_dc_link_before_a_trip() {
+    let own = "schema = 1\nfamily = \"active\"\nparams = [{ id = 222, slug = \"dc-link\", en = \"DC link\", de = \"Zwischenkreis\", \
+               type = \"uint\", decimals = 1, unit = \"V\", access = \"r\" }]\n[roles]\ndc-link-voltage = 222\n";
+    let bench = TRIPS.replace("\"418\" = 0 }", "\"418\" = 0, \"222\" = 5650 }");
+    let line = "-a 1 --catalogue {dir}/own.toml monitor --interval 100ms --duration 12s --unpaced --json";
+    let run = antrieb(line).and("--trigger 'voltage > 500V'").on(&bench).file("own.toml", own).exits(0);
+    let records = records(&run.out);
+    let [trip] = of_type(&records, "trip")[..] else { panic!("{}", run.out) };
+    assert_eq!(value(&trip["before"], "dc-link"), 565.0);
+    assert!(!of_type(&records, "trigger").is_empty() && run.err.contains("565.0 V"), "{}", run.err);
+}
+
 #[test]
 fn a_value_triggers_where_it_passes_its_level_and_repeatedly() {
     let bench = "[[drive]]\nmodel = \"act\"\nenable = false\nset = { \"410\" = 15, \"412\" = 1, \"434\" = 2, \"484\" = 25, \"418\" = 0 }\n\
