@@ -50,6 +50,16 @@ impl AccessError {
         matches!(self, AccessError::Refused(Refusal { cause: Some(SETS_DIFFER), .. }))
     }
 
+    /// Whether set 0 was refused and nobody knows why: the answer that told it was lost, and the sets may differ.
+    pub fn may_differ(&self) -> bool {
+        matches!(self, AccessError::Refused(Refusal { unheard: true, .. }))
+    }
+
+    /// Whether the drive said that it has no such thing, or does not tell it: not that it is busy, nor for a cause that was lost.
+    pub fn denies(&self) -> bool {
+        matches!(self, AccessError::Refused(Refusal { no, unheard: false, .. }) if no.is_of_what_was_asked())
+    }
+
     /// Whether the drive said no.
     pub fn is_refused(&self) -> bool {
         matches!(self, AccessError::Refused(_))

@@ -45,6 +45,17 @@ pub enum No {
 }
 
 impl No {
+    /// Whether it says something of what was asked for, and not of the moment or the way there.
+    pub(super) fn is_of_what_was_asked(self) -> bool {
+        use Exception::{DeviceFailure, IllegalDataAddress, IllegalDataValue, IllegalFunction};
+        match self {
+            No::Nak => true,
+            No::Exception(code) => {
+                matches!(code, IllegalFunction | IllegalDataAddress | IllegalDataValue | DeviceFailure)
+            }
+        }
+    }
+
     /// Whether it may be otherwise a moment later: busy (V1.1b3 7).
     pub(super) fn passes(self) -> bool {
         matches!(self, No::Exception(Exception::Acknowledge | Exception::DeviceBusy))

@@ -80,9 +80,9 @@ impl Harvest {
         Some(Failure { class, message, ..why })
     }
 
-    /// Why parameters were not answered.
+    /// Why parameters were not answered, or refused for a reason that says nothing of them.
     pub fn unanswered(&self) -> impl Iterator<Item = &Failure> {
-        self.failures.values().filter(|failure| failure.class != Class::Refused)
+        self.open().filter_map(|number| self.failures.get(&number))
     }
 }
 
@@ -198,8 +198,8 @@ impl Work<'_, '_> {
             return self.end(error);
         }
         let failure = error.failure(self.target.address, Some(&self.target.family)).with("param", param.id);
-        let is_refused = failure.class == Class::Refused || failure.class == Class::Data;
-        self.silences = if is_refused { 0 } else { self.silences + 1 };
+        let is_refused = failure.class == Class::Data || error.denies();
+        self.silences = if is_refused || failure.class == Class::Refused { 0 } else { self.silences + 1 };
         self.so_far.leave(param.id, if is_refused { NotHeld::Refused } else { NotHeld::Unanswered });
         self.so_far.failures.insert(param.id, failure.clone());
         if self.silences >= NOBODY_AFTER {

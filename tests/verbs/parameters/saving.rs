@@ -22,6 +22,39 @@ fn file(text: &str) -> ParamFile {
     ParamFile::parse("x.toml", text).unwrap()
 }
 
+/// A reply that is late, or a drive that is busy for a moment, says nothing of the parameter: it is in the file, or the save is not complete.
+#[test]
+fn no_value_is_missing_from_a_file_that_is_complete() {
+    let bench = |disturb: &str| format!("{}{disturb}", cube("\"372@3\" = 1000, \"480@3\" = 9"));
+    let saved = |disturb: &str| antrieb("--json -a 1 dataset save {dir}/pump.toml").on(&bench(disturb)).run();
+    let whole = saved("");
+    assert_eq!(whole.exit, 0);
+    let count = |output: &Output| {
+        let told: serde_json::Value = serde_json::from_str(&output.out).unwrap();
+        let saved = &told["data"]["saved"][0];
+        (saved["complete"] == true, saved["values"].as_array().unwrap().len())
+    };
+    let (_, all) = count(&whole);
+    let late =
+        [3, 5, 9, 23, 26, 40].map(|once| format!("[[disturb]]\nonce = {once}\nkind = \"late\"\nby = \"1200ms\"\n"));
+    let busy = [5, 6, 7, 8].map(|code| format!("[[disturb]]\nonce = 45\nkind = \"exception\"\nbyte = {code}\n"));
+    for disturb in late.iter().chain(&busy) {
+        let run = saved(disturb);
+        let (is_complete, values) = count(&run);
+        assert_eq!(
+            (is_complete, run.exit),
+            (values == all, if values == all { 0 } else { 9 }),
+            "{disturb}: {}",
+            run.err
+        );
+        if !is_complete {
+            let file = run.text_of("pump.toml.part");
+            let resumed = antrieb("--json -a 1 dataset save {dir}/pump.toml --resume").on(&bench(""));
+            assert_eq!(count(&resumed.file("pump.toml.part", &file).exits(0)), (true, all), "{disturb}");
+        }
+    }
+}
+
 #[test]
 fn a_file_holds_every_setting_and_says_what_it_does_not_hold() {
     let run = antrieb("-a 1 dataset save {dir}/pump.toml").on(&cube("\"372@2\" = 1450, \"480\" = -12.5")).exits(0);
