@@ -15,7 +15,7 @@ use super::{Context, addresses_to_read, check_number, connect, offline, output, 
 use crate::args::{Settings, Takes, Template, called, parse_span, templates};
 use crate::drive::{Chosen, Item, Place, Rounds, Signal, Upper, When, Window, watch};
 use crate::failure::{Class, Failure};
-use crate::files::{self, FileError, Unkept};
+use crate::files::{self, FileError};
 use crate::outcome::{Outcome, Record};
 use crate::profile::{DataSets, Family, Param, Selection, Selector};
 use crate::text::{Wrong, both};
