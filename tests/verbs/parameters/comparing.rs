@@ -148,7 +148,7 @@ fn sides_are_sets_files_drives_and_factory_settings() {
         ("factory factory", 2),
         ("-a 1 5 {dir}/new.toml", 2),
         ("-a 1 drive nowhere", 7),
-        ("{dir}/old.toml {dir}/new.toml 411", 1),
+        ("{dir}/old.toml {dir}/new.toml 411", 7),
     ] {
         diff(line).exits(code);
     }

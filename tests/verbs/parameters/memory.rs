@@ -461,7 +461,7 @@ fn a_load_says_that_a_drive_does_not_show_its_ram() {
 fn of_what_is_no_setting_nothing_is_loaded_and_no_option_is_blamed() {
     let ended = load("", "484 = 10").exits(1);
     assert!(ended.err.contains("are no settings") && !ended.err.contains("--only"), "{}", ended.err);
-    assert!(ended.err.contains("`antrieb write` sends one by one: 484"), "{}", ended.err);
+    assert!(ended.err.contains("write` sends one by one: 484"), "{}", ended.err);
     // What can only be read nobody sends, and a setting that is left out is one all the same.
     let read = load("", "411 = 1").exits(1);
     assert!(read.err.contains("they can only be read: 411") && !read.err.contains("write`"), "{}", read.err);
