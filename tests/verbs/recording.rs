@@ -84,7 +84,7 @@ fn a_fault_comes_with_what_was_seen_last_before_it() {
 fn a_catalogue_of_ones_own_brings_the_voltage_of_the_dc_link_before_a_trip() {
     let own = "schema = 1\nfamily = \"active\"\nparams = [{ id = 222, slug = \"dc-link\", en = \"DC link\", de = \"Zwischenkreis\", \
                type = \"uint\", decimals = 1, unit = \"V\", access = \"r\" }]\n[roles]\ndc-link-voltage = 222\n";
-    let bench = TRIPS.replace("\"418\" = 0 }", "\"418\" = 0, \"222\" = 5650 }");
+    let bench = TRIPS.replace("\"418\" = 0 }", "\"418\" = 0, \"222\" = 565 }");
     let line = "-a 1 --catalogue {dir}/own.toml monitor --interval 100ms --duration 12s --unpaced --json";
     let run = antrieb(line).and("--trigger 'voltage > 500V'").on(&bench).file("own.toml", own).exits(0);
     let records = records(&run.out);
