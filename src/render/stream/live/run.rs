@@ -1,8 +1,7 @@
 //! What the live view of a run shows besides that of `monitor`: where it has come to, and what the keys do.
 
-use super::past::float;
-use super::screen::{OLD, Screen};
-use crate::outcome::{RunKeys, RunNews, Sample};
+use super::screen::Screen;
+use crate::outcome::{RunKeys, RunNews};
 use crate::profile::value::format_decimal;
 use crate::render::clean;
 use crate::render::run_line::left;
@@ -38,13 +37,6 @@ impl Screen {
         let note = wrap(&format!(" {}", clean(&self.note)), Some(width));
         let note = note.lines().map(str::to_owned);
         [self.keys(run, width), self.course(run)].into_iter().chain(note).collect()
-    }
-
-    /// How long before the end of a run that is over a drive was seen last, in seconds, if that was not at its end.
-    pub(super) fn before_the_end(&self, sample: &Sample) -> Option<String> {
-        let run = self.run.as_ref().filter(|run| run.phase == "ended")?;
-        let age = float(run.t) - float(sample.t);
-        (age > OLD).then(|| format!("{age:.1}"))
     }
 
     /// What the keys do; what does not fit is left out, what stops comes first.

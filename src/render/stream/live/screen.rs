@@ -182,13 +182,6 @@ impl Screen {
             return Line::from(spans);
         }
         if let Some(state) = &sample.state {
-            if let Some(age) = self.before_the_end(sample) {
-                // Nobody has looked since: it is no state of now.
-                let seen =
-                    self.lang.pick("seen {} s before the end: ", "{} s vor dem Ende gesehen: ").replace("{}", &age);
-                spans.push(Span::raw(format!("{seen}{}", clean(state.name.get(self.lang)))));
-                return Line::from(spans);
-            }
             let tint = match state.slug.as_str() {
                 "operation-enabled" => self.tint(Color::Green),
                 slug if slug.starts_with("fault") => self.tint(Color::Red),
@@ -270,7 +263,7 @@ impl Screen {
 }
 
 /// A value older than this says so: what is beside it may be of now.
-pub(super) const OLD: f64 = 1.0;
+const OLD: f64 = 1.0;
 
 /// How old a value is when its sample is told, in seconds, if it is not of now.
 fn age(column: &Column, sample: &Sample) -> Option<String> {
