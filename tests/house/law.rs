@@ -87,6 +87,7 @@ pub(crate) const TELEGRAMS: &[(&str, &[&str])] = &[
             "drive",
             "drive::account",
             "drive::decode",
+            "drive::decode::answered",
             "drive::decode::can",
             "drive::decode::can::names",
             "drive::decode::can::recording",
