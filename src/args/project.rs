@@ -149,9 +149,10 @@ impl NamedDrive {
     }
 }
 
-/// A port by whatever name: two paths that lead to one device are one.
+/// A port by whatever name: two paths that lead to one device are one, also where one of them names no folder.
 pub(super) fn device(port: &str) -> String {
-    let real = port.contains('/').then(|| std::fs::canonicalize(port).ok()).flatten();
+    let is_path = matches!(port.parse(), Ok(Port::Serial(_)));
+    let real = is_path.then(|| std::fs::canonicalize(port).ok()).flatten();
     real.map_or_else(|| port.to_owned(), |real| real.display().to_string())
 }
 

@@ -2,6 +2,7 @@
 
 use crate::failure::{Class, Failure};
 use crate::files::{self, FileError};
+use crate::outcome::Warning;
 use crate::text::both;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -50,6 +51,19 @@ pub(super) fn check_in_place(path: &Path, force: bool) -> Result<(), Failure> {
         Some(_) if force => files::may_be_written(path).map_err(|error| unwritten(path, &error)),
         _ => check(path, force),
     }
+}
+
+/// That a parameter file is TOML, whatever its name promises.
+pub(super) fn misnamed(path: &Path) -> Option<Warning> {
+    let form = path.extension()?.to_str()?.to_ascii_lowercase();
+    ["csv", "json", "ndjson"].contains(&form.as_str()).then(|| Warning {
+        code: "file.is_toml".to_owned(),
+        message: both!(
+            "{path} is a parameter file (TOML) all the same; `--format {form} > FILE` keeps what goes to stdout",
+            "{path} ist trotzdem eine Parameterdatei (TOML); `--format {form} > DATEI` behält, was auf stdout steht",
+            path = path.display()
+        ),
+    })
 }
 
 /// Why a file was not written, and what to do about it.

@@ -238,7 +238,7 @@ fn assigned(args: &Args, family: &Family, who: &str, what: &str) -> Result<Vec<S
         let kind = args.kind.or(param.kind);
         let raw = check(&param, family, what, kind, args.force)?;
         let sets = selection.sets.wire();
-        steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind }));
+        steps.extend(sets.into_iter().map(|set| Step { param: param.clone(), set, raw, kind, at: None }));
     }
     Ok(steps)
 }

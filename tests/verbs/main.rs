@@ -40,6 +40,7 @@ mod parameters {
     mod same_port;
     mod saving;
     mod stated;
+    mod told;
     mod transactions;
     mod truth;
     mod undo_places;

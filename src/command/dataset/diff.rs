@@ -30,7 +30,7 @@ pub(super) struct Options {
     pub(super) params: Vec<String>,
     /// Show the differences as lines of both files
     #[arg(long)]
-    unified: bool,
+    pub(super) unified: bool,
 }
 
 impl Options {
@@ -149,6 +149,18 @@ fn nothing() -> Failure {
     let message =
         both!("expected a file or a drive on one side", "erwartet: auf einer Seite eine Datei oder ein Antrieb");
     Failure::new(Class::Usage, "usage.sides", message)
+}
+
+/// Two data sets of one drive have no file of which lines could be shown.
+pub(super) fn no_lines() -> Failure {
+    let message = both!(
+        "--unified shows lines of files; two data sets stand beside each other in a table",
+        "--unified zeigt Zeilen von Dateien; zwei Datensätze stehen in einer Tabelle nebeneinander"
+    );
+    Failure::new(Class::Usage, "usage.unified", message).hint(both!(
+        "leave --unified out, or name a file on one side",
+        "--unified weglassen oder auf einer Seite eine Datei nennen"
+    ))
 }
 
 /// The parameters that are meant, if any are named.

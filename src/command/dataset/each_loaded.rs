@@ -64,8 +64,7 @@ fn named(path: &Path, address: u8) -> Result<UndoPlace, Failure> {
             .hint(both!("put {{address}} into its name", "{{address}} in ihren Namen setzen")));
     }
     let place = UndoPlace::Named(own);
-    // What somebody has typed is wrong whatever the drive says.
-    place.check().map_err(unbegun)?;
+    place.check_typed().map_err(unbegun)?;
     Ok(place)
 }
 

@@ -80,10 +80,7 @@ async fn load_into(
         return dry_run(context, report, &family, &steps, fits);
     }
     let place = args.undo_place();
-    if let UndoPlace::Named(_) = place {
-        // What somebody has typed is wrong whatever the drive says.
-        place.check().map_err(unbegun)?;
-    }
+    place.check_typed().map_err(unbegun)?;
     let Context { settings, registry, interrupt, observe, ask, .. } = context;
     let mut session = connect(settings, registry, interrupt, *observe).await?;
     let terms = terms(settings, registry)?;
@@ -207,7 +204,8 @@ async fn permit(
         }
     };
     let unchanged = plan.job.rows.iter().filter(|row| row.result == WriteResult::Unchanged).count();
-    details.extend(plan.notes.iter().cloned().chain(plan.hidden.clone()).chain(plan.open_memory()));
+    let untold = plan.hidden.clone().into_iter().chain(plan.open_memory()).chain(plan.unwatched());
+    details.extend(plan.notes.iter().cloned().chain(untold));
     if unchanged > 0 {
         details.push(both!(
             "equal already, and not written: {unchanged}",

@@ -88,6 +88,7 @@ pub(in crate::command) fn nothing_to_come() -> Text {
 /// The first of what is in the way, and how many more there are.
 fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
     let count = failures.len();
+    let without = without(&failures);
     let first = failures.into_iter().next()?;
     let why = first.message.clone();
     let message = match count {
@@ -100,7 +101,24 @@ fn in_the_way(failures: Vec<Failure>, so: &Text) -> Option<Failure> {
             more = count - 1
         ),
     };
-    Some(Failure { message, ..first })
+    let failure = Failure { message, ..first };
+    Some(match without {
+        Some(hint) => failure.hint(hint),
+        None => failure,
+    })
+}
+
+/// How to leave out all that is in the way, where that is several parameters and nothing else.
+fn without(failures: &[Failure]) -> Option<Text> {
+    let number = |failure: &Failure| failure.context.iter().find(|(key, _)| *key == "param")?.1.parse().ok();
+    let numbers: BTreeSet<u32> = failures.iter().map(number).collect::<Option<_>>()?;
+    let all = ranges(numbers.iter().copied()).replace(", ", ",");
+    (numbers.len() > 1).then(|| {
+        both!(
+            "is it the drive, and the module, that the file was made for? --except {all} leaves them out",
+            "ist es der Antrieb, und das Modul, für die die Datei gemacht wurde? --except {all} lässt sie weg"
+        )
+    })
 }
 
 /// The scope leaves out all that the files hold: nothing is as it was wanted, so that is no success.
@@ -189,6 +207,7 @@ pub(in crate::command) fn describe_steps(
         let mut row = describe::to_write(report.address, family, &step.param, step.set, step.raw);
         row.node = terms.speech.node;
         job::tell(&mut row, step.kind.and_then(|kind| job::telegram(terms, family, report.address, step, kind)));
+        row.note = step.kind.is_none().then(of_width_asked);
         if let Err(failure) = fits(step, step.kind) {
             row.result = WriteResult::Refused;
             row.error = Some(ErrorDoc::from(&failure));
@@ -198,6 +217,14 @@ pub(in crate::command) fn describe_steps(
     }
     report.dry_run = true;
     failures
+}
+
+/// Why a row has no telegram.
+fn of_width_asked() -> Text {
+    both!(
+        "no source tells its type: the drive is asked for it first, and the telegram goes by what it tells",
+        "keine Quelle nennt seinen Typ: danach wird der Antrieb zuerst gefragt, und das Telegramm richtet sich nach seiner Antwort"
+    )
 }
 
 /// Why nothing would be written, if so.
@@ -224,8 +251,9 @@ pub(in crate::command) fn whole(
         let how = family.role(Role::Reset).map_or_else(Text::default, |param| {
             both!(" (restarts it: {label})", " (startet ihn neu: {label})", label = param.label())
         });
+        let take = if later.len() == 1 { "takes" } else { "take" };
         let message = both!(
-            "{labels} take effect after a restart of the drive{how}",
+            "{labels} {take} effect after a restart of the drive{how}",
             "{labels}: wirkt erst nach einem Neustart des Antriebs{how}",
             how
         );
@@ -236,6 +264,8 @@ pub(in crate::command) fn whole(
     if load.ended.is_some() {
         let hidden = plan.hidden.clone();
         warnings.extend(hidden.map(|message| Warning { code: "load.in_force".to_owned(), message }));
+        let unwatched = plan.unwatched().filter(|_| !is_nothing);
+        warnings.extend(unwatched.map(|message| Warning { code: "load.unwatched".to_owned(), message }));
     }
     if load.ended.is_some() && (is_nothing || plan.job.rows.iter().any(tells)) {
         let open = plan.open_memory();

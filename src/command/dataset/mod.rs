@@ -86,6 +86,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         Action::Save(options) => save::run(options, context).await,
         Action::Check(options) => check::run(options, context).await,
         Action::Diff(options) => match options.sets() {
+            Some(_) if options.unified => Err(diff::no_lines()),
             Some(pair) => sets::run(&sets::Action::Diff { pair, params: options.params.clone() }, context).await,
             None => diff::run(options, context).await,
         },

@@ -6,7 +6,7 @@ use crate::drive::transaction::Choice;
 use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::Warning;
-use crate::profile::paramfile::{ParamFile, SavedDrive, Settings};
+use crate::profile::paramfile::{At, ParamFile, SavedDrive, Settings};
 use crate::profile::{Family, Registry};
 use crate::text::{Text, both};
 use std::path::Path;
@@ -39,8 +39,9 @@ impl Opened {
         let family = registry.family(word).ok_or_else(|| {
             let known: Vec<_> = registry.drives().into_iter().map(|drive| drive.id).collect();
             let why = both!(
-                "{shown}: no catalogue knows the family '{word}' (expected: {known})",
-                "{shown}: kein Katalog kennt die Familie '{word}' (erwartet: {known})",
+                "{at}: no catalogue knows the family '{word}' (expected: {known})",
+                "{at}: kein Katalog kennt die Familie '{word}' (erwartet: {known})",
+                at = file.family_at,
                 known = known.join(", ")
             );
             bad("data.unknown_family", why).hint(both!(
@@ -59,31 +60,31 @@ impl Opened {
 
     /// Refuses a drive of another family.
     pub(in crate::command) fn fits(&self, drive: &str) -> Result<(), Failure> {
-        self.is_of(drive, |path, own| {
+        self.is_of(drive, |at, own| {
             both!(
-                "{path} is for drives of the family {own}, the drive is of the family {drive}",
-                "{path} ist für Antriebe der Familie {own}, der Antrieb ist von der Familie {drive}"
+                "{at}: the file is for drives of the family {own}, the drive is of the family {drive}",
+                "{at}: die Datei ist für Antriebe der Familie {own}, der Antrieb ist von der Familie {drive}"
             )
         })
     }
 
     /// Refuses another file that is for another family.
     pub(super) fn fits_file(&self, drive: &str) -> Result<(), Failure> {
-        self.is_of(drive, |path, own| {
+        self.is_of(drive, |at, own| {
             both!(
-                "{path} is for drives of the family {own}, the other file is for the family {drive}",
-                "{path} ist für Antriebe der Familie {own}, die andere Datei für die Familie {drive}"
+                "{at}: the file is for drives of the family {own}, the other file is for the family {drive}",
+                "{at}: die Datei ist für Antriebe der Familie {own}, die andere Datei für die Familie {drive}"
             )
         })
     }
 
-    fn is_of(&self, drive: &str, wrong: impl Fn(&str, &str) -> Text) -> Result<(), Failure> {
+    fn is_of(&self, drive: &str, wrong: impl Fn(&At, &str) -> Text) -> Result<(), Failure> {
         let own = &self.file.head.drive.family;
         // As the registry knows them.
         if own.eq_ignore_ascii_case(drive) {
             return Ok(());
         }
-        let message = wrong(&self.file.path, own);
+        let message = wrong(&self.file.family_at, own);
         Err(Failure::new(Class::Data, "data.other_family", message).hint(both!(
             "take a file that was saved from such a drive",
             "eine Datei nehmen, die von einem solchen Antrieb gesichert wurde"

@@ -2,7 +2,7 @@
 
 use super::opened::Opened;
 use crate::command::again::word;
-use crate::command::output::{unwritten, write};
+use crate::command::output::{misnamed, unwritten, write};
 use crate::command::verb::Verb;
 use crate::command::{Context, addresses_to_read, connect, offline_family, plan, read_question, terms};
 use crate::drive::paramfile::{Draft, Harvest, Wanted, factory, harvest, left_out, rows};
@@ -87,7 +87,8 @@ pub(super) async fn run(options: &Options, context: &mut Context<'_>) -> Result<
         [only] if goals.len() == 1 => Some(only.clone()),
         _ => summary(failures, succeeded),
     };
-    Ok(Outcome { data: Some(Data::Saves(Saves { saved })), warnings: Vec::new(), failure })
+    let warnings = misnamed(&options.file).into_iter().collect();
+    Ok(Outcome { data: Some(Data::Saves(Saves { saved })), warnings, failure })
 }
 
 /// Reads a drive and writes its file, or what there is of it beside.
@@ -123,10 +124,11 @@ async fn save(
     if scope == Scope::Changed && done.is_complete() {
         leave_factory(&mut done, &family);
     }
-    let failure = done.failure().map(|failure| unfinished(failure, goal));
+    let failure = done.failure();
     let told = |file| row(goal, &done, (session, &drive.target), scope, file);
     let (saved, failure) = match store(goal, &draft.text(&done), &done, force) {
-        Ok(file) => (told(file), failure),
+        Ok(None) => (told(None), failure),
+        Ok(file) => (told(file), failure.map(|failure| unfinished(failure, goal))),
         // What was read is told, though no file holds it.
         Err(failure) => (SavedFile { complete: false, signature: None, ..told(None) }, Some(failure)),
     };

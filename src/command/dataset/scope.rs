@@ -52,7 +52,7 @@ impl Picks {
     /// What they pick of a file.
     pub(in crate::command) fn choice(&self) -> Choice {
         let sets = self.sets.iter().flat_map(|range| range.0.clone()).collect();
-        Choice { only: self.only.clone(), except: self.except.clone(), sets, store: Store::Eeprom }
+        Choice { only: self.only.clone(), except: self.except.clone(), sets, ..Choice::everything() }
     }
 
     /// As they are typed behind a verb: nothing, or ` --only motor`.

@@ -190,7 +190,7 @@ impl Work<'_> {
         let param = param.ok_or_else(missing)?;
         let place = DataSets::One(0, if ram { Store::Ram } else { Store::Eeprom });
         let kind = param.kind;
-        Ok(Step { param, set: place.wire().first().copied().unwrap_or(0), raw: set.into(), kind })
+        Ok(Step { param, set: place.wire().first().copied().unwrap_or(0), raw: set.into(), kind, at: None })
     }
 
     /// The parameters that the user means, or every switchable one.
@@ -222,7 +222,7 @@ impl Work<'_> {
                 "nichts von {what} gibt es in vier Datensätzen",
                 what = texts.join(" ")
             );
-            return Err(Failure::new(Class::No, "no.switchable", message)
+            return Err(Failure::new(Class::Data, "data.no_switchable", message)
                 .hint(both!("`read` shows what exists once", "`read` zeigt, was es einmal gibt")));
         }
         params.iter().try_for_each(|param| crate::command::check_number(family, param))?;
@@ -353,7 +353,7 @@ impl Work<'_> {
             let param = self.target.family.param_or_unknown(value.param);
             if let Some(raw) = value.raw.filter(|_| param.access.writes()) {
                 let kind = value.kind.and_then(|name| name.parse::<Type>().ok());
-                steps.push(Step { param, set: to, raw, kind });
+                steps.push(Step { param, set: to, raw, kind, at: None });
             }
         }
         Ok((steps, warnings))

@@ -138,6 +138,7 @@ fn question(wanted: &[Wanted], lines: &[Line<'_>]) -> Option<Question> {
         // Behind the values comes what can happen: told once for all drives.
         let consequences = asked.details.split_off(job::lines(&plan.job).min(asked.details.len()));
         let consequences = consequences.into_iter().chain(plan.hidden.clone()).chain(plan.open_memory());
+        let consequences = consequences.chain(plan.unwatched());
         last.extend(consequences.filter(|text| !last.contains(text)).collect::<Vec<_>>());
         details.push(about(one, member, asked.title));
         let doubts = one.doubts().into_iter().map(|warning| warning.message);

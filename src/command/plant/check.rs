@@ -47,7 +47,8 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let mut wanted = wanted(context, &Choice::everything())?;
-    let choice = args.picks.choice();
+    let families = wanted.iter().map(|one| one.opened.family.clone()).collect();
+    let choice = Choice { families, ..args.picks.choice() };
     let mut none = Vec::new();
     for (index, one) in wanted.iter_mut().enumerate() {
         match one.opened.pick(&choice) {

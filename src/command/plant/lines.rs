@@ -106,7 +106,7 @@ pub(super) fn terms<'a>(settings: &Settings, registry: &'a Registry) -> Result<T
 /// The drives that are meant, with all that their files say; line by line. Nothing is opened.
 pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<Wanted>, Failure> {
     let Context { settings, registry, observe, .. } = context;
-    let mut wanted = Vec::new();
+    let (mut files, mut wanted) = (Vec::new(), Vec::new());
     let (placed, bare): (Vec<Place>, Vec<Place>) =
         places(settings)?.into_iter().partition(|place| !place.files.is_empty());
     if let Some(note) = without_files(&bare) {
@@ -124,6 +124,11 @@ pub(super) fn wanted(context: &mut Context<'_>, choice: &Choice) -> Result<Vec<W
         place.settings.verbose = settings.verbose;
         let opened = read_all(&place.files, &place.settings, registry)?;
         is_of_files(&place.settings, &opened, registry)?;
+        files.push((place, opened));
+    }
+    let families = files.iter().map(|(_, opened)| opened.family.clone()).collect();
+    let choice = Choice { families, ..choice.clone() };
+    for (place, opened) in files {
         let (steps, left_out) = choice.steps(&opened.settings, &opened.family)?;
         let (project, undo) = (Some(project_path(settings).display().to_string()), undo(&place));
         wanted.push(Wanted { place, project, opened, steps, left_out, undo });

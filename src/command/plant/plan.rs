@@ -9,7 +9,8 @@ use crate::command::dataset::loaded::nothing_to_come;
 use crate::command::dataset::scope::Scope;
 use crate::command::verb::{Verb, Working};
 use crate::drive::Upper;
-use crate::failure::Failure;
+use crate::drive::transaction::NO_VALUES;
+use crate::failure::{Class, Failure};
 use crate::outcome::{Document, Outcome, Plant};
 use crate::text::both;
 use clap::Args as ClapArgs;
@@ -43,7 +44,7 @@ impl Verb for Args {
 
 async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure> {
     let wanted = wanted(context, &args.scope.choice())?;
-    must_choose(&wanted)?;
+    must_choose(&wanted).map_err(not_chosen)?;
     if context.settings.dry_run {
         return dry_run(context, &wanted);
     }
@@ -54,6 +55,11 @@ async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Failure>
         Outcome { failure, ..told }
     })
     .await
+}
+
+/// Of a plan 1 says that something would change: where nothing is meant, nobody knows that.
+fn not_chosen(failure: Failure) -> Failure {
+    Failure { class: Class::Data, code: NO_VALUES.to_owned(), ..failure }
 }
 
 /// What would write just that.

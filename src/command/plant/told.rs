@@ -13,8 +13,11 @@ use crate::text::{Text, both};
 pub(super) fn plant(wanted: &[Wanted], lines: &mut [Line<'_>], (is_over, rest): (bool, Are)) -> Outcome {
     let members = lines.iter_mut().flat_map(|line| line.members.drain(..));
     let (mut drives, mut warnings, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    let mut is_any_seen = false;
     for (one, member) in wanted.iter().zip(members) {
+        let is_seen = member.found.is_some();
         let (state, mut told) = tell(one, member);
+        is_any_seen |= is_seen && told.failure.is_some();
         told.failure = told.failure.map(|failure| hinted(one, failure));
         let told_of = one.doubts().into_iter().chain(told.warnings);
         warnings.extend(told_of.map(|warning| of(one, warning)));
@@ -29,6 +32,7 @@ pub(super) fn plant(wanted: &[Wanted], lines: &mut [Line<'_>], (is_over, rest): 
     // A drive that failed itself says so of all that was written.
     let tells = |row: &PlantDrive| row.error.as_ref().is_some_and(|error| error.code == "partial.put_back");
     let adds = is_back && !drives.iter().any(tells);
+    let rest = if is_any_seen { rest } else { UNSEEN };
     let failure = summary(failures, drives.len(), (is_torn || is_back, rest)).map(|failure| Failure {
         message: if adds && drives.len() > 1 { written_and_back(&failure.message, &drives) } else { failure.message },
         ..failure

@@ -72,7 +72,7 @@ impl Guide<'_> {
         self.session.end_at(None);
         self.confirm(turn, &[]).await?;
         let before = self.settled(&mut target, &shows).await?;
-        let step = job::Step { param: mode.clone(), set: 0, raw: point.mode(), kind: mode.kind };
+        let step = job::Step { param: mode.clone(), set: 0, raw: point.mode(), kind: mode.kind, at: None };
         // It may go back by itself: then it does not read back, and what is shown of the input is the proof.
         match self.write_anyway(turn, deed, vec![step]).await {
             Err(failure) if failure.code != "refused.reads_back_differently" => return Err(failure),

@@ -76,7 +76,7 @@ impl Guide<'_> {
         match (self.given.span("watchdog")?, family.role(Role::Watchdog)) {
             (Some(span), Some(param)) => {
                 let raw = watchdog_raw(&family, span)?;
-                let step = job::Step { param: param.clone(), set: 0, raw, kind: param.kind };
+                let step = job::Step { param: param.clone(), set: 0, raw, kind: param.kind, at: None };
                 self.write(turn, deed, vec![step]).await?;
             }
             _ => self.tell(turn),

@@ -195,11 +195,11 @@ pub(super) fn steps(given: &Given, family: &Family) -> Result<(Vec<job::Step>, V
         };
         let raw = value::parse(text, param, &[]).map_err(|error| bad(key, &error.text()))?;
         value::check_range(raw, param).map_err(|error| bad(key, &error.text()))?;
-        steps.push(job::Step { param: param.clone(), set: place(param), raw, kind: param.kind });
+        steps.push(job::Step { param: param.clone(), set: place(param), raw, kind: param.kind, at: None });
     }
     if let Some(param) = family.role(Role::PolePairs) {
         let raw = plate.pole_pairs;
-        steps.push(job::Step { param: param.clone(), set: place(param), raw, kind: param.kind });
+        steps.push(job::Step { param: param.clone(), set: place(param), raw, kind: param.kind, at: None });
     }
     Ok((steps, unknown))
 }

@@ -63,7 +63,7 @@ impl Guide<'_> {
         deed.found.push(told_found(&hunt, hunt.rated / 2, offset, voltage));
         let (param, kind) = (hunt.params.offset.clone(), hunt.params.offset.kind);
         let set = if param.sets == Some(Sets::Four) { hunt.set } else { 0 };
-        self.write(turn, deed, vec![job::Step { param, set, raw: offset, kind }]).await
+        self.write(turn, deed, vec![job::Step { param, set, raw: offset, kind, at: None }]).await
     }
 
     /// What is sought with what.

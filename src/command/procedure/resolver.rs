@@ -57,7 +57,7 @@ impl Guide<'_> {
         let active = self.active_set(&mut target).await?;
         let step = |param: &Param, raw| {
             let set = if param.sets == Some(Sets::Four) { active } else { 0 };
-            job::Step { param: param.clone(), set, raw, kind: param.kind }
+            job::Step { param: param.clone(), set, raw, kind: param.kind, at: None }
         };
         let steps = vec![step(&params.resolver_pairs, pairs), step(&params.source, ENCODER_2)];
         self.write(turn, deed, steps).await

@@ -12,6 +12,7 @@ use super::{AccessError, Cell, Inquiry, Order, Reader, Session, Target, Terms, W
 use crate::failure::{Class, Failure};
 use crate::gate::{Permit, Writing};
 use crate::outcome::{Data, ErrorDoc, Outcome, TelegramDoc, Warning, Write, WriteResult, Written};
+use crate::profile::paramfile::At;
 use crate::profile::value::{self, format_decimal};
 use crate::profile::{Effective, Family, HazardKind, Holds, Param, Role, Type};
 use crate::text::{Text, both};
@@ -28,6 +29,8 @@ pub struct Step {
     pub raw: i64,
     /// Its type; `None` to find it out by asking.
     pub kind: Option<Type>,
+    /// Where a file states it.
+    pub at: Option<At>,
 }
 
 /// Leaves out what is planned: nobody said yes, or the port went away before anything was sent.

@@ -8,6 +8,7 @@ use crate::profile::paramfile::{Setting, Settings};
 use crate::profile::{Family, Goes, Param, Selector, Sets, Store};
 use crate::text::both;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// What somebody wants of a file.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub struct Choice {
     pub sets: Vec<u8>,
     /// Where the values go.
     pub store: Store,
+    /// The families of all drives that are meant: what one of them knows is no mistake of the others.
+    pub families: Vec<Rc<Family>>,
 }
 
 /// The code of a file of which nothing is meant.
@@ -31,7 +34,7 @@ const EVERYTHING: &str = "all";
 impl Choice {
     /// Everything that a file may bring.
     pub fn everything() -> Self {
-        Choice { only: Vec::new(), except: Vec::new(), sets: Vec::new(), store: Store::Eeprom }
+        Choice { only: Vec::new(), except: Vec::new(), sets: Vec::new(), store: Store::Eeprom, families: Vec::new() }
     }
 
     /// The values to write, in the order in which they depend on each other, and what is left out by itself.
@@ -49,10 +52,10 @@ impl Choice {
                 Failure::new(Class::Data, "data.no_ram", text).hint(both!("leave --ram out", "--ram weglassen"))
             );
         }
-        let (only, except) = (named(&self.only, family)?, named(&self.except, family)?);
+        let (only, except) = (self.named(&self.only, family)?, self.named(&self.except, family)?);
         let particular: Vec<String> =
             self.only.iter().filter(|word| !bare(word).eq_ignore_ascii_case(EVERYTHING)).cloned().collect();
-        let asked = named(&particular, family)?;
+        let asked = self.named(&particular, family)?;
         let (mut steps, mut left_out) = (Vec::new(), Vec::new());
         for setting in settings.iter() {
             let id = setting.param.id;
@@ -74,7 +77,7 @@ impl Choice {
     /// # Errors
     /// A word names neither a group nor a parameter of the family, or nothing is left.
     pub fn pick(&self, settings: &mut Settings, family: &Family) -> Result<(), Failure> {
-        let (only, except) = (named(&self.only, family)?, named(&self.except, family)?);
+        let (only, except) = (self.named(&self.only, family)?, self.named(&self.except, family)?);
         let mut picked = Settings::default();
         for setting in settings.iter() {
             let id = setting.param.id;
@@ -103,16 +106,33 @@ impl Choice {
         Ok(())
     }
 
+    /// The numbers that words name in a family; none where only another one knows them.
+    fn named(&self, words: &[String], family: &Family) -> Result<BTreeSet<u32>, Failure> {
+        let mut named = BTreeSet::new();
+        for word in words {
+            let is_known = || self.families.iter().any(|other| numbers(word, other).is_some());
+            match numbers(word, family) {
+                None if !is_known() => return Err(unknown(word, family)),
+                found => named.extend(found.unwrap_or_default()),
+            }
+        }
+        Ok(named)
+    }
+
     /// The places of a setting: of one for all four data sets each that has no value of its own.
     fn places(&self, setting: &Setting, settings: &Settings) -> Vec<Step> {
-        let Setting { param, set, raw, kind, .. } = setting;
+        let Setting { param, set, raw, kind, at } = setting;
         let own = |set: u8| settings.exactly(param.id, set).is_some();
         let sets: Vec<u8> = match *set {
             0 if in_sets(param) || (1..=4).any(own) => (1..=4).filter(|set| !own(*set)).collect(),
             set => vec![set],
         };
         let wanted = sets.into_iter().filter(|set| self.sets.is_empty() || self.sets.contains(set));
-        wanted.map(|set| Step { param: param.clone(), set: self.store.wire(set), raw: *raw, kind: *kind }).collect()
+        let step = |set| {
+            let (param, at) = (param.clone(), Some(at.clone()));
+            Step { param, set: self.store.wire(set), raw: *raw, kind: *kind, at }
+        };
+        wanted.map(step).collect()
     }
 }
 
@@ -121,19 +141,14 @@ pub(super) fn in_sets(param: &Param) -> bool {
     param.sets == Some(Sets::Four)
 }
 
-/// The numbers that words name: groups with or without `@`, parameters, ranges.
-fn named(words: &[String], family: &Family) -> Result<BTreeSet<u32>, Failure> {
-    let mut numbers = BTreeSet::new();
-    for word in words {
-        if let Some(group) = family.group(&bare(word).to_ascii_lowercase()) {
-            numbers.extend(group);
-            continue;
-        }
-        let selector: Result<Selector, _> = word.parse();
-        let found = selector.ok().filter(|selector| !selector.names_sets()).and_then(|it| it.resolve(family).ok());
-        numbers.extend(found.ok_or_else(|| unknown(word, family))?.into_iter().map(|one| one.param.id));
+/// The numbers that a word names in a family: a group with or without `@`, a parameter, a range.
+fn numbers(word: &str, family: &Family) -> Option<BTreeSet<u32>> {
+    if let Some(group) = family.group(&bare(word).to_ascii_lowercase()) {
+        return Some(group.into_iter().collect());
     }
-    Ok(numbers)
+    let selector: Selector = word.parse().ok()?;
+    let found = Some(selector).filter(|selector| !selector.names_sets())?.resolve(family).ok()?;
+    Some(found.into_iter().map(|one| one.param.id).collect())
 }
 
 fn bare(word: &str) -> &str {

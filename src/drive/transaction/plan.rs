@@ -3,7 +3,7 @@
 use super::choice::in_sets;
 use super::progress::{Doing, progress};
 use super::running::{Shaft, standstill};
-use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, unread_in_ram, weigh};
+use super::weigh::{Purpose, differs_in_ram, not_in_force, unread, unread_in_ram, unwatched, weigh};
 use crate::drive::job::{self, Job, Step};
 use crate::drive::stands::{has_ram, in_ram, stands};
 use crate::drive::{Session, Target, Terms, describe, is_over};
@@ -77,6 +77,11 @@ impl Plan {
                  lässt: was nur im RAM steht, gilt dann als gespeichert; Aus- und Einschalten vor dem Laden klärt das"
             )
         })
+    }
+
+    /// That nobody could look whether the drive runs.
+    pub fn unwatched(&self) -> Option<Text> {
+        unwatched(&self.job.target)
     }
 
     /// Whether all that is going to be written goes into the RAM: an undo file is of one memory, and of the EEPROM if both are

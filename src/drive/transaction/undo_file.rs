@@ -56,6 +56,19 @@ impl UndoPlace {
         self.first_free(|path| files::check(path, false)).map(drop)
     }
 
+    /// Tries what was typed, before a drive is asked. That its name is taken is in nobody's way where nothing is to be written, which
+    /// nobody knows yet.
+    ///
+    /// # Errors
+    /// The disk would not take it.
+    pub fn check_typed(&self) -> Result<(), Failure> {
+        let Self::Named(path) = self else { return Ok(()) };
+        match files::check(path, false) {
+            Ok(()) | Err(FileError::Exists) => Ok(()),
+            Err(error) => Err(unwritten(path, &error)),
+        }
+    }
+
     /// Writes it.
     ///
     /// # Errors
@@ -182,7 +195,7 @@ pub fn steps_back(file: &ParamFile, family: &Family) -> Result<(Vec<Step>, Comin
     let old = file.settings(family).map_err(|fault| broken(&fault))?;
     let coming = coming.map_err(|fault| broken(&fault))?;
     let wire = |set| undo.store.wire(set);
-    let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind };
+    let step = |it: &Setting| Step { param: it.param.clone(), set: wire(it.set), raw: it.raw, kind: it.kind, at: None };
     let mut steps: Vec<Step> = old.iter().map(step).collect();
     steps.sort_by_key(|step| family.files.rank(&step.param, step.set));
     let from = coming.iter().map(|it| ((it.param.id, wire(it.set)), it.raw)).collect();

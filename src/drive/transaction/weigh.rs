@@ -5,7 +5,7 @@ use crate::drive::{Session, Target, Terms, describe, is_over};
 use crate::failure::{Class, Failure};
 use crate::outcome::{Decimal, ErrorDoc, WriteResult, Written};
 use crate::profile::paramfile::value_text;
-use crate::profile::{DataSets, FileRules, Param, Type, value};
+use crate::profile::{DataSets, FileRules, Param, Role, Type, value};
 use crate::text::{Text, both};
 use std::collections::BTreeMap;
 
@@ -91,13 +91,14 @@ pub(super) fn weigh(
 /// # Errors
 /// What forbids it.
 pub fn fits(step: &Step, kind: Option<Type>) -> Result<(), Failure> {
-    let Step { param, raw, .. } = step;
+    let Step { param, raw, at, .. } = step;
     let label = param.label();
+    let at = at.as_ref().map_or_else(String::new, |at| format!("{at}: "));
     keeps_line(param)?;
     let wrong = |code: &str, error: value::ValueError| {
         let message = both!(
-            "{label} ({called}): {why}",
-            "{label} ({called}): {why}",
+            "{at}{label} ({called}): {why}",
+            "{at}{label} ({called}): {why}",
             called = param.called(),
             why = error.text()
         );
@@ -119,12 +120,13 @@ fn keeps_line(param: &Param) -> Result<(), Failure> {
     }
     let label = param.label();
     let message = both!(
-        "{label} cuts the line at once, and what cuts the line cannot be taken back over it",
-        "{label} kappt die Leitung sofort, und was sie kappt, lässt sich über sie nicht zurücknehmen"
+        "{label} can cut the line at once, and what cuts the line cannot be taken back over it",
+        "{label} kann die Leitung sofort kappen, und was sie kappt, lässt sich über sie nicht zurücknehmen"
     );
     Err(Failure::new(Class::Forbidden, "forbidden.cuts", message).hint(both!(
-        "`antrieb line set` and `antrieb protocol set` change it and follow the drive",
-        "`antrieb line set` und `antrieb protocol set` stellen es um und folgen dem Antrieb"
+        "`antrieb line set` and `antrieb protocol set` change the line and follow the drive; `antrieb write` sends a single value",
+        "`antrieb line set` und `antrieb protocol set` stellen die Leitung um und folgen dem Antrieb; `antrieb write` sendet einen \
+         einzelnen Wert"
     )))
 }
 
@@ -198,6 +200,18 @@ fn not_told(param: &Param, failure: Failure) -> Failure {
 pub(super) fn unread(param: &Param) -> Failure {
     let message = both!("{label} was not read", "{label} wurde nicht gelesen", label = param.label());
     Failure::new(Class::Garbled, "garbled.unread", message)
+}
+
+/// What nobody can look at before a file goes into a drive whose family tells no state.
+pub(super) fn unwatched(target: &Target) -> Option<Text> {
+    target.family.role(Role::StatusWord).is_none().then(|| {
+        both!(
+            "the family {drive} tells no state: whether drive {address} runs, nobody could look",
+            "die Familie {drive} nennt keinen Zustand: ob Antrieb {address} läuft, ließ sich nicht ansehen",
+            drive = target.family.drive,
+            address = target.address
+        )
+    })
 }
 
 /// Why a value that is stored already is written, into the RAM alone.

@@ -19,6 +19,8 @@ pub struct ParamFile {
     pub path: Rc<str>,
     /// All but the values.
     pub head: Head,
+    /// Where its family stands.
+    pub family_at: At,
     /// The values, in the order in which they stand.
     pub lines: Vec<Line>,
     /// What a transaction was about to do, if it is the file that takes it back.

@@ -160,6 +160,7 @@ impl ParamFile {
         source.check_version()?;
         let whole: Whole = toml::from_str(text).map_err(|error| source.toml(&error))?;
         let Whole { drive, saved, not_held, types, values, undo, .. } = whole;
+        let family_at = source.at(source.family());
         let drive = drive.0.into_inner();
         if let Some(saved) = &saved {
             source.check_signature(saved.0.span().start, saved.0.get_ref())?;
@@ -172,7 +173,8 @@ impl ParamFile {
         let lines = source.lines(&values)?;
         let undo = undo.map(|undo| Ok(Undo { store: undo.memory.into(), lines: source.lines(&undo.values)? }));
         let undo = undo.transpose()?;
-        Ok(ParamFile { path: source.path, head: Head { drive, saved, not_held, types, lang: Lang::En }, lines, undo })
+        let head = Head { drive, saved, not_held, types, lang: Lang::En };
+        Ok(ParamFile { path: source.path, head, family_at, lines, undo })
     }
 }
 
@@ -186,6 +188,13 @@ impl Source<'_> {
     fn at(&self, byte: usize) -> At {
         let (line, column) = place(self.text, byte);
         At { path: self.path.clone(), line, column }
+    }
+
+    /// Where the family stands.
+    fn family(&self) -> usize {
+        let root = DeTable::parse(self.text).ok();
+        let family = root.as_ref().and_then(|root| root.get_ref().get("drive")?.get_ref().as_table()?.get("family"));
+        family.map_or(0, |family| family.span().start)
     }
 
     fn fault(&self, byte: usize, why: Text) -> FileFault {

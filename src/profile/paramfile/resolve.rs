@@ -52,7 +52,7 @@ impl ParamFile {
     /// The parameter and data set that a line is about.
     fn place(&self, line: &Line, family: &Family) -> Result<(Param, u8), FileFault> {
         let fault = |why: Text| FileFault::new(line.at.clone(), why);
-        let selector: Selector = line.key.parse().map_err(|error: SelectError| fault(error.text()))?;
+        let selector: Selector = line.key.parse().map_err(|error| fault(unread(&error)))?;
         let set = match selector.sets() {
             DataSets::Unnamed | DataSets::All(Store::Eeprom) => 0,
             DataSets::One(set, Store::Eeprom) => set,
@@ -88,6 +88,17 @@ impl ParamFile {
             return Err(fault(both!("this family has no data sets", "diese Familie hat keine Datensätze")));
         }
         Ok((param, set))
+    }
+}
+
+/// Why a key is none: a file names fewer data sets than are typed.
+fn unread(error: &SelectError) -> Text {
+    match error {
+        SelectError::Set(set) => both!(
+            "'{set}' is no data set of a parameter file: expected 0-4, and a line for each",
+            "'{set}' ist kein Datensatz einer Parameterdatei: erwartet 0-4, und für jeden eine Zeile"
+        ),
+        _ => error.text(),
     }
 }
 

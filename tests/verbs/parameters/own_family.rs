@@ -128,3 +128,16 @@ fn a_family_that_is_only_half_said_is_refused_with_what_is_missing() {
         assert!(refused.err.contains(why), "{why}\n{}", refused.err);
     }
 }
+
+/// Nothing of it tells whether it runs.
+#[test]
+fn who_loads_a_file_into_it_is_told_that_nobody_could_look_whether_it_runs() {
+    let load = |more: &str| {
+        let text = "antrieb = 1\n[drive]\nfamily = \"hydra3\"\n[values]\nspeed = 1200\n";
+        hydra(&format!("{more} dataset load {{dir}}/f.toml")).file("f.toml", text)
+    };
+    assert_eq!(load("--yes").json().exits(0).warnings(), ["load.unwatched"]);
+    let asked = load("").answered("y").exits(0).err;
+    let question = asked.split("[y/N]").next().unwrap();
+    assert!(question.contains("the family hydra3 tells no state"), "{asked}");
+}

@@ -1,0 +1,154 @@
+//! What `load`, `check`, `diff`, `plan` and `apply` tell of files that are not as they were meant, and who hears it.
+
+use super::plant::{ONE, TWO, plant};
+use crate::run::{Run, antrieb};
+use antrieb::transport::witness;
+
+const FRESH: &str = "[[drive]]\nmodel = \"act\"\naddress = 1\n";
+
+fn file(values: &str) -> String {
+    format!("antrieb = 1\n[drive]\nfamily = \"act\"\n[values]\n{values}\n")
+}
+
+fn on_file(line: &str, text: &str) -> Run {
+    antrieb(line).on(FRESH).file("f.toml", text)
+}
+
+/// Of these verbs 1 says that something differs.
+#[test]
+fn where_nothing_is_meant_that_is_no_difference() {
+    let code = |line: &str| on_file(line, &file("")).json().exits(7).error()["code"].as_str().unwrap().to_owned();
+    assert_eq!(code("-a 1 dataset check {dir}/f.toml"), "data.no_values");
+    assert_eq!(code("-a 1 dataset diff 1 2 @bus"), "data.no_switchable");
+    let planned = plant("-a a1 plan --only bus", [TWO, TWO, ONE]).json().exits(7);
+    assert_eq!(planned.error()["code"], "data.no_values");
+}
+
+#[test]
+fn an_undo_file_that_is_there_is_in_nobodys_way_where_nothing_is_to_be_written() {
+    let load = "-a 1 dataset load {dir}/f.toml --undo-file {dir}/u.toml --yes";
+    let same = on_file(load, &file("372 = 1390")).file("u.toml", "mine").exits(0);
+    assert_eq!(same.text_of("u.toml"), "mine");
+    let taken = on_file(load, &file("372 = 1440")).file("u.toml", "mine").exits(7);
+    assert!(taken.err.contains("exists already") && taken.err.contains("nothing was written"), "{}", taken.err);
+    assert_eq!(taken.text_of("u.toml"), "mine");
+    let asked = on_file("-a 1 dataset load {dir}/f.toml --undo-file {dir}/u.toml", &file("372 = 1440"));
+    let asked = asked.file("u.toml", "mine").answered("y").exits(7);
+    assert!(!asked.err.contains("[y/N]"), "{}", asked.err);
+    // Of several drives each has its own.
+    let two = format!("{FRESH}[[drive]]\nmodel = \"act\"\naddress = 2\n");
+    let line = "-a 1,2 dataset load {dir}/f.toml --undo-file {dir}/u-{address}.toml --yes";
+    antrieb(line).on(&two).file("f.toml", &file("372 = 1390")).file("u-2.toml", "mine").exits(0);
+}
+
+#[test]
+fn lines_of_two_data_sets_are_not_left_out_without_a_word() {
+    for pair in ["1 2", "2 2ram"] {
+        let refused = antrieb(&format!("-p sim -a 1 dataset diff {pair} --unified")).exits(2).err;
+        assert!(refused.contains("--unified shows lines of files"), "{refused}");
+    }
+}
+
+#[test]
+fn what_is_refused_of_a_file_is_named_with_its_line_and_column() {
+    let load =
+        |text: &str, more: &str| on_file(&format!("-a 1 dataset load {{dir}}/f.toml --yes {more}"), text).exits(7).err;
+    let other = file("480 = 8").replace("act", "acu");
+    assert!(load(&file("480 = 8").replace("act", "acx"), "").contains("f.toml:3:10: no catalogue knows"));
+    for line in ["\"412\" = 999", "412 = \"raw 999\""] {
+        let range = load(&file(&format!("480 = 8\n{line}")), "");
+        assert!(range.contains("f.toml:6:1: P.412"), "{range}");
+        let rehearsed = load(&file(&format!("480 = 8\n{line}")), "--dry-run");
+        assert!(rehearsed.contains("f.toml:6:1: P.412"), "{rehearsed}");
+    }
+    let two = on_file("-a 1 dataset load {dir}/f.toml {dir}/g.toml", &file("480 = 8")).file("g.toml", &other).exits(7);
+    assert!(two.err.contains("g.toml:3:10: the file is for drives of the family acu"), "{}", two.err);
+    let sets = load(&file("\"372@1-3\" = 1400"), "");
+    assert!(sets.contains("f.toml:5:1:") && sets.contains("expected 0-4, and a line for each"), "{sets}");
+    assert!(!sets.contains("5-9"), "{sets}");
+}
+
+#[test]
+fn a_file_whose_name_promises_another_form_is_said_to_be_toml() {
+    for name in ["f.csv", "f.json"] {
+        let line = format!("-p sim -a 1 dataset save {{dir}}/{name} --changed");
+        let saved = antrieb(&line).exits(0);
+        assert!(saved.err.contains("is a parameter file (TOML) all the same"), "{}", saved.err);
+        antrieb(&format!("--lang de {line}")).exits(0);
+        assert_eq!(antrieb(&line).json().exits(0).warnings(), ["file.is_toml"]);
+    }
+    assert!(!antrieb("-p sim -a 1 dataset save {dir}/f.toml --changed").exits(0).err.contains("TOML"));
+}
+
+#[test]
+fn a_row_without_a_telegram_says_why() {
+    for lang in ["en", "de"] {
+        let line = format!("--lang {lang} -a 1 dataset load {{dir}}/f.toml --dry-run");
+        let shown = on_file(&line, &file("603 = 100")).exits(0).out;
+        assert!(shown.contains(if lang == "en" { "no source tells its type" } else { "nennt seinen Typ" }), "{shown}");
+    }
+}
+
+/// Two relative names, of which one has no folder; what they lead to need not be a port.
+#[test]
+fn two_relative_names_of_one_port_are_one_port() {
+    let project = "[drives.a]\nport = \"Cargo.toml\"\naddress = 1\n[drives.b]\nport = \"./Cargo.toml\"\naddress = 1\n";
+    let refused = antrieb("plan").file("antrieb.toml", project).exits(7).err;
+    assert!(refused.contains("drives a and b have the same address 1"), "{refused}");
+}
+
+/// The adapter is pulled at every telegram of the beginning.
+#[test]
+fn a_save_says_that_something_is_kept_only_where_it_is() {
+    let mut lost = 0;
+    for after in 0..9 {
+        witness::pull_after(Some(after));
+        let ended = antrieb("-a 1 dataset save {dir}/s.toml").on("[[drive]]\nmodel = \"acu\"\n").run();
+        witness::pull_after(None);
+        assert_ne!(ended.exit, 0, "{after}");
+        let is_kept = ended.directory().join("s.toml.part").exists();
+        assert_eq!(ended.err.contains("what was read stands in"), is_kept, "{after}: {}", ended.err);
+        assert_eq!(ended.err.contains("--resume"), is_kept, "{after}: {}", ended.err);
+        lost += usize::from(!is_kept);
+    }
+    assert!((1..9).contains(&lost), "{lost}");
+}
+
+#[test]
+fn a_word_that_one_family_of_a_plant_knows_is_no_mistake_of_the_others() {
+    let on = |line: &str| plant(line, [TWO, TWO, ONE]);
+    let states = |line: &str| super::plant::states(&on(line).json().exits(1));
+    assert_eq!(states("plan --only voltage,372"), "a1 planned, a2 same, b1 planned, b2 same, c3 same");
+    assert_eq!(states("plan --except setpoints"), states("plan --except setpoints,voltage"));
+    on("check --only 372").exits(1);
+    on("check --except voltage").exits(1);
+    for verb in ["plan", "check", "apply --yes"] {
+        let refused = on(&format!("{verb} --only pumps")).exits(2).err;
+        assert!(refused.contains("'pumps' names no group"), "{refused}");
+    }
+}
+
+#[test]
+fn of_drives_that_nobody_could_look_at_nobody_says_how_they_are() {
+    let config = "[drives.a]\nport = \"/dev/none-a\"\naddress = 1\nfiles = [\"f.toml\"]\n\
+                  [drives.b]\nport = \"/dev/none-b\"\naddress = 1\nfiles = [\"f.toml\"]\n";
+    for (lang, told) in
+        [("en", "2 of 2 drives could not be looked at"), ("de", "2 von 2 Antrieben ließen sich nicht ansehen")]
+    {
+        let run = antrieb(&format!("--lang {lang} apply --yes")).file("antrieb.toml", config);
+        let ended = run.file("f.toml", &file("372 = 1440")).exits(3).err;
+        assert!(ended.contains(told), "{ended}");
+    }
+}
+
+/// A backup of a drive with option modules, for one without.
+#[test]
+fn what_all_is_in_the_way_can_be_left_out_as_it_is_told() {
+    let modules = "[[drive]]\nmodel = \"acu\"\nmodules = [\"EM-RES-03\"]\n";
+    let bare = "[[drive]]\nmodel = \"acu\"\n";
+    let saved = antrieb("-a 1 dataset save {dir}/s.toml").on(modules).exits(0);
+    let refused = saved.then("-a 1 dataset load {dir}/s.toml --yes").on(bare).exits(6);
+    let all = refused.err.split("--except ").nth(1).unwrap().split(' ').next().unwrap().to_owned();
+    assert!(all.contains(','), "{}", refused.err);
+    refused.then(&format!("-a 1 dataset load {{dir}}/s.toml --yes --except {all}")).on(bare).exits(0);
+}
