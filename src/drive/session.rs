@@ -30,6 +30,9 @@ mod keeping;
 
 /// So often something is asked that tells whether the line echoes: behind noise one reply tells nothing.
 const SOUNDINGS: u8 = 2;
+/// What must not wait waits no longer for an answer, however long others may have: four times what a drive may take (CM-485 manual
+/// 6.8). What comes later still counts for the question behind it.
+const UNHURRIED: Span = Span::from_secs(2);
 /// So long a second answer is listened for where a station is asked for its first value: two drives that answer after 10 ms
 /// each (docs/sources.md A2) are heard within it, whatever their adapters hold back. A choice: longer would be felt.
 const LISTEN: Span = Span::from_millis(60);
@@ -201,7 +204,9 @@ impl<'a> Session<'a> {
     async fn put(&mut self, station: u8, question: Question, limits: Limits) -> Result<Answer, AccessError> {
         // What must not wait listens for nobody.
         let listen = if std::mem::take(&mut self.listens) && !self.insists { LISTEN } else { Span::ZERO };
-        let limits = Limits { insist: self.insists.then_some(INSIST), since: self.since, listen, ..limits };
+        let insist = self.insists.then_some(INSIST);
+        let reply_timeout = if self.insists { limits.reply_timeout.min(UNHURRIED) } else { limits.reply_timeout };
+        let limits = Limits { insist, reply_timeout, since: self.since, listen, ..limits };
         let mut asked = 0;
         loop {
             self.take_turn().await;

@@ -102,6 +102,7 @@ mod motion {
     mod to_the_letter;
     mod told_apart;
     mod unmeasured;
+    mod unreached;
     mod within;
 }
 

@@ -48,6 +48,10 @@ pub(super) fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
     }
     let mut failure = failure;
     let (said, hint) = match act {
+        // It may have been lost before the first of its bytes.
+        _ if failure.class == Class::Port => {
+            (both!("nothing proves that the stop went out", "nichts belegt, dass der Halt hinausging"), stops_now())
+        }
         Relief::Zero if said => (
             both!(
                 "the setpoint 0 was sent, whether it is obeyed is not known",

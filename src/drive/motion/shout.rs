@@ -61,6 +61,8 @@ const BRIEF: Span = Span::from_millis(450);
 const PAUSE: Span = Span::from_millis(10);
 /// How often the stop is said while nobody acknowledges it: replies of 900 ms (CM-485 manual 6.8 promises less) are in time.
 const TIMES: u8 = 5;
+/// Or so long, each of its words once at least: where --timeout makes every wait long.
+const SHOUTING: Span = Span::from_secs(8);
 /// How often others are kept waiting for an answer for a short time only.
 const EARLY: usize = 2;
 
@@ -269,7 +271,9 @@ impl<'m> Call<'m> {
         let is_late = tell.is_first() && !self.untold.is_empty() && session.now() >= by;
         let by = if tell.is_first() { by } else { session.now() };
         let pressed = if is_late { false } else { self.say(session, by).await? };
-        let often = self.said >= usize::from(self.times) * self.words.len() && self.untold.is_empty();
+        let round = self.words.len();
+        let long = self.said >= round && self.begun.is_some_and(|begun| session.now().since(begun) >= SHOUTING);
+        let often = (long || self.said >= usize::from(self.times) * round) && self.untold.is_empty();
         let widens = self.goes_on() && (often || self.refused) && self.widen(session, registry);
         if self.goes_on() && often && !widens {
             self.ended = Some(Ok(()));
