@@ -4,7 +4,8 @@ use super::again::one_of;
 use super::{Context, addresses_to_write, asking, connect};
 use crate::args::{Addresses, MotionArgs, Settings, StopArg};
 use crate::drive::motion::{
-    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, look, shout, shout_zero, watchdog_raw,
+    FirstWord, Meant, Motor, PROOF, Promise, Situation, StopChoice, demand_as_shown, look, shout, shout_zero,
+    watchdog_raw,
 };
 use crate::drive::{Interrupt, Session, Target};
 use crate::failure::{Class, Failure};
@@ -280,6 +281,7 @@ async fn on_drive<'p, C>(
     }
     motor.relieving = plan.relief.map(|_| begun);
     motor.first_word = first_word;
+    motor.promises.clone_from(&plan.promises);
     motor.watched = watched;
     let mut ended = motor
         .run(plan.args.hold, plan.choice(), async |motor: &mut Motor<'_, '_>| {
@@ -336,6 +338,9 @@ async fn agreed(
     let permit = asking::on_line(session, ask, &question(plan, target, node, before)).await?;
     for promise in &plan.promises {
         promise.demand(session, target).await?;
+    }
+    if plan.runs {
+        demand_as_shown(session, target, before).await?;
     }
     Ok(permit)
 }

@@ -353,10 +353,7 @@ async fn hold(motor: &mut Motor<'_, '_>, wanted: &Wanted, motion: &MotionArgs, p
             if wanted.mode.zero {
                 motor.refresh(&wanted.param, given).await?;
             }
-            match &wanted.promise {
-                Some(promise) => motor.keeps(promise, &mut course).await,
-                None => Ok(()),
-            }
+            motor.keeps(wanted.promise.as_ref(), &mut course).await
         })
         .await
 }

@@ -8,9 +8,7 @@ use super::running::{self, Plan};
 use super::verb::{Flow, Verb, Working};
 use super::{Context, InForce, Reader, Row, each_drive, finish, offline_family, plan, role_questions, target};
 use crate::args::{MotionArgs, Settings, Takes};
-use crate::drive::motion::{
-    self, Motor, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling,
-};
+use crate::drive::motion::{self, Situation, in_fault, missing, no_control, no_fault, surroundings, upon_enabling};
 use crate::drive::{Session, Target, Upper, describe};
 use crate::failure::{Class, Failure};
 use crate::gate::Relief;
@@ -203,7 +201,7 @@ async fn commanded(context: &mut Context<'_>, plan: Plan<'_>, bounds: Option<Tex
                 (other, _) => motor.command(other).await?,
             }
             if motion.hold && slug == "enable" {
-                motor.hold(motion.duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+                motor.hold_as_shown(motion.duration).await?;
             }
             Ok(())
         },
@@ -292,7 +290,7 @@ async fn go_to(context: &mut Context<'_>, state: &str, motion: &MotionArgs) -> R
         async |motor, ()| {
             motor.walk(state).await?;
             if let (Some(duration), true) = (hold, runs) {
-                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+                motor.hold_as_shown(duration).await?;
             }
             Ok(())
         },

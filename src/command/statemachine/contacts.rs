@@ -4,7 +4,7 @@ use super::dry_run;
 use crate::args::{MotionArgs, StopArg};
 use crate::command::running::{self, Plan};
 use crate::command::{Context, offline_family};
-use crate::drive::motion::{Motor, Situation, no_control_word, runs_at};
+use crate::drive::motion::{Situation, no_control_word, runs_at};
 use crate::drive::{Session, Target};
 use crate::failure::{Class, Failure};
 use crate::outcome::Outcome;
@@ -46,7 +46,7 @@ pub(super) async fn set(
             }
             motor.contacts(word).await?;
             if let Some(duration) = hold {
-                motor.hold(duration, async |_: &mut Motor<'_, '_>, _| Ok(())).await?;
+                motor.hold_as_shown(duration).await?;
             }
             Ok(())
         },

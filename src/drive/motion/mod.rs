@@ -30,7 +30,7 @@ pub use lacking::{in_fault, missing, no_control, no_control_word, tripped};
 pub use look::{
     Situation, look, may_change_mode, role_raw, surroundings, watchdog_raw, watchdog_seconds, working, working_raw,
 };
-pub use own::{Course, Own, Promise};
+pub use own::{Course, Own, Promise, demand_as_shown};
 pub use relief::{PROOF, may_turn};
 pub use shout::{Call, FirstWord, shout, shout_once, shout_round, shout_zero};
 pub use still::{Unseen, coasting, has_power};
@@ -159,6 +159,8 @@ pub struct Motor<'a, 's> {
     pub setpoint: Option<Setpoint>,
     /// A setpoint, and what the drive makes of it by its own settings, if that is known; raw.
     pub expects: Option<(i64, i64)>,
+    /// What somebody was shown of its own settings.
+    pub promises: Vec<Promise>,
     /// Setpoint of the mode that the drive shows; the stop sets it to 0.
     zeroes: Option<u32>,
     /// Setpoint that the stop has set to 0 before it asked for that mode.
@@ -230,6 +232,7 @@ impl<'a, 's> Motor<'a, 's> {
             bounded: false,
             setpoint: None,
             expects: None,
+            promises: Vec::new(),
             zeroes: None,
             zeroed: None,
             notes: Vec::new(),

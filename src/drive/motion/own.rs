@@ -1,7 +1,8 @@
 //! What a drive makes of a setpoint by its own settings, and what it runs at without one; and whether that is still so.
 
-use super::Motor;
-use super::look::{role_raw, working};
+use super::look::{raw, role_raw, state_name, status_word, working};
+use super::{Motor, Situation, has_power};
+use crate::drive::describe;
 use crate::drive::session::Session;
 use crate::drive::target::Target;
 use crate::failure::{Class, Failure};
@@ -159,11 +160,34 @@ impl Promise {
             "the drive would run otherwise than was agreed to, its own settings in force have changed: {changed}",
             "der Antrieb liefe anders als vereinbart, seine eigenen wirksamen Einstellungen haben sich geändert: {changed}"
         );
-        Failure::new(Class::Forbidden, "forbidden.otherwise", text).hint(both!(
-            "another data set, an input, or somebody else: say it again to see what it runs at now",
-            "ein anderer Datensatz, ein Eingang oder jemand anderes: noch einmal aufrufen zeigt, womit er jetzt liefe"
-        ))
+        otherwise(text)
     }
+}
+
+/// Fails if somebody else has started the drive since it was shown without power: while somebody was asked.
+pub async fn demand_as_shown(session: &mut Session<'_>, target: &mut Target, shown: &Situation) -> Result<(), Failure> {
+    if has_power(&shown.state) != Some(false) {
+        return Ok(());
+    }
+    let status = status_word(session, target).await?;
+    let now = describe::state(&target.family, status);
+    if has_power(&now.slug) != Some(true) {
+        return Ok(());
+    }
+    let (then, now) = (state_name(&target.family, &shown.state), now.name);
+    Err(otherwise(both!(
+        "somebody else has started the drive: it was in '{then}' when you were asked, and is in '{now}'",
+        "jemand anderes hat den Antrieb gestartet: bei der Frage war er in '{then}', jetzt in '{now}'",
+        then,
+        now
+    )))
+}
+
+fn otherwise(text: Text) -> Failure {
+    Failure::new(Class::Forbidden, "forbidden.otherwise", text).hint(both!(
+        "another data set, an input, or somebody else: say it again to see what it runs at now",
+        "ein anderer Datensatz, ein Eingang oder jemand anderes: noch einmal aufrufen zeigt, womit er jetzt liefe"
+    ))
 }
 
 /// Whether a run that is held still leads its shaft where was agreed to.
@@ -175,20 +199,44 @@ pub struct Course {
 }
 
 impl Motor<'_, '_> {
-    /// Fails if the drive leads the shaft away from its goal because its own settings have changed. Asks now and then; that
-    /// no answer comes is for the look at the state to judge.
-    pub async fn keeps(&mut self, promise: &Promise, course: &mut Course) -> Result<(), Failure> {
+    /// Fails if the drive leads the shaft away from its goal because its own settings have changed, or works in another mode. Asks now
+    /// and then; that no answer comes is for the look at the state to judge.
+    pub async fn keeps(&mut self, promise: Option<&Promise>, course: &mut Course) -> Result<(), Failure> {
         let now = self.session.now();
-        let Some((_, goal)) = self.expects else { return Ok(()) };
         if course.looked.is_some_and(|looked| now.since(looked) < LOOKS) {
             return Ok(());
         }
         course.looked = Some(now);
         let retries = self.session.set_retries(0);
-        let strayed = self.strayed(goal, promise, course).await;
+        let strayed = match (promise, self.expects) {
+            (Some(promise), Some((_, goal))) => self.strayed(goal, promise, course).await,
+            (Some(promise), None) => self.otherwise_now(promise).await,
+            (None, _) => self.in_another_mode().await,
+        };
         self.session.set_retries(retries);
         // A lost port and an interrupt are there for the next question as well.
         strayed.ok().flatten().map_or(Ok(()), Err)
+    }
+
+    /// Holds a run that gives no setpoint of its own, as long as the drive's settings are what was shown.
+    pub async fn hold_as_shown(&mut self, duration: Option<Span>) -> Result<(), Failure> {
+        let (promise, mut course) = (self.promises.first().cloned(), Course::default());
+        self.hold(duration, async |motor: &mut Self, _| motor.keeps(promise.as_ref(), &mut course).await).await
+    }
+
+    async fn in_another_mode(&mut self) -> Result<Option<Failure>, Failure> {
+        let family = self.target.family.clone();
+        let wanted = self.mode.as_ref().and_then(|mode| Some((mode.value?, mode.text())));
+        let (Some((value, name)), Some(shows)) = (wanted, family.role("mode-active")) else { return Ok(None) };
+        let Some(now) = raw(self.session, self.target, shows, 0).await?.filter(|now| *now != value) else {
+            return Ok(None);
+        };
+        let label = shows.label();
+        Ok(Some(otherwise(both!(
+            "the drive has left the mode '{name}': {label} = {now}",
+            "der Antrieb hat die Betriebsart '{name}' verlassen: {label} = {now}",
+            name
+        ))))
     }
 
     async fn strayed(&mut self, goal: i64, promise: &Promise, course: &mut Course) -> Result<Option<Failure>, Failure> {
@@ -199,7 +247,11 @@ impl Motor<'_, '_> {
         if nears || far <= wavers(goal) {
             return Ok(None);
         }
-        // What the run has set stands in one data set, and another may be in force.
+        self.otherwise_now(promise).await
+    }
+
+    /// What the run has set stands in one data set, and another may be in force.
+    async fn otherwise_now(&mut self, promise: &Promise) -> Result<Option<Failure>, Failure> {
         let now = Own::read(self.session, self.target, &promise.mode, &[]).await?;
         Ok((!promise.own.is_still(&now)).then(|| promise.broken(&now, &self.target.family)))
     }

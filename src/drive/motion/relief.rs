@@ -89,6 +89,11 @@ impl Motor<'_, '_> {
                 }
                 Err(failure)
             }
+            Err(failure) if failure.class == Class::Forbidden && self.lever == Lever::ControlWord => {
+                // The first word was obeyed, so none followed it; but the shaft does not come to rest by it.
+                self.touched = true;
+                Err(failure)
+            }
             done => done,
         }
     }

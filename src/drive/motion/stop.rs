@@ -47,7 +47,7 @@ impl Motor<'_, '_> {
         }
         self.comes_to("stopping", None);
         let begun = self.begin_to_stop(choice, because == "interrupted");
-        let (mut way, mut tries, mut hurry) = (choice, 1, false);
+        let (mut way, mut tries, mut hurry, mut again) = (choice, 1, false, true);
         loop {
             if self.lever == Lever::Contacts && way == StopChoice::QuickStop {
                 way = self.no_quick_stop();
@@ -73,6 +73,8 @@ impl Motor<'_, '_> {
                     (hurry, stop.because) = (true, "interrupted");
                     self.hurries();
                 }
+                // A gateway that has closed its connection may take another one.
+                (Class::Port, _) if std::mem::take(&mut again) && self.session.reopen().await.is_ok() => {}
                 (Class::Port, _) => break,
                 (Class::Forbidden, _) if self.lever == Lever::Taken => break,
                 // As long as the drive answers now and then the stop goes out to it.

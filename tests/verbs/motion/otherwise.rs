@@ -57,6 +57,26 @@ fn another_data_set_in_the_run_ends_it_also_where_the_run_chose_its_source() {
     }
 }
 
+/// Somebody else starts it: it is shown, or nothing is done.
+#[test]
+fn a_drive_that_somebody_else_starts_while_it_asks_is_left_alone() {
+    let bench = "[[drive]]\nmodel = \"acu\"\nset = { \"412\" = 1, \"434\" = 2, \"484\" = 20, \"418\" = 0 }\n";
+    let typed = "-v -a 1 --yes sollwert 10Hz --enable --hold --duration 1s";
+    let sent = antrieb(typed).on(bench).exits(0).sent();
+    let first = sent.iter().position(|hex| hex.starts_with("01 65") || hex.starts_with("01 06")).unwrap();
+    let mut refused = 0;
+    for after in 1..first {
+        let event = format!("{bench}[[drive.event]]\nafter_telegrams = {after}\nset = {{ \"410\" = 15 }}\n");
+        let run = antrieb(typed).on(&event).json();
+        let shown = run.err.contains("now in Operation enabled");
+        let left_alone = run.exit == 8 && run.error()["code"] == "forbidden.otherwise";
+        refused += i32::from(left_alone);
+        assert!(shown || left_alone, "{after}: {} {}", run.err, run.value);
+        assert!(!left_alone || !run.err.contains("> 01 65") && !run.err.contains("> 01 06"), "{after}: {}", run.err);
+    }
+    assert!(refused > 0);
+}
+
 #[test]
 fn what_starts_the_shaft_by_itself_is_looked_at_again_behind_the_question() {
     for verb in ["statemachine enable", "statemachine goto operation-enabled", "statemachine contacts S1IND S2IND"] {
