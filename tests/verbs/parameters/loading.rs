@@ -114,7 +114,8 @@ fn a_file_of_another_family_a_newer_format_or_broken_content_is_refused_with_its
         run.err
     };
     let other = file("372 = 1440").replace("act", "acu");
-    assert!(refused(&other).contains("family 'act', the file is for 'acu'"));
+    let told = refused(&other);
+    assert!(told.contains("family 'act', ") && told.contains("f.toml is for 'acu'"), "{told}");
     let newer = refused(&file("372 = 1440").replace("antrieb = 1", "antrieb = 9"));
     assert!(newer.contains("f.toml:1:11: format 9 is newer"), "{newer}");
     for (values, place) in [
