@@ -4661,7 +4661,7 @@ _antrieb() {
             return 0
             ;;
         antrieb__subcmd__simulate)
-            opts="-q -v -h --profibus --link --tcp --for --duration --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
+            opts="-q -v -h --profibus --can --link --tcp --for --duration --format --json --lang --quiet --verbose --color --no-progress --catalogue --config --no-config --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

@@ -2649,6 +2649,7 @@ never\t'Never'"
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l catalogue -d 'More catalogue files; later ones win (repeatable)' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l config -d 'Project file to read in place of ./antrieb.toml' -r -F
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l profibus -d 'A PROFIBUS line with Hitachi inverters on it'
+complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l can -d 'A CAN bus with drives on it, behind an adapter'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -l json -d 'Same as --format json'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s q -l quiet -d 'Less on stderr'
 complete -c antrieb -n "__fish_antrieb_using_subcommand simulate" -s v -l verbose -d 'Show settings and telegrams, on stderr'

@@ -3051,6 +3051,7 @@ Register-ArgumentCompleter -Native -CommandName 'antrieb' -ScriptBlock {
             [CompletionResult]::new('--catalogue', '--catalogue', [CompletionResultType]::ParameterName, 'More catalogue files; later ones win (repeatable)')
             [CompletionResult]::new('--config', '--config', [CompletionResultType]::ParameterName, 'Project file to read in place of ./antrieb.toml')
             [CompletionResult]::new('--profibus', '--profibus', [CompletionResultType]::ParameterName, 'A PROFIBUS line with Hitachi inverters on it')
+            [CompletionResult]::new('--can', '--can', [CompletionResultType]::ParameterName, 'A CAN bus with drives on it, behind an adapter')
             [CompletionResult]::new('--json', '--json', [CompletionResultType]::ParameterName, 'Same as --format json')
             [CompletionResult]::new('-q', '-q', [CompletionResultType]::ParameterName, 'Less on stderr')
             [CompletionResult]::new('--quiet', '--quiet', [CompletionResultType]::ParameterName, 'Less on stderr')

@@ -2,6 +2,7 @@
 
 mod address;
 pub mod below_zero;
+mod bus;
 mod choices;
 mod globals;
 mod low;

@@ -1,6 +1,7 @@
 //! What holds: every setting of a run, resolved once.
 
 use super::address::Addresses;
+use super::bus::{bit_rate, check_bus, check_node, on_bus};
 use super::globals::{AUTO, Auto, ColorChoice, Globals, parse_span, usual_baud};
 use super::low::{Environment, Low, Origin, Typed, wrong_at_origin};
 use super::warned::{catalogue_notes, network_note};
@@ -97,8 +98,9 @@ impl Settings {
         let (addresses, node) = low.addresses()?;
         let ports = ports(&mut low)?;
         let (protocol, is_unknown, profibus) = protocol(&mut low, &ports)?;
-        let line = line(&mut low, protocol)?;
+        let line = line(&mut low, protocol, &ports)?;
         check_node(node, protocol)?;
+        check_bus(&low, &addresses, protocol)?;
         let unknown = Unknown {
             baud: globals.baud == Some(Auto::Auto),
             parity: globals.parity == Some(Auto::Auto),
@@ -175,13 +177,15 @@ impl Settings {
             Addresses::Named(list) => Some(list.iter().map(u8::to_string).collect::<Vec<_>>().join(",")),
         };
         let or_auto = |is_unknown: bool, known: String| if is_unknown { auto() } else { known };
+        // A bus has no characters.
+        let on_line = |told: String| Some(told).filter(|_| !self.line.is_can());
         let rows = [
             ("port", self.port.as_ref().map(Port::to_string)),
             ("address", addresses),
             ("baud", Some(or_auto(self.unknown.baud, self.line.baud.to_string()))),
-            ("parity", Some(or_auto(self.unknown.parity, format!("{:?}", self.line.parity).to_lowercase()))),
-            ("data_bits", Some(self.line.data_bits.to_string())),
-            ("stop_bits", Some(self.line.stop_bits.to_string())),
+            ("parity", on_line(or_auto(self.unknown.parity, format!("{:?}", self.line.parity).to_lowercase()))),
+            ("data_bits", on_line(self.line.data_bits.to_string())),
+            ("stop_bits", on_line(self.line.stop_bits.to_string())),
             ("protocol", Some(or_auto(self.unknown.protocol, self.spoken().to_owned()))),
             ("drive", Some(self.drive.clone().unwrap_or_else(auto))),
             ("timeout", self.timeout.map(|span| span.to_string())),
@@ -199,6 +203,11 @@ impl Settings {
     /// The word that names what is spoken.
     fn spoken(&self) -> &'static str {
         if self.profibus { DP } else { self.protocol.name() }
+    }
+
+    /// Whether the line is a CAN bus.
+    pub fn is_can(&self) -> bool {
+        self.line.is_can() && !self.profibus
     }
 
     /// Whether the form of the output is one document or table of data, so that nothing can be told on the way.
@@ -267,21 +276,6 @@ fn timeout(low: &mut Low<'_>) -> Result<Option<Span>, Failure> {
     Ok(timeout)
 }
 
-/// A node of the system bus lies behind a drive that passes on what it is asked.
-fn check_node(node: u8, protocol: Protocol) -> Result<(), Failure> {
-    if node == 0 || protocol == Protocol::Vabus {
-        return Ok(());
-    }
-    let why = both!(
-        "a node of the system bus is reached only over VABus",
-        "ein Knoten des Systembusses ist nur über VABus erreichbar"
-    );
-    Err(bad_setting("address", why).hint(both!(
-        "add --protocol vabus, or name the drive alone",
-        "--protocol vabus angeben, oder nur den Antrieb nennen"
-    )))
-}
-
 /// What is printed.
 fn format(low: &mut Low<'_>) -> Result<Format, Failure> {
     let typed = low.flags.format.or(low.flags.json.then_some(Format::Json));
@@ -313,12 +307,15 @@ fn protocol(low: &mut Low<'_>, ports: &[Port]) -> Result<(Protocol, bool, bool),
 }
 
 /// Speed and format.
-fn line(low: &mut Low<'_>, protocol: Protocol) -> Result<LineSetting, Failure> {
+fn line(low: &mut Low<'_>, protocol: Protocol, ports: &[Port]) -> Result<LineSetting, Failure> {
     let said = low.said(|drive| drive.parity.clone(), |file| file.parity.clone());
     let parity = low.flags.parity.and_then(Auto::known);
     let parity = low.pick("parity", parity, said, |text| text.parse())?.unwrap_or(Parity::Even);
     let said = low.said(|drive| drive.baud, |file| file.baud);
     let baud = low.pick("baud", low.flags.baud.and_then(Auto::known), said, usual_baud)?;
+    if let Protocol::Sdo(_) = protocol {
+        return bit_rate(baud, ports).map(LineSetting::can);
+    }
     let mut line = protocol.line(baud.unwrap_or(19_200), parity); // CM-485 manual 5: factory setting
     let said = low.said(|drive| drive.data_bits, |file| file.data_bits);
     let data_bits = low.pick("data_bits", low.flags.data_bits, said, |bits| one_of(7..=8, bits))?;
@@ -357,6 +354,9 @@ pub fn language(typed: Option<Lang>, environment: &Environment) -> Lang {
 /// A gateway speaks Modbus/TCP and nothing else; nobody speaks it on a serial line.
 fn fitting(protocol: Protocol, named: bool, ports: &[Port]) -> Result<Protocol, Failure> {
     let tcp = Protocol::Modbus(Framing::Tcp);
+    if let Some(spoken) = on_bus(protocol, named, ports)? {
+        return Ok(spoken);
+    }
     let has_gateway = ports.iter().any(|port| matches!(port, Port::Mbtcp(_)));
     let has_line = ports.iter().any(|port| matches!(port, Port::Serial(_) | Port::Rfc2217(_) | Port::Sim(_)));
     match (protocol == tcp, named) {
@@ -406,7 +406,6 @@ fn protocol_failure(low: &Low<'_>, text: &str, why: Text) -> Failure {
     let in_file = low.wrong_in_file(&low.origin("protocol"), "protocol", &why);
     let failure = in_file.unwrap_or_else(|| bad_setting("protocol", why));
     match text.to_ascii_lowercase().as_str() {
-        "sdo" => failure.hint(both!("{text} is not supported by this version", "{text} kann diese Version noch nicht")),
         "profibus" => failure.hint(both!("PROFIBUS-DP is dp here", "PROFIBUS-DP heißt hier dp")),
         _ => failure,
     }

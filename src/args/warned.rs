@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// A project file comes with a directory that somebody else may have packed: where it reaches into the network is said.
 pub(super) fn network_note(port: &Port, file: &Path) -> Option<Text> {
+    let port = if let Port::Slcan(port) = port { port } else { port };
     let reaches_out = matches!(port, Port::Tcp(_) | Port::Rfc2217(_) | Port::Mbtcp(_));
     let file = file.display();
     reaches_out.then(|| {

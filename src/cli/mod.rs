@@ -13,7 +13,7 @@ mod unfit;
 mod values;
 
 use crate::args::{ColorChoice, Environment, Globals, Settings, language, settings_of_plant};
-use crate::command::{Context, Entry, Flow, Typed, file_failure};
+use crate::command::{Context, Entry, Flow, Typed, file_failure, on_bus};
 use crate::drive::{Calls, Interrupt};
 use crate::failure::{Class, Failure};
 use crate::files::of_system;
@@ -81,7 +81,8 @@ pub fn run(arguments: &[OsString], environment: &Environment, streams: Streams) 
             let (yes, quiet, lang) = (settings.yes, settings.quiet, settings.lang);
             let mut ask = Terminal { console: console.clone(), input: Some(input), present, yes, quiet, lang };
             let looks = Looks { stream, watch, terminal: err_is_terminal };
-            work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), looks)
+            let outcome = work(entry, verb.as_ref(), &settings, &mut ask, (&console, &patience), looks);
+            if settings.is_can() { Ok(on_bus::advised(outcome)) } else { outcome }
         });
         again.told(outcome.unwrap_or_else(Outcome::from))
     };

@@ -44,13 +44,18 @@ impl What {
     /// What is to be spoken and is not, by this verb.
     pub(super) fn unspoken(&self, settings: &Settings) -> Option<Failure> {
         let What::Work(verb, _) = self else { return None };
-        let cannot = settings.profibus && !verb.profibus && verb.takes.offers("protocol");
+        let (what, code, speaks): (_, _, fn(&Entry) -> bool) = match (settings.profibus, settings.is_can()) {
+            (true, _) => ("PROFIBUS-DP", "usage.profibus", |verb| verb.profibus),
+            (_, true) => ("SDO", "usage.sdo", |verb| verb.sdo),
+            _ => return None,
+        };
+        let cannot = !speaks(verb) && verb.takes.offers("protocol");
         cannot.then(|| {
             let name = verb.name;
-            let can: Vec<_> = VERBS.iter().filter(|verb| verb.profibus).map(|verb| verb.name).collect();
+            let can: Vec<_> = VERBS.iter().filter(|verb| speaks(verb)).map(|verb| verb.name).collect();
             let can = can.join(", ");
-            let message = both!("`{name}` does not speak PROFIBUS-DP yet", "`{name}` spricht noch kein PROFIBUS-DP");
-            Failure::new(Class::Usage, "usage.profibus", message)
+            let message = both!("`{name}` does not speak {what} yet", "`{name}` spricht noch kein {what}");
+            Failure::new(Class::Usage, code, message)
                 .hint(both!("what understands it: {can}", "was es versteht: {can}"))
         })
     }

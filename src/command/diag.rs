@@ -49,6 +49,7 @@ pub enum What {
 impl Verb for Args {
     const NAME: &'static str = "diag";
     const TAKES: Takes = Takes::WRITES;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1,2 diag --check",
         "antrieb --port sim -a 1 diag --link-test 100",

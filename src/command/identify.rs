@@ -36,6 +36,7 @@ const IN_FORCE: [Role; 2] = [Role::Watchdog, Role::ControlMode];
 impl Verb for Args {
     const NAME: &'static str = "identify";
     const TAKES: Takes = Takes::READS;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] =
         &["antrieb --port sim -a 1 identify", "antrieb --port sim -a 1,2 identify --json"];
     const UPPER: Upper = Upper::drive(60);

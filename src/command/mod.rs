@@ -9,6 +9,7 @@ pub mod diag_line;
 pub mod identify;
 pub mod line;
 pub mod monitor;
+pub mod on_bus;
 mod output;
 pub mod params;
 pub mod plant;
@@ -166,6 +167,7 @@ fn addresses_to_read(settings: &Settings, observe: &mut dyn FnMut(Event)) -> Res
         )
         .hint(name_one())),
         Addresses::Named(list) => Ok(list.clone()),
+        Addresses::Unnamed if settings.is_can() => Err(on_bus::no_node()),
         Addresses::Unnamed => {
             let taking = both!(
                 "no address given, taking 1 (the factory setting)",

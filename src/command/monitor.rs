@@ -119,6 +119,7 @@ pub struct Args {
 impl Verb for Args {
     const NAME: &'static str = "monitor";
     const TAKES: Takes = Takes::READS;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1,2 monitor --count 3 --interval 500ms",
         "antrieb --port sim -a 1 monitor @actual --duration 1m --unpaced --format csv",

@@ -44,6 +44,7 @@ impl Verb for Args {
     const NAME: &'static str = "read";
     const TAKES: Takes = Takes::READS;
     const PROFIBUS: bool = true;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 read 372@2 481 @actual",
         "antrieb --port sim -a 1 read rated-speed@all",

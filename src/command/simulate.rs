@@ -30,6 +30,13 @@ pub struct Args {
     #[arg(long)]
     pub profibus: bool,
 
+    /// A CAN bus with drives on it, behind an adapter
+    ///
+    /// ACUs as nodes 1 and 2 at 500 kbit/s without a master, or those of the file. The adapter speaks SLCAN: this program
+    /// reaches it with -p slcan:PATH, python-can and slcand as any other.
+    #[arg(long, conflicts_with = "profibus")]
+    pub can: bool,
+
     /// Name the pseudo terminal with this symbolic link
     #[arg(long, value_name = "PATH", conflicts_with = "tcp")]
     pub link: Option<PathBuf>,
@@ -52,6 +59,7 @@ impl Verb for Args {
         "antrieb simulate --link drive --duration 1m",
         "antrieb simulate bench.toml --tcp 127.0.0.1:5020",
         "antrieb simulate --profibus --link drive --duration 1m",
+        "antrieb simulate --can --link adapter --duration 1m",
     ];
     type Prints = Document<Simulate>;
 
@@ -67,12 +75,16 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
         None => bench::Place::Pty { link: args.link.clone() },
     };
     let (file, registry) = (args.bench.as_deref(), context.registry);
-    let served = match args.profibus {
-        true => {
+    let served = match (args.profibus, args.can) {
+        (_, true) => {
+            let mut bus = bench::can(file, registry)?;
+            bench::serve_can(&mut bus, place, args.duration, &context.interrupt, context.observe).await?
+        }
+        (true, _) => {
             let mut bus = bench::profibus(file, registry)?;
             bench::serve_profibus(&mut bus, place, args.duration, &context.interrupt, context.observe).await?
         }
-        false => {
+        _ => {
             let mut drives = bench::load(file, registry)?;
             bench::serve(&mut drives, place, args.duration, &context.interrupt, context.observe).await?
         }

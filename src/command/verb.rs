@@ -27,6 +27,8 @@ pub trait Verb: clap::Args + Debug + 'static {
     const OF_PLANT: bool = false;
     /// Whether it understands PROFIBUS-DP (`--protocol dp`).
     const PROFIBUS: bool = false;
+    /// Whether it understands SDO (`--protocol sdo`).
+    const SDO: bool = false;
     /// The longest that it takes, whatever comes over the line.
     const UPPER: Upper = Upper::OFFLINE;
     /// Which of the options of every verb it takes.
@@ -103,6 +105,8 @@ pub struct Entry {
     pub of_plant: bool,
     /// Whether it understands PROFIBUS-DP.
     pub profibus: bool,
+    /// Whether it understands SDO.
+    pub sdo: bool,
     /// The longest that it takes, whatever comes over the line.
     pub upper: Upper,
     /// Which of the options of every verb it takes.
@@ -125,6 +129,7 @@ pub(super) const fn entry<V: Verb>() -> Entry {
         turns: V::TURNS,
         of_plant: V::OF_PLANT,
         profibus: V::PROFIBUS,
+        sdo: V::SDO,
         upper: V::UPPER,
         takes: V::TAKES,
         examples: V::EXAMPLES,

@@ -56,6 +56,7 @@ impl Verb for Args {
     const NAME: &'static str = "write";
     const TAKES: Takes = Takes::WRITES;
     const PROFIBUS: bool = true;
+    const SDO: bool = true;
     const EXAMPLES: &'static [&'static str] = &[
         "antrieb --port sim -a 1 write 376@4=1.5kW 480@1=6Hz --yes",
         "antrieb --port sim -a 1 write 480@1ram=6,5 --dry-run",
@@ -80,6 +81,7 @@ pub async fn run(args: &Args, context: &mut Context<'_>) -> Result<Outcome, Fail
     super::known_somewhere(context.settings, context.registry, &selectors(args)?)?;
     let terms = terms(context.settings, context.registry)?;
     let (family, planned) = offline(context.settings, context.registry, |family| steps(args, family))?;
+    super::on_bus::check(context.settings, &planned)?;
     for note in [better_by_line(&planned, &family), is_a_stop(&planned, &family)].into_iter().flatten() {
         (context.observe)(Event::Note(note));
     }

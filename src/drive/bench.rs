@@ -5,7 +5,7 @@ use crate::failure::{Class, Failure};
 use crate::files;
 use crate::outcome::{Event, GapStatistics, Simulate};
 use crate::profile::{Broken, Registry};
-use crate::simulator::{Bench, Profibus, Served};
+use crate::simulator::{Bench, Can, Profibus, Served};
 use crate::text::{Text, both};
 use crate::tick::Span;
 use crate::transport::serve::{Note, ServeError, Server};
@@ -18,7 +18,9 @@ pub const FILE_HELP: &str = concat!(
     "A bench file, by example:\n\n",
     include_str!("../simulator/bench.toml"),
     "\nA file for --profibus, by example:\n\n",
-    include_str!("../simulator/profibus.toml")
+    include_str!("../simulator/profibus.toml"),
+    "\nA file for --can, by example:\n\n",
+    include_str!("../simulator/can.toml")
 );
 
 /// The bench that a file describes, or the standard one: an ACT at 1, an ACU at 2.
@@ -31,6 +33,12 @@ pub fn load(file: Option<&Path>, registry: &Registry) -> Result<Bench, Failure> 
 pub fn profibus(file: Option<&Path>, registry: &Registry) -> Result<Profibus, Failure> {
     let Some(file) = file else { return Ok(Profibus::standard(registry)) };
     read(file, |path, text| Profibus::from_toml(path, text, registry))
+}
+
+/// The CAN bus that a file describes, or the standard one: ACUs as nodes 1 and 2, 500 kbit/s, no master.
+pub fn can(file: Option<&Path>, registry: &Registry) -> Result<Can, Failure> {
+    let Some(file) = file else { return Ok(Can::standard(registry)) };
+    read(file, |path, text| Can::from_toml(path, text, registry))
 }
 
 fn read<B>(file: &Path, build: impl Fn(&str, &str) -> Result<B, Broken>) -> Result<B, Failure> {
@@ -113,6 +121,29 @@ pub async fn serve_profibus(
         gaps,
         remarks,
     })
+}
+
+/// Serves a CAN bus behind its adapter in real time until the interrupt is raised or the time is over, and counts.
+pub async fn serve_can(
+    bus: &mut Can,
+    place: Place,
+    duration: Option<Span>,
+    interrupt: &Interrupt,
+    observe: &mut dyn FnMut(Event),
+) -> Result<Simulate, Failure> {
+    let kbit = bus.rate() / 1_000;
+    let there = bus.nodes().map(|(model, node)| match node {
+        Some(0) => both!("{model} as the master, {kbit} kbit/s", "{model} als Master, {kbit} kbit/s"),
+        Some(node) => both!("{model} as node {node}, {kbit} kbit/s", "{model} als Knoten {node}, {kbit} kbit/s"),
+        None => both!("{model}, off the bus", "{model}, nicht am Bus"),
+    });
+    let there = there.collect();
+    let (port, clients) = carry(bus, there, place, duration, interrupt, observe).await?;
+    let [received, answered, eeprom_writes] = bus.counts();
+    let [turning, energised] = bus.turning();
+    let gaps = GapStatistics { count: 0, early: 0, least_us: None, median_us: None };
+    let remarks = bus.remarks().to_vec();
+    Ok(Simulate { port, clients, received, answered, exceptions: 0, eeprom_writes, turning, energised, gaps, remarks })
 }
 
 /// Carries the bytes of a line; the name of its port, and how many clients came.

@@ -13,6 +13,7 @@ use super::route::{Inquiry, Route};
 use crate::outcome::{Field, TelegramDoc};
 use crate::profile::{Family, Link};
 use crate::protocol::Protocol;
+use crate::protocol::can::Telegram;
 use crate::protocol::modbus::pdu::WordOrder;
 use crate::protocol::modbus::{BROADCAST, Framing, Hex, ascii, rtu};
 use crate::text::{Text, both};
@@ -173,6 +174,7 @@ impl Reader<'_> {
         match self.protocol {
             Protocol::Modbus(framing) => self.modbus(framing, bytes, is_request),
             Protocol::Vabus => self.vabus(bytes),
+            Protocol::Sdo(_) => self.sdo(bytes),
         }
     }
 
@@ -206,6 +208,7 @@ fn spoken(bytes: &[u8], before: Protocol) -> Protocol {
     let makes_sense = |protocol: &Protocol| match protocol {
         Protocol::Modbus(framing) => framing.decode(bytes).is_ok(),
         Protocol::Vabus => vabus::cut(bytes).iter().all(|bytes| vabus::is_telegram(bytes)),
+        Protocol::Sdo(_) => Telegram::decode(bytes).is_some(),
     };
     all.into_iter().find(makes_sense).unwrap_or(before)
 }

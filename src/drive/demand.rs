@@ -34,7 +34,7 @@ impl Session<'_> {
         let Some(no) = no(&said) else { return Ok(Some((said, after))) };
         let (cause, unheard) = match route.cause(family, no) {
             Some(question) => self.cause(route, family, question).await?,
-            None => (None, false),
+            None => (no.cause(), false),
         };
         // 0 is "nothing was refused": the register belongs to something else, or there is none.
         Err(AccessError::Refused(Refusal { no, cause: cause.filter(|&cause| cause != 0), unheard }))

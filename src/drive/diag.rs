@@ -11,11 +11,11 @@ use crate::profile::{Cause, Family, Role, Route as Way, Type};
 use crate::protocol::Protocol;
 use crate::text::both;
 
-/// Reads every counter that the family defines; VABus has none.
+/// Reads every counter that the family defines; VABus and SDO have none.
 pub async fn counters(session: &mut Session<'_>, target: &mut Target) -> Result<Vec<Counter>, AccessError> {
     let mut counters = Vec::new();
     let route = target.route(session).await?;
-    if route.protocol == Protocol::Vabus {
+    if !matches!(route.protocol, Protocol::Modbus(_)) {
         return Ok(counters);
     }
     for row in &target.family.counters {
@@ -58,7 +58,7 @@ pub async fn clear_counters(
 /// A question that changes nothing in a drive and does not touch its error register: a counter; where there is none, over
 /// VABus or in a family of which only registers are known, the status word or the first value that it shows.
 pub fn harmless(family: &Family, protocol: Protocol) -> Inquiry {
-    let counts = protocol != Protocol::Vabus && family.link.route != Way::Registers;
+    let counts = matches!(protocol, Protocol::Modbus(_)) && family.link.route != Way::Registers;
     let shown = || family.group("all").and_then(|all| family.param(*all.first()?));
     match family.role(Role::StatusWord).or_else(shown).filter(|_| !counts) {
         Some(param) => Inquiry::Read(Cell { number: param.id, set: 0 }, param.kind.unwrap_or(Type::Uint)),

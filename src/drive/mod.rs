@@ -6,6 +6,7 @@
 mod access;
 mod account;
 pub mod bench;
+mod can;
 pub mod decode;
 mod demand;
 pub mod describe;

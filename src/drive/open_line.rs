@@ -106,5 +106,6 @@ impl Drop for OpenLine<'_> {
         if let Some(until) = self.master.owes_until(self.link.now()) {
             self.link.outlast(until);
         }
+        self.link.part();
     }
 }

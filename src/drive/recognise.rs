@@ -99,8 +99,8 @@ pub async fn introduce(
 
 /// Whether a device describes itself, by one question; `None` if it does not tell.
 pub(super) async fn describes_itself(session: &mut Session<'_>, address: u8) -> Result<Option<bool>, AccessError> {
-    if session.protocol() == Protocol::Vabus {
-        return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak it
+    if !matches!(session.protocol(), Protocol::Modbus(_)) {
+        return Ok(Some(false)); // nobody but the ACTIVE drives is known to speak VABus, and SDO has no such question
     }
     let told = said(session.ask(address, describe_yourself(identification::VENDOR_NAME)).await)?;
     Ok(told.ok().and_then(|told| described(&told)))
@@ -169,13 +169,15 @@ impl<'q, 's> Inquest<'q, 's> {
         let status = self.status(answer);
         let speaks = match (self.route.protocol, status) {
             (Protocol::Vabus, _) => true, // nobody else is known to speak it
+            // What is no drive knows no object 019Bh, or has something else there.
+            (Protocol::Sdo(_), status) => status.is_some(),
             (Protocol::Modbus(_), Some(_)) => self.speaks_code_100().await?,
             (Protocol::Modbus(_), None) => false,
         };
         if speaks {
             return self.act_or_acu(status.unwrap_or(0), keep_register).await;
         }
-        if !self.introduced {
+        if !self.introduced && matches!(self.route.protocol, Protocol::Modbus(_)) {
             self.identification().await?;
         }
         match self.finding.drive {
@@ -220,10 +222,12 @@ impl<'q, 's> Inquest<'q, 's> {
         let asked = match self.route.protocol {
             Protocol::Modbus(_) => both!("code 3, P.411", "Code 3, P.411"),
             Protocol::Vabus => Text::name("ENQUIRY P.411"),
+            Protocol::Sdo(_) => Text::name("SDO P.411"),
         };
         let tells = match self.route.protocol {
             Protocol::Modbus(_) => both!("a Modbus device", "ein Modbus-Gerät"),
             Protocol::Vabus => both!("somebody speaks VABus", "jemand spricht VABus"),
+            Protocol::Sdo(_) => both!("a node answers SDO", "ein Knoten beantwortet SDO"),
         };
         self.finding.note(asked, answered, tells);
         status
@@ -256,5 +260,6 @@ fn told(no: No) -> Text {
     match no {
         No::Exception(code) => wrong::exception(code),
         No::Nak => Text::name("NAK"),
+        No::Abort(code) => wrong::abort(code),
     }
 }

@@ -99,7 +99,7 @@ impl Place {
     fn usual(protocol: Protocol, baud: u32, parity: Parity, address: u8) -> Self {
         let line = match protocol {
             Protocol::Vabus => LineSetting::vabus(baud),
-            Protocol::Modbus(_) => protocol.line(baud, parity),
+            Protocol::Modbus(_) | Protocol::Sdo(_) => protocol.line(baud, parity),
         };
         Place { protocol, line, address }
     }
@@ -128,10 +128,15 @@ impl Place {
     }
 }
 
+/// Whether a drive can be set to it by the settings of its serial plug.
+fn is_of_a_line(protocol: &Protocol) -> bool {
+    *protocol != Framing::Tcp.into() && !matches!(protocol, Protocol::Sdo(_))
+}
+
 impl Wish {
     /// Reads the name of a protocol that a drive can be set to: `rtu`, `ascii`, `vabus`.
     pub fn to_protocol(text: &str) -> Result<Self, Wrong> {
-        let found = text.trim().to_ascii_lowercase().parse().ok().filter(|found| *found != Framing::Tcp.into());
+        let found = text.trim().to_ascii_lowercase().parse().ok().filter(is_of_a_line);
         let protocol = found.ok_or_else(|| {
             Wrong(both!(
                 "expected rtu, ascii or vabus, got '{text}'",

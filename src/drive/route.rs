@@ -4,6 +4,7 @@
 use crate::exchange::{Question, Said};
 use crate::profile::{Cause, Family, Link, Role, Route as Way, Type, input_register};
 use crate::protocol::Protocol;
+use crate::protocol::can::sdo::{self, Initiate, Multiplexer};
 use crate::protocol::modbus::BROADCAST;
 use crate::protocol::modbus::pdu::{CLEAR_COUNTERS, Exception, ParamAddress, Reply, Request, WordOrder};
 use crate::protocol::vabus::{self, Address, Data, DataSet, Header, ParamNumber, SystemNode};
@@ -42,14 +43,24 @@ pub enum No {
     Exception(Exception),
     /// A NAK of VABus, which tells nothing.
     Nak,
+    /// An abort of SDO, with its code: of a drive that is the number of the cause (EM-RES-03 manual 5.10.1).
+    Abort(u32),
 }
 
 impl No {
+    /// The cause, where the refusal itself tells it.
+    pub(super) fn cause(self) -> Option<u16> {
+        match self {
+            No::Abort(code) => sdo::AbortCode(code).of_a_drive().map(u16::from),
+            No::Exception(_) | No::Nak => None,
+        }
+    }
+
     /// Whether it says something of what was asked for, and not of the moment or the way there.
     pub(super) fn is_of_what_was_asked(self) -> bool {
         use Exception::{DeviceFailure, IllegalDataAddress, IllegalDataValue, IllegalFunction};
         match self {
-            No::Nak => true,
+            No::Nak | No::Abort(_) => true,
             No::Exception(code) => {
                 matches!(code, IllegalFunction | IllegalDataAddress | IllegalDataValue | DeviceFailure)
             }
@@ -80,6 +91,8 @@ pub(super) enum Width {
     Long,
     /// As the question said.
     AsAsked,
+    /// Nobody says: always four bytes came (EM-RES-03 manual 5.10.1).
+    Untold,
 }
 
 /// The way to the parameters of one drive.
@@ -140,8 +153,9 @@ impl Route {
     pub fn question(self, inquiry: Inquiry) -> Option<Question> {
         match (self.protocol, self.way) {
             (Protocol::Vabus, Way::Active) => self.vabus(inquiry).map(Question::from),
-            // Nobody but the ACTIVE drives is known to speak it.
-            (Protocol::Vabus, Way::Registers32 | Way::Registers) | (_, Way::Pkw) => None,
+            (Protocol::Sdo(_), Way::Active) => object(inquiry).map(Question::from),
+            // Nobody but the ACTIVE drives is known to speak these.
+            (Protocol::Vabus | Protocol::Sdo(_), Way::Registers32 | Way::Registers) | (_, Way::Pkw) => None,
             (Protocol::Modbus(_), Way::Active) => active(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers32) => self.registers32(inquiry).map(Question::from),
             (Protocol::Modbus(_), Way::Registers) => self.registers(inquiry).map(Question::from),
@@ -154,6 +168,7 @@ impl Route {
             (Way::Active, No::Exception(code)) => {
                 matches!(code, Exception::DeviceFailure | Exception::IllegalDataAddress)
             }
+            (_, No::Abort(_)) => false,
             _ => true,
         };
         if !told {
@@ -180,7 +195,15 @@ impl Route {
                 (_, Some(long)) => Content::Bits(long, Width::Long),
                 _ => Content::Text(String::from_utf8_lossy(data.characters()).into_owned()),
             },
-            Said::Vabus(_) => Content::Done,
+            Said::Sdo(sdo::Reply::Upload(_, Initiate::Expedited { bytes, size })) => {
+                let bits = u32::from_le_bytes(*bytes);
+                match size {
+                    Some(2) => Content::Bits(bits & 0xFFFF, Width::Word),
+                    Some(4) => Content::Bits(bits, Width::Long),
+                    _ => Content::Bits(bits, Width::Untold),
+                }
+            }
+            Said::Vabus(_) | Said::Sdo(_) => Content::Done,
         })
     }
 
@@ -304,6 +327,20 @@ fn active(inquiry: Inquiry) -> Option<Request> {
     })
 }
 
+/// Index = parameter, sub-index = data set; a word is written as one, because strict servers want that (EM-RES-03 manual 5.10.1).
+fn object(inquiry: Inquiry) -> Option<sdo::Request> {
+    let of = |cell: Cell| Some(Multiplexer { index: u16::try_from(cell.number).ok()?, sub: cell.set });
+    match inquiry {
+        Inquiry::Read(cell, _) => Some(sdo::Request::Upload(of(cell)?)),
+        Inquiry::Write(cell, kind, bits) => {
+            let is_long = kind.bits() == Some(32);
+            let initiate = if is_long { Initiate::long(bits) } else { Initiate::word(bits as u16) };
+            Some(sdo::Request::Download(of(cell)?, initiate))
+        }
+        _ => None,
+    }
+}
+
 /// The question for the error register of a family that has one.
 pub(super) fn register(family: &Family) -> Option<Inquiry> {
     let register = family.role(Role::ErrorRegister)?;
@@ -315,6 +352,7 @@ pub(super) fn no(said: &Said) -> Option<No> {
     match said {
         Said::Modbus(Reply::Exception { code, .. }) => Some(No::Exception(*code)),
         Said::Vabus(vabus::Reply::Nak { .. }) => Some(No::Nak),
+        Said::Sdo(sdo::Reply::Abort(_, code)) => Some(No::Abort(code.0)),
         _ => None,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::access::AccessError;
 use super::account::Account;
+use super::can;
 use super::interrupt::Interrupt;
 use super::open_line::OpenLine;
 use super::opening::{Opening, is_wired, open_trace};
@@ -9,6 +10,7 @@ use super::probe::sounding;
 use super::pump::{self, PumpError};
 use super::trouble;
 use super::turns::Seat;
+use crate::exchange::can::Traffic;
 use crate::exchange::talk::Window;
 use crate::exchange::{Answer, ExchangeError, INSIST, Limits, Master, News, Pauses, Question, Record, Survey, Tally};
 use crate::failure::Failure;
@@ -61,6 +63,8 @@ pub struct Session<'a> {
     listens: bool,
     /// Why the last question brought no answer, if it brought none.
     unanswered: Option<ExchangeError>,
+    /// What is heard on a CAN bus, whomever it is for.
+    heard: Option<can::Heard>,
 }
 
 impl std::fmt::Debug for Session<'_> {
@@ -78,25 +82,33 @@ impl<'a> Session<'a> {
         observe: &'a mut dyn FnMut(Event),
     ) -> Result<Self, Failure> {
         let limits = opening.limits();
-        let Opening { port, line, rs485, protocol, trace, verbose, .. } = opening;
+        let Opening { port, line, rs485, protocol, verbose, .. } = opening;
         let mut link = match port {
+            Port::Sim(file) if matches!(protocol, Protocol::Sdo(_)) => {
+                Link::open_can(super::bench::can(file.as_deref(), registry)?)
+            }
             Port::Sim(file) => Link::open_sim(super::bench::load(file.as_deref(), registry)?, line),
             port => tokio::select! {
                 link = Link::open(port, line, rs485) => link.map_err(|error| trouble::link(&error))?,
                 () = interrupt.raised() => return Err(trouble::interrupted()),
             },
         };
-        if let Some(recording) = trace {
+        if let Some(recording) = opening.trace {
             link.record_to(open_trace(recording, &format!("{line}, {protocol}"))?);
         }
         for deviation in link.deviations() {
             observe(Event::Note(both!("{port}: {deviation}", "{port}: {deviation}", deviation)));
         }
-        let wired = is_wired(port);
+        let heard = match protocol {
+            Protocol::Sdo(channel) => Some(can::open(&mut link, &opening, channel, &interrupt, observe).await?),
+            _ => None,
+        };
+        let wired = is_wired(port) && !line.is_can();
         let (port, mut master) = (port.to_string(), Master::new(protocol, line, limits));
         master.set_wired(wired);
         let line = OpenLine::new(link, master, Account::new(observe, verbose));
-        Ok(Session::on(port, Rc::new(RefCell::new(line)), (limits, interrupt)))
+        let session = Session::on(port, Rc::new(RefCell::new(line)), (limits, interrupt));
+        Ok(Session { heard, ..session })
     }
 
     /// A conversation of its own on a line.
@@ -115,6 +127,7 @@ impl<'a> Session<'a> {
             since: None,
             listens: false,
             unanswered: None,
+            heard: None,
         }
     }
 
@@ -290,6 +303,11 @@ impl<'a> Session<'a> {
             Ok(())
         };
         self.on_line(retune).await
+    }
+
+    /// What was heard on a CAN bus so far, whomever it was for.
+    pub(super) fn traffic(&self) -> Option<Traffic> {
+        self.heard.as_ref().map(|heard| heard.borrow().clone())
     }
 
     /// Whether [`Session::retune`] can set another speed or format.

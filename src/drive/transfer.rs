@@ -77,7 +77,7 @@ impl Target {
         let doubtful = stated.is_none() || param.unconfirmed.iter().any(|field| field == "type" || field == "row");
         let width = matches!(
             &error,
-            AccessError::Refused(Refusal { cause: Some(WRONG_WIDTH | WRONG_TYPE), .. })
+            AccessError::Refused(Refusal { cause: Some(WRONG_WIDTH | WRONG_TYPE), no: No::Exception(_) | No::Nak, .. })
                 | AccessError::Refused(Refusal {
                     no: No::Exception(Exception::IllegalDataAddress),
                     cause: None | Some(0),
@@ -118,7 +118,7 @@ impl Target {
             return Err(AccessError::Unspeakable);
         };
         if let Some(no) = no(&said) {
-            return Err(AccessError::Refused(Refusal { no, cause: None, unheard: false }));
+            return Err(AccessError::Refused(Refusal { no, cause: no.cause(), unheard: false }));
         }
         match route.misshapen(&said, kind) {
             Some(bytes) => Err(ExchangeError::Garbled { asked: 1, bytes }.into()),
@@ -254,6 +254,7 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
             let whole = if kind == Type::Float { kind } else { Type::Long };
             Reading { raw: value::from_wire(bits, whole, None), ..blank }
         }
+        Content::Bits(bits, Width::Untold) => untold(param, bits, kind, &blank),
         Content::Bits(bits, width) => {
             let kind = match width {
                 Width::Long if kind.bits() == Some(32) => kind,
@@ -265,5 +266,17 @@ pub(super) fn reading(param: &Param, set: u8, content: Content, kind: Type) -> R
         }
         Content::Text(characters) => text(characters),
         Content::Done => blank,
+    }
+}
+
+/// A value of which always four bytes come. A word fills the lower two; of one below zero the upper two are zero, as the manual prints
+/// it, or say the sign once more. What is neither is no word, and is shown whole.
+fn untold(param: &Param, bits: u32, kind: Type, blank: &Reading) -> Reading {
+    let (high, low) = (bits >> 16, bits & 0xFFFF);
+    let is_word = high == 0 || high == 0xFFFF && low & 0x8000 != 0 && param.kind != Some(Type::Uint);
+    match kind.bits() {
+        Some(16) if is_word => Reading { raw: value::from_wire(low, kind, param.min), ..blank.clone() },
+        Some(32) => Reading { raw: value::from_wire(bits, kind, param.min), ..blank.clone() },
+        _ => Reading { raw: value::from_wire(bits, Type::Long, None), kind: Type::Long, ..blank.clone() },
     }
 }

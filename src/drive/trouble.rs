@@ -33,18 +33,21 @@ impl AccessError {
 fn refused(refusal: &Refusal, address: u8, family: Option<&Family>) -> Failure {
     let row = refusal.cause.and_then(|code| family?.error(code.into()));
     let (where_key, where_text) = match family.map(|family| family.link.cause) {
+        _ if matches!(refusal.no, No::Abort(_)) => ("abort", both!("code", "Code")),
         Some(Cause::Diagnostics(_)) => ("sync_error", both!("synchronous error", "synchroner Fehler")),
         _ => ("p11", Text::name("P.11")),
     };
     let said = match refusal.no {
         No::Exception(exception) => wrong::exception(exception),
         No::Nak => Text::name("NAK"),
+        No::Abort(code) => wrong::abort(code),
     };
     let (code, cause) = match (refusal.cause, row) {
         (Some(0) | None, _) => {
             let code = match refusal.no {
                 No::Exception(exception) => exception.name().replace(' ', "_"),
                 No::Nak => "nak".to_owned(),
+                No::Abort(_) => "abort".to_owned(),
             };
             let unheard = both!(", cause not known", ", Ursache unbekannt");
             (code, if refusal.unheard { unheard } else { Text::default() })

@@ -4,14 +4,17 @@
 //! `Says`; the enums here only pick. RTU, ASCII and TCP are framings of `modbus`.
 
 mod modbus;
+mod sdo;
 mod vabus;
 
 use crate::protocol::Protocol;
+use crate::protocol::can::sdo as objects;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu;
 use crate::protocol::vabus as telegrams;
 use crate::tick::Span;
 use modbus::Modbus;
+use sdo::Sdo;
 use std::fmt::Debug;
 use std::ops::{Deref, DerefMut, Range};
 use vabus::Vabus;
@@ -23,6 +26,8 @@ pub enum Question {
     Modbus(pdu::Request),
     /// A VABus telegram.
     Vabus(telegrams::Request),
+    /// A frame of SDO.
+    Sdo(objects::Request),
 }
 
 /// What a station answered.
@@ -32,6 +37,8 @@ pub enum Said {
     Modbus(pdu::Reply),
     /// A VABus reply; a NAK is one too.
     Vabus(telegrams::Reply),
+    /// A frame of SDO; an abort is one too.
+    Sdo(objects::Reply),
 }
 
 /// A protocol as it is spoken on one line.
@@ -39,6 +46,7 @@ pub enum Said {
 pub(super) enum Dialect {
     Modbus(Modbus),
     Vabus(Vabus),
+    Sdo(Sdo),
 }
 
 impl Dialect {
@@ -46,6 +54,7 @@ impl Dialect {
         match protocol {
             Protocol::Modbus(framing) => Dialect::Modbus(Modbus::new(framing)),
             Protocol::Vabus => Dialect::Vabus(Vabus),
+            Protocol::Sdo(channel) => Dialect::Sdo(Sdo(channel)),
         }
     }
 }
@@ -57,6 +66,7 @@ impl Deref for Dialect {
         match self {
             Dialect::Modbus(modbus) => modbus,
             Dialect::Vabus(vabus) => vabus,
+            Dialect::Sdo(sdo) => sdo,
         }
     }
 }
@@ -66,6 +76,7 @@ impl DerefMut for Dialect {
         match self {
             Dialect::Modbus(modbus) => modbus,
             Dialect::Vabus(vabus) => vabus,
+            Dialect::Sdo(sdo) => sdo,
         }
     }
 }
@@ -75,6 +86,7 @@ impl Question {
         match self {
             Question::Modbus(request) => request,
             Question::Vabus(request) => request,
+            Question::Sdo(request) => request,
         }
     }
 
@@ -114,6 +126,7 @@ impl Said {
         match self {
             Said::Modbus(reply) => reply,
             Said::Vabus(reply) => reply,
+            Said::Sdo(reply) => reply,
         }
     }
 
@@ -130,7 +143,7 @@ impl Said {
 
 /// A question of one protocol.
 trait Asks {
-    /// As it goes over a serial line.
+    /// As it goes over a line, where nothing else is to be known of that.
     fn telegram(&self, station: u8) -> Vec<u8>;
 
     fn is_write(&self) -> bool;

@@ -2,9 +2,10 @@
 //!
 //! A conversation is fed bytes and times and says what to do next ([`Step`]); `drive::pump` carries it out on a link.
 //! [`Master`] asks one station, [`Survey`] looks for all of them; [`dialect`] is what the protocols differ in. [`dp`] is the
-//! master of a PROFIBUS line. This room
+//! master of a PROFIBUS line, [`can`] the way through an adapter to a CAN bus. This room
 //! knows no drive and reads no clock.
 
+pub mod can;
 mod cut;
 mod debt;
 pub mod dialect;

@@ -21,7 +21,7 @@ pub enum Parity {
 pub struct LineSetting {
     /// Bits per second.
     pub baud: u32,
-    /// Data bits per character: 7 or 8.
+    /// Data bits per character: 7 or 8; 0 where there are none ([`LineSetting::can`]).
     pub data_bits: u8,
     /// Parity bit.
     pub parity: Parity,
@@ -44,6 +44,16 @@ impl LineSetting {
     /// Usual format of VABus: 7 data bits, even parity, 1 stop bit (S1 p25).
     pub const fn vabus(baud: u32) -> Self {
         Self::ascii(baud, Parity::Even)
+    }
+
+    /// A CAN bus of this bit rate: no characters, so no data bits; its frames take [`crate::protocol::can::duration`].
+    pub const fn can(bit_rate: u32) -> Self {
+        LineSetting { baud: bit_rate, data_bits: 0, parity: Parity::None, stop_bits: 0 }
+    }
+
+    /// Whether it is a CAN bus.
+    pub const fn is_can(self) -> bool {
+        self.data_bits == 0
     }
 
     /// Bits that one character takes on the wire, start bit included.
@@ -85,7 +95,7 @@ const fn stop_bits_for(parity: Parity) -> u8 {
     }
 }
 
-/// Prints as technicians write it: `19200 8E1`.
+/// Prints as technicians write it: `19200 8E1`, `CAN 500 kbit/s`.
 impl fmt::Display for LineSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parity = match self.parity {
@@ -93,6 +103,9 @@ impl fmt::Display for LineSetting {
             Parity::Odd => 'O',
             Parity::None => 'N',
         };
+        if self.is_can() {
+            return write!(f, "CAN {} kbit/s", self.baud / 1_000);
+        }
         write!(f, "{} {}{parity}{}", self.baud, self.data_bits, self.stop_bits)
     }
 }
@@ -146,5 +159,6 @@ mod tests {
     fn settings_print_as_technicians_write_them() {
         assert_eq!(LineSetting::rtu(19_200, Parity::None).to_string(), "19200 8N2");
         assert_eq!(LineSetting::ascii(9_600, Parity::Even).to_string(), "9600 7E1");
+        assert_eq!(LineSetting::can(500_000).to_string(), "CAN 500 kbit/s");
     }
 }

@@ -11,6 +11,7 @@ pub mod modbus;
 pub mod vabus;
 
 use crate::text::{Wrong, both};
+use can::SdoChannel;
 use line::{LineSetting, Parity};
 use modbus::Framing;
 use std::fmt;
@@ -23,10 +24,13 @@ pub enum Protocol {
     Modbus(Framing),
     /// The maker's own protocol of the ACTIVE family (P.395 = 0, factory setting).
     Vabus,
+    /// Parameters over the system bus, which is CAN: frames, and no characters (EM-RES-03 manual 5.10), over one of the two channels of
+    /// every drive (5.9.4).
+    Sdo(SdoChannel),
 }
 
 impl Protocol {
-    /// Every protocol, in the order in which they are named to the user.
+    /// Every protocol of characters, in the order in which they are named to the user.
     pub const ALL: [Protocol; 4] = [
         Protocol::Modbus(Framing::Rtu),
         Protocol::Modbus(Framing::Ascii),
@@ -34,11 +38,16 @@ impl Protocol {
         Protocol::Modbus(Framing::Tcp),
     ];
 
+    /// Those of a CAN bus: over the channel that is meant for a tool, and over that of the master.
+    pub const OF_CAN: [Protocol; 2] = [Protocol::Sdo(SdoChannel::Two), Protocol::Sdo(SdoChannel::One)];
+
     /// The word that names it on the command line and in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Protocol::Modbus(framing) => framing.name(),
             Protocol::Vabus => "vabus",
+            Protocol::Sdo(SdoChannel::Two) => "sdo",
+            Protocol::Sdo(SdoChannel::One) => "sdo1",
         }
     }
 
@@ -48,6 +57,7 @@ impl Protocol {
             Protocol::Modbus(Framing::Rtu | Framing::Tcp) => LineSetting::rtu(baud, parity),
             // VABus uses the same seven bits (sources A1).
             Protocol::Modbus(Framing::Ascii) | Protocol::Vabus => LineSetting::ascii(baud, parity),
+            Protocol::Sdo(_) => LineSetting::can(baud),
         }
     }
 }
@@ -67,9 +77,10 @@ impl fmt::Display for Protocol {
 impl FromStr for Protocol {
     type Err = Wrong;
     fn from_str(text: &str) -> Result<Self, Wrong> {
-        let found = Self::ALL.into_iter().find(|protocol| protocol.name().eq_ignore_ascii_case(text.trim()));
+        let all = || Self::ALL.into_iter().chain(Self::OF_CAN);
+        let found = all().find(|protocol| protocol.name().eq_ignore_ascii_case(text.trim()));
         found.ok_or_else(|| {
-            let names: Vec<_> = Self::ALL.iter().map(|protocol| protocol.name()).collect();
+            let names: Vec<_> = all().map(Protocol::name).collect();
             let names = names.join(", ");
             Wrong(both!("expected {names}, got '{text}'", "erwartet: {names}; angegeben: '{text}'"))
         })

@@ -9,10 +9,11 @@
 //! Files in, benches out: [`mod@file`] reads one and builds a [`Bench`] of it. On the bench stand stations (`station`:
 //! ears and voice, a room for each protocol) with a device behind each (`device`: a folder for each maker behind one
 //! trait), on a line that can be disturbed (`line`), in front of the judge (`judge`: the rules of each protocol).
-//! A [`Profibus`] line is a room of its own (`dp`), with slaves that must be kept alive; whoever carries bytes knows both only
-//! as [`Served`].
+//! A [`Profibus`] line is a room of its own (`dp`), with slaves that must be kept alive, and so is a [`Can`] bus behind its adapter
+//! (`can`); whoever carries bytes knows all of them only as [`Served`].
 
 mod bench;
+mod can;
 mod device;
 mod dice;
 mod dp;
@@ -26,6 +27,7 @@ mod tests;
 mod totals;
 
 pub use bench::Bench;
+pub use can::bus::Can;
 pub use device::contract::Servo;
 pub use dp::bench::Profibus;
 pub use judge::{Gaps, Remark, Sin};

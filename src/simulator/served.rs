@@ -1,6 +1,7 @@
-//! What carries bytes to drives and back in time that somebody else tells: the bench, and the PROFIBUS line.
+//! What carries bytes to drives and back in time that somebody else tells: the bench, the PROFIBUS line, and the CAN bus.
 
 use super::bench::Bench;
+use super::can::bus::Can;
 use super::dp::bench::Profibus;
 use crate::protocol::line::LineSetting;
 use crate::tick::{Span, Tick};
@@ -80,5 +81,26 @@ impl Served for Profibus {
 
     fn meant(&self, set: LineSetting) -> LineSetting {
         LineSetting { baud: set.baud, ..self.line() }
+    }
+}
+
+impl Served for Can {
+    /// A bus has no pauses that anybody could break.
+    fn allow(&mut self, _slack: Span) {}
+
+    fn master_sends(&mut self, at: Tick, _line: LineSetting, bytes: &[u8]) {
+        Can::master_sends(self, at, bytes);
+    }
+
+    fn next_event(&self) -> Option<Tick> {
+        Can::next_event(self)
+    }
+
+    fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
+        Can::advance(self, to)
+    }
+
+    fn line_of(&self, _bytes: &[u8]) -> Option<LineSetting> {
+        Some(self.line())
     }
 }

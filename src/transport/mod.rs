@@ -5,8 +5,10 @@
 //! addresses takes no time at all and every run of it is the same. This room knows no telegrams.
 
 mod adapter;
+mod between;
 mod clock;
 mod door;
+mod error;
 mod ioctl;
 mod net;
 mod port;
@@ -21,19 +23,19 @@ mod trace;
 mod tty;
 
 pub use adapter::{AdapterInfo, ErrorCounts, LowLatency};
+pub use between::{Ailing, Between};
+pub use error::LinkError;
 pub use port::{Endpoint, Port};
 pub use ports::{PortInfo, list_ports};
 pub use rs485::{Rs485, Rs485Mode};
 pub use sim::witness;
 pub use trace::{Trace, TraceLine, read_trace};
 
-use crate::protocol::Hex;
-use crate::protocol::line::LineSetting;
-use crate::simulator::{Bench, Profibus};
+use crate::protocol::line::{LineSetting, Parity};
+use crate::simulator::{Bench, Can, Profibus};
 use crate::text::Text;
 use crate::tick::{Span, Tick};
 use net::Far;
-use std::path::PathBuf;
 
 /// What ended a wait.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,111 +46,13 @@ pub enum Wake {
     Silence,
 }
 
-/// Why a link cannot be opened or does not go on.
-#[derive(Debug, thiserror::Error)]
-pub enum LinkError {
-    /// There is no such port.
-    #[error("there is no port '{0}'")]
-    NotFound(String),
-    /// Somebody else has it.
-    #[error("port '{0}' is in use by another program")]
-    Busy(String),
-    /// The user may not open it.
-    #[error("no permission to open port '{0}'")]
-    Permission(String),
-    /// The driver does not do what was asked.
-    #[error("port '{port}': {message}")]
-    Setting {
-        /// The port.
-        port: String,
-        /// What the driver said, or what it set in place of what was asked.
-        message: String,
-    },
-    /// The direction of an RS-485 line cannot be switched as asked.
-    #[error("port '{port}' does not offer --rs485 {}: {}", mode.name(), message.en)]
-    Direction {
-        /// The port.
-        port: String,
-        /// Who should have switched.
-        mode: Rs485Mode,
-        /// What the driver said.
-        message: Text,
-    },
-    /// The serial line behind a raw TCP port or a gateway cannot be set through it.
-    #[error("the serial line behind '{0}' cannot be set from here")]
-    Fixed(String),
-    /// The device server does not set its serial line for us: it refuses RFC 2217, or does not answer it.
-    #[error("'{0}' does not speak RFC 2217")]
-    NoRfc2217(String),
-    /// Nobody answers at that address of the network.
-    #[error("cannot connect to '{port}': {}", message.en)]
-    Unreachable {
-        /// The port.
-        port: String,
-        /// What the system said.
-        message: Text,
-    },
-    /// The adapter, or the other end of a connection, takes no bytes any more.
-    #[error("port '{0}' takes no bytes: what is behind it does not fetch them")]
-    Stuck(String),
-    /// The adapter that had this name was unplugged, and another one has the name now.
-    #[error("port '{port}' is another adapter now: {found}")]
-    Stranger {
-        /// The port.
-        port: String,
-        /// What has the name.
-        found: String,
-    },
-    /// The adapter was unplugged, or the other end hung up.
-    #[error("port '{0}' was lost: the adapter was unplugged or the other end hung up")]
-    Lost(String),
-    /// The file is no recording that can be played back.
-    #[error("recording {}: {}", file.display(), message.en)]
-    Recording {
-        /// The file.
-        file: PathBuf,
-        /// What is wrong with it, with the line.
-        message: Text,
-    },
-    /// Something else was sent than the recording has.
-    #[error("recording {}, line {line}: recorded was {}, sent was {}", file.display(), Hex(expected), Hex(sent))]
-    OffTape {
-        /// The file.
-        file: PathBuf,
-        /// Line of the file, from 1.
-        line: usize,
-        /// What was sent when it was recorded.
-        expected: Vec<u8>,
-        /// What was sent now.
-        sent: Vec<u8>,
-    },
-}
-
-impl LinkError {
-    /// The port that it happened to; a recording has a file.
-    pub fn port(&self) -> Option<&str> {
-        match self {
-            LinkError::NotFound(port)
-            | LinkError::Busy(port)
-            | LinkError::Permission(port)
-            | LinkError::Fixed(port)
-            | LinkError::NoRfc2217(port)
-            | LinkError::Stuck(port)
-            | LinkError::Lost(port)
-            | LinkError::Setting { port, .. }
-            | LinkError::Direction { port, .. }
-            | LinkError::Unreachable { port, .. }
-            | LinkError::Stranger { port, .. } => Some(port),
-            LinkError::Recording { .. } | LinkError::OffTape { .. } => None,
-        }
-    }
-}
-
 /// A way to the drives.
 #[derive(Debug)]
 pub struct Link {
     carrier: Carrier,
     trace: Option<Trace>,
+    /// What stands between telegrams and the bytes of an adapter.
+    between: Option<Box<dyn Between>>,
 }
 
 #[derive(Debug)]
@@ -179,6 +83,9 @@ impl<T> Ends<T> {
     }
 }
 
+/// How an adapter is talked to that says nothing of it (CDC-ACM ignores it).
+const ADAPTER: LineSetting = LineSetting { baud: 115_200, data_bits: 8, parity: Parity::None, stop_bits: 1 };
+
 impl Link {
     /// Opens a port, with what came in before cleared; the bench is no port of this machine: [`Link::open_sim`]. A serial port is
     /// taken exclusively, and on Linux its driver is asked for low latency until it is closed. `rs485` concerns serial
@@ -193,20 +100,51 @@ impl Link {
             Port::Tcp(endpoint) => net(endpoint, Far::Raw).await?,
             Port::Rfc2217(endpoint) => net(endpoint, Far::Rfc2217).await?,
             Port::Mbtcp(endpoint) => net(endpoint, Far::Gateway).await?,
+            // A bus has no characters; its adapter has, and most take any speed.
+            Port::Slcan(port) => return Box::pin(Link::open(port, ADAPTER, Rs485::default())).await,
             Port::Tape(file) => Carrier::Tape(Box::new(tape::TapeLink::open(file, line)?)),
             Port::Sim(_) => return Err(LinkError::NotFound(port.to_string())),
         };
-        Ok(Link { carrier, trace: None })
+        Ok(Link::of(carrier))
+    }
+
+    fn of(carrier: Carrier) -> Self {
+        Link { carrier, trace: None, between: None }
     }
 
     /// A bench in virtual time.
     pub fn open_sim(bench: Bench, line: LineSetting) -> Self {
-        Link { carrier: Carrier::Sim(Box::new(sim::SimLink::new(bench, line))), trace: None }
+        Link::of(Carrier::Sim(Box::new(sim::SimLink::new(bench, line))))
     }
 
     /// A PROFIBUS line in virtual time.
     pub fn open_profibus(bus: Profibus, line: LineSetting) -> Self {
-        Link { carrier: Carrier::Sim(Box::new(sim::SimLink::profibus(bus, line))), trace: None }
+        Link::of(Carrier::Sim(Box::new(sim::SimLink::profibus(bus, line))))
+    }
+
+    /// A CAN bus behind an adapter, in virtual time.
+    pub fn open_can(bus: Can) -> Self {
+        Link::of(Carrier::Sim(Box::new(sim::SimLink::can(bus, ADAPTER))))
+    }
+
+    /// From now on telegrams go to the adapter and come from it by this.
+    pub fn put_between(&mut self, between: Box<dyn Between>) {
+        self.between = Some(between);
+    }
+
+    /// Says to an adapter that it is over, if there is one, and waits for nothing.
+    pub fn part(&mut self) {
+        let Some(between) = self.between.take() else { return };
+        let (at, bytes) = (self.now(), between.farewell());
+        let is_out = match &mut self.carrier {
+            Carrier::Serial(link) => link.push(bytes),
+            Carrier::Net(link) => link.push(bytes),
+            Carrier::Sim(link) => link.send(bytes).is_ok(),
+            Carrier::Tape(_) => false,
+        };
+        if let Some(trace) = self.trace.as_mut().filter(|_| is_out) {
+            trace.sent(at, bytes);
+        }
     }
 
     /// Why the trace ended early, if it did; once.
@@ -333,6 +271,8 @@ impl Link {
     /// Puts bytes on the line. They may still be on their way when this returns; with [`Rs485Mode::Rts`] they are out,
     /// and the line is free.
     pub async fn send(&mut self, bytes: &[u8]) -> Result<(), LinkError> {
+        let told = self.between.as_mut().map(|between| between.put(bytes));
+        let bytes = told.as_deref().unwrap_or(bytes);
         let at = self.now();
         match &mut self.carrier {
             Carrier::Serial(link) => link.send(bytes).await?,
@@ -346,8 +286,32 @@ impl Link {
         Ok(())
     }
 
-    /// Waits until bytes come or the time is over; bytes that are there already come at once.
+    /// Waits until bytes come or the time is over; bytes that are there already come at once. What an adapter says that is no
+    /// telegram ends no wait.
     pub async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
+        loop {
+            let wake = self.hear(until).await?;
+            let (Some(between), Wake::Bytes(bytes)) = (&mut self.between, &wake) else { return Ok(wake) };
+            let telegrams = between.take(bytes);
+            match between.ailing() {
+                Some(Ailing::Unsent) => return Err(LinkError::Unsent(self.known_as())),
+                Some(Ailing::Unacknowledged(flags)) => {
+                    return Err(LinkError::Unacknowledged { port: self.known_as(), flags });
+                }
+                None if !telegrams.is_empty() => return Ok(Wake::Bytes(telegrams)),
+                // A bus that is busy with others must not hold up who waits.
+                None if self.now() >= until => return Ok(Wake::Silence),
+                None => {}
+            }
+        }
+    }
+
+    /// What the port is called in what is told of it.
+    fn known_as(&self) -> String {
+        self.adapter().name
+    }
+
+    async fn hear(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let begun = self.now();
         let wake = match &mut self.carrier {
             Carrier::Serial(link) => link.wait(until).await?,

@@ -129,6 +129,14 @@ impl NetLink {
         }
     }
 
+    /// Hands over bytes at once, or not at all.
+    pub(super) fn push(&mut self, bytes: &[u8]) -> bool {
+        match &self.connection {
+            Ends::Open(Connection { stream, telnet: None }) => stream.try_write(bytes).is_ok(),
+            _ => false,
+        }
+    }
+
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let woken = match &mut self.connection {
             Ends::Open(connection) => connection.wait(self.clock, until).await,

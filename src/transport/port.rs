@@ -1,4 +1,4 @@
-//! What `--port` names: a tty, a port on the network, a recording, or the built-in bench.
+//! What `--port` names: a tty, a port on the network, a CAN adapter at one of these, a recording, or the built-in bench.
 
 use crate::text::{Wrong, both};
 use std::fmt;
@@ -16,6 +16,8 @@ pub enum Port {
     Rfc2217(Endpoint),
     /// `mbtcp://HOST[:502]`: a Modbus/TCP gateway.
     Mbtcp(Endpoint),
+    /// `slcan:PORT`: a CAN adapter that speaks SLCAN, on a tty or behind `tcp://`.
+    Slcan(Box<Port>),
     /// `tape:FILE`: a recording that is played back.
     Tape(PathBuf),
     /// The built-in bench: the standard one, or one from a file.
@@ -57,9 +59,16 @@ impl FromStr for Port {
             Some(("tcp", rest)) => Endpoint::parse("tcp", rest, None).map(Port::Tcp),
             Some(("rfc2217", rest)) => Endpoint::parse("rfc2217", rest, None).map(Port::Rfc2217),
             Some(("mbtcp", rest)) => Endpoint::parse("mbtcp", rest, Some(MODBUS_PORT)).map(Port::Mbtcp),
-            Some((scheme @ ("slcan" | "can"), _)) => Err(Wrong(both!(
-                "{scheme}: ports are not supported by this version; expected a tty such as /dev/ttyUSB0, or sim",
-                "Anschlüsse mit {scheme}: kann diese Version nicht; erwartet: ein Gerät wie /dev/ttyUSB0, oder sim"
+            Some(("slcan", rest)) => match rest.parse() {
+                Ok(port @ (Port::Serial(_) | Port::Tcp(_))) => Ok(Port::Slcan(Box::new(port))),
+                _ => Err(Wrong(both!(
+                    "expected slcan:TTY such as slcan:/dev/ttyACM0, or slcan:tcp://HOST:PORT; got '{text}'",
+                    "erwartet: slcan:GERÄT wie slcan:/dev/ttyACM0, oder slcan:tcp://RECHNER:PORT; angegeben: '{text}'"
+                ))),
+            },
+            Some(("can", _)) => Err(Wrong(both!(
+                "can: ports are not supported by this version; expected an adapter such as slcan:/dev/ttyACM0",
+                "Anschlüsse mit can: kann diese Version nicht; erwartet: ein Adapter wie slcan:/dev/ttyACM0"
             ))),
             _ => Ok(Port::Serial(text.to_owned())),
         }
@@ -73,6 +82,7 @@ impl fmt::Display for Port {
             Port::Tcp(endpoint) => write!(f, "tcp://{endpoint}"),
             Port::Rfc2217(endpoint) => write!(f, "rfc2217://{endpoint}"),
             Port::Mbtcp(endpoint) => write!(f, "mbtcp://{endpoint}"),
+            Port::Slcan(port) => write!(f, "slcan:{port}"),
             Port::Tape(file) => write!(f, "tape:{}", file.display()),
             Port::Sim(None) => f.write_str("sim"),
             Port::Sim(Some(file)) => write!(f, "sim:{}", file.display()),
@@ -130,6 +140,8 @@ mod tests {
             "tcp://[fe80::1%eth0]:4001",
             "rfc2217://server.local:2217",
             "mbtcp://gateway:1502",
+            "slcan:/dev/ttyACM0",
+            "slcan:tcp://adapter:3333",
             "tape:run.trace",
             "sim",
             "sim:bench.toml",
@@ -158,7 +170,7 @@ mod tests {
             let error = text.parse::<Port>().unwrap_err().to_string();
             assert!(error.contains("HOST") && error.ends_with(&format!("got '{text}'")), "{text}: {error}");
         }
-        for text in ["", "tape:", "sim:", "can:can0"] {
+        for text in ["", "tape:", "sim:", "can:can0", "slcan:", "slcan:sim", "slcan:slcan:x", "slcan:tcp://a"] {
             assert!(text.parse::<Port>().unwrap_err().to_string().contains("expected"), "{text}");
         }
     }

@@ -151,6 +151,13 @@ impl SerialLink {
         }
     }
 
+    /// Hands over bytes at once, or not at all; closing the port waits for them.
+    pub(super) fn push(&mut self, bytes: &[u8]) -> bool {
+        let Ends::Open(port) = &mut self.port else { return false };
+        self.sent_by = self.sent_by.max(self.clock.now()) + self.line.chars(bytes.len() as u64);
+        io::Write::write(&mut port.stream, bytes).is_ok()
+    }
+
     pub(super) async fn wait(&mut self, until: Tick) -> Result<Wake, LinkError> {
         let woken = match &mut self.port {
             Ends::Open(port) => self.clock.listen(&mut port.stream, until).await,

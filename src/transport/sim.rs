@@ -5,7 +5,7 @@
 
 use super::{LinkError, Wake};
 use crate::protocol::line::LineSetting;
-use crate::simulator::{Bench, Profibus, Served};
+use crate::simulator::{Bench, Can, Profibus, Served};
 use crate::tick::Tick;
 use std::time::{Duration, Instant};
 
@@ -24,6 +24,7 @@ pub(super) struct SimLink {
 enum Bus {
     Bench(Box<Bench>),
     Profibus(Box<Profibus>),
+    Can(Box<Can>),
 }
 
 impl Bus {
@@ -31,6 +32,7 @@ impl Bus {
         match self {
             Bus::Bench(bench) => &mut **bench,
             Bus::Profibus(line) => &mut **line,
+            Bus::Can(bus) => &mut **bus,
         }
     }
 }
@@ -56,6 +58,10 @@ impl SimLink {
         SimLink { bus: Bus::Profibus(Box::new(bus)), line, now: Tick::ZERO, pace: None, is_pulled: false }
     }
 
+    pub(super) fn can(bus: Can, line: LineSetting) -> Self {
+        SimLink { bus: Bus::Can(Box::new(bus)), line, now: Tick::ZERO, pace: None, is_pulled: false }
+    }
+
     pub(super) fn now(&self) -> Tick {
         self.now
     }
@@ -63,7 +69,7 @@ impl SimLink {
     pub(super) fn bench(&mut self) -> Option<&mut Bench> {
         match &mut self.bus {
             Bus::Bench(bench) => Some(&mut **bench),
-            Bus::Profibus(_) => None,
+            Bus::Profibus(_) | Bus::Can(_) => None,
         }
     }
 
@@ -127,6 +133,7 @@ impl Drop for SimLink {
         match &self.bus {
             Bus::Bench(bench) => witness::take(bench, self.now),
             Bus::Profibus(line) => witness::take_profibus(line),
+            Bus::Can(bus) => witness::take_can(bus),
         }
     }
 }
@@ -135,7 +142,7 @@ impl Drop for SimLink {
 /// last line that was closed there, and no bench is paced.
 pub mod witness {
     use super::LinkError;
-    use crate::simulator::{Bench, Profibus};
+    use crate::simulator::{Bench, Can, Profibus};
     use crate::tick::Tick;
     use std::cell::{Cell, RefCell};
 
@@ -144,6 +151,7 @@ pub mod witness {
         static ADAPTER: Cell<Option<u64>> = const { Cell::new(None) };
         static ALONE: Cell<bool> = const { Cell::new(false) };
         static LEFT: RefCell<Vec<(Bench, Tick)>> = const { RefCell::new(Vec::new()) };
+        static CAN: RefCell<Option<Can>> = const { RefCell::new(None) };
         static PROFIBUS: RefCell<Option<Profibus>> = const { RefCell::new(None) };
         static STANDS: RefCell<Option<(Bench, Tick)>> = const { RefCell::new(None) };
     }
@@ -214,6 +222,17 @@ pub mod witness {
     /// The PROFIBUS line that was left behind last.
     pub fn left_profibus() -> Option<Profibus> {
         PROFIBUS.take()
+    }
+
+    /// The CAN bus that was left behind last.
+    pub fn left_can() -> Option<Can> {
+        CAN.take()
+    }
+
+    pub(super) fn take_can(bus: &Can) {
+        if is_called() {
+            CAN.set(Some(bus.clone()));
+        }
     }
 
     pub(super) fn take_profibus(line: &Profibus) {

@@ -6,6 +6,7 @@ use super::dice::Dice;
 use antrieb::exchange::survey::Patience;
 use antrieb::exchange::{Conversation, INSIST, Limits, Master, News, Question, Step, Survey};
 use antrieb::protocol::Protocol;
+use antrieb::protocol::can::sdo;
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::pdu::Request;
 use antrieb::protocol::vabus::{self, Address, Data, Header, ParamNumber};
@@ -183,6 +184,7 @@ fn asks(protocol: Protocol, station: u8) -> Question {
             let header = Header { number: ParamNumber::new(411).unwrap(), ..Header::default() };
             vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
         }
+        Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: 411, sub: 0 }).into(),
         Protocol::Modbus(_) => Request::ReadRegisters { start: 411, count: 1 }.into(),
     }
 }

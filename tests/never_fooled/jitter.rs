@@ -5,6 +5,7 @@
 use super::dice::Dice;
 use antrieb::exchange::{Answer, ExchangeError, INSIST, Limits, Master, Question, Record, Said, Step, Verdict};
 use antrieb::protocol::Protocol;
+use antrieb::protocol::can::sdo;
 use antrieb::protocol::line::{LineSetting, Parity};
 use antrieb::protocol::modbus::pdu::{COUNTERS, Exception, Reply, Request};
 use antrieb::protocol::modbus::{Framing, mbap};
@@ -171,6 +172,7 @@ fn question(protocol: Protocol, round: u64) -> (u8, Question) {
             let header = Header { number: ParamNumber::new(number).unwrap(), ..Header::default() };
             vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
         }
+        Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: number, sub: 0 }).into(),
         Protocol::Modbus(_) if number == 210 || number == 228 => Request::ReadLong { address: number }.into(),
         Protocol::Modbus(_) => Request::ReadRegisters { start: number, count: 1 }.into(),
     };

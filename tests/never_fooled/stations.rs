@@ -3,6 +3,7 @@
 use super::line::HostileLine;
 use antrieb::exchange::{Question, Said};
 use antrieb::protocol::Protocol;
+use antrieb::protocol::can::sdo;
 use antrieb::protocol::modbus::Framing;
 use antrieb::protocol::modbus::mbap;
 use antrieb::protocol::modbus::pdu::{Exception, ParamAddress, Reply, Request};
@@ -43,6 +44,7 @@ impl HostileLine {
                 let header = Header { number, set: DataSet::new(set).unwrap(), ..Header::default() };
                 vabus::Request::Enquiry { address: Address::drive(station).unwrap(), header }.into()
             }
+            Protocol::Sdo(_) => sdo::Request::Upload(sdo::Multiplexer { index: number, sub: set }).into(),
             Protocol::Modbus(_) => {
                 let address = ParamAddress::new(set, number).unwrap().word();
                 match long {
@@ -70,6 +72,8 @@ impl HostileLine {
                 let request = vabus::Request::decode(bytes).ok()?;
                 Some((request.address().id(), request.into(), 0))
             }
+            // Frames are cut out of what an adapter says before a conversation hears of them.
+            Protocol::Sdo(_) => None,
             Protocol::Modbus(Framing::Tcp) => {
                 let (number, adu) = mbap::decode(bytes).ok()?;
                 Some((adu.station, Request::decode(&adu.pdu).ok()?.into(), number))
@@ -141,6 +145,7 @@ impl HostileLine {
                 let address = Address::drive(address.id() + 1)?;
                 Some(vabus::Reply::Value { address, header, data }.encode())
             }
+            Protocol::Sdo(_) => None,
             Protocol::Modbus(Framing::Tcp) => {
                 let (number, adu) = mbap::decode(frame).ok()?;
                 Some(mbap::encode(number.wrapping_sub(1), adu.station, &adu.pdu))

@@ -22,6 +22,7 @@ mod recording;
 mod reporting;
 mod resolver;
 mod run;
+mod sdo;
 
 /// What a drive holds: parameters and data sets.
 mod parameters {

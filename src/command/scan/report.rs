@@ -39,7 +39,7 @@ pub(super) fn report(
         drives.extend(result.drives);
         warnings.extend(result.warnings);
         warnings.extend(coverage(port, ports.len(), &result.searched).filter(|_| is_cut));
-        failures.extend(result.yielded.map(left_to).or(left_out));
+        failures.extend(result.unasked.or(result.yielded.map(left_to)).or(left_out));
         failures.extend(result.cut.map(|error| {
             let mut failure = error.failure(0, None);
             failure.context.clear();

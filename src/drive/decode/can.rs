@@ -14,7 +14,9 @@ use crate::protocol::can::candump::{self, What};
 use crate::protocol::can::emergency::Emergency;
 use crate::protocol::can::nmt::{Life, Order};
 use crate::protocol::can::pdo::{Kind, Pdo, Place};
-use crate::protocol::can::{Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, Service, slcan};
+use crate::protocol::can::{
+    Body, Frame, FrameError, Identifier, LAST_DRIVE, Payload, PdoNumber, Service, Telegram, slcan,
+};
 use crate::text::{Text, both};
 
 pub use recording::{Written, is_can, log};
@@ -79,6 +81,14 @@ impl Reader<'_> {
         match told.is_empty() {
             true => Err(names::empty()),
             false => told.iter().map(one).collect(),
+        }
+    }
+
+    /// A frame as a conversation over SDO has it.
+    pub(super) fn sdo(&self, bytes: &[u8]) -> TelegramDoc {
+        match Telegram::decode(bytes) {
+            Some(telegram) => self.frame(&telegram.frame()),
+            None => document(Told::wrong("sdo", &names::eight_bytes()), None, crate::protocol::Hex(bytes).to_string()),
         }
     }
 

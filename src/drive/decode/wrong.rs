@@ -1,5 +1,6 @@
 //! What `protocol` refuses and what a slave answers with, in both languages.
 
+use crate::protocol::can::sdo::AbortCode;
 use crate::protocol::modbus::pdu::{Exception, PduError};
 use crate::protocol::modbus::{FrameError, MAX_PDU};
 use crate::protocol::vabus::TelegramError;
@@ -8,6 +9,14 @@ use crate::text::{Text, both};
 /// An exception by its number and name.
 pub(in crate::drive) fn exception(exception: Exception) -> Text {
     both!("exception {code}", "Ausnahme {code}", code = numbered(exception))
+}
+
+/// An abort of SDO; where it carries a number of the drives that is told beside it (EM-RES-03 manual 5.10.1).
+pub(in crate::drive) fn abort(code: u32) -> Text {
+    match AbortCode(code).of_a_drive() {
+        Some(_) => both!("SDO abort", "SDO-Abbruch"),
+        None => both!("SDO abort {code:08X}h", "SDO-Abbruch {code:08X}h"),
+    }
 }
 
 /// The number with the name; the English one is that of the norm (V1.1b3, 7).

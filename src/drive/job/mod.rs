@@ -251,7 +251,12 @@ async fn proven_there(
     step: &Step,
     fate: Result<WriteFate, AccessError>,
 ) -> Result<WriteFate, AccessError> {
-    let role = if session.protocol().name() == "vabus" { "node-id" } else { "address" };
+    let role = match session.protocol().name() {
+        "vabus" => "node-id",
+        // A node has another place on its bus than on its serial line.
+        "sdo" | "sdo1" => return fate,
+        _ => "address",
+    };
     let family = &target.family;
     let at_once = family.link.line.address == Holds::AtOnce && cuts(&step.param);
     let moves = at_once && family.role(role).is_some_and(|param| param.id == step.param.id);

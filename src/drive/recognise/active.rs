@@ -71,6 +71,7 @@ impl Inquest<'_, '_> {
         let asked = match self.route.protocol {
             Protocol::Modbus(_) => both!("code 100, P.484", "Code 100, P.484"),
             Protocol::Vabus => Text::name("ENQUIRY P.484"),
+            Protocol::Sdo(_) => Text::name("SDO P.484"),
         };
         let Some(question) = self.route.question(Inquiry::Read(SETPOINT_RAM, Type::Long)) else { return Ok(()) };
         match self.session.demand(self.route, family, question).await {
@@ -79,9 +80,13 @@ impl Inquest<'_, '_> {
                 self.finding.note(asked, both!("a value", "ein Wert"), tells);
                 self.finding.drive = Some("act".to_owned());
             }
-            Err(AccessError::Refused(Refusal { cause: Some(NOT_READABLE), .. })) => {
+            Err(AccessError::Refused(refusal @ Refusal { cause: Some(NOT_READABLE), .. })) => {
                 let tells = both!("the line setpoint is write-only: ACU", "der Liniensollwert ist nur schreibbar: ACU");
-                self.finding.note(asked, Text::name("P.11 = 3"), tells);
+                let answered = match refusal.no {
+                    No::Abort(_) => told(refusal.no),
+                    No::Exception(_) | No::Nak => Text::name("P.11 = 3"),
+                };
+                self.finding.note(asked, answered, tells);
                 self.finding.drive = Some("acu".to_owned());
             }
             Err(AccessError::Refused(refusal)) => {

@@ -74,7 +74,7 @@ impl Plot<'_, '_> {
         // From VABus nobody sees what parity Modbus has in force; it is looked for, from the stored one on.
         let parity = match self.here.protocol {
             Protocol::Modbus(_) => self.here.line.parity,
-            Protocol::Vabus => {
+            Protocol::Vabus | Protocol::Sdo(_) => {
                 meaning(&parities(&family), self.stored(&family.link.line.parity).await?).unwrap_or(Parity::Even)
             }
         };
@@ -136,6 +136,7 @@ impl Plot<'_, '_> {
 fn address_role(protocol: Protocol) -> Role {
     match protocol {
         Protocol::Vabus => Role::NodeId,
-        Protocol::Modbus(_) => Role::Address,
+        // Nobody is moved by SDO, nor to it: `line` does not speak it.
+        Protocol::Modbus(_) | Protocol::Sdo(_) => Role::Address,
     }
 }

@@ -11,6 +11,7 @@ use crate::exchange::survey::{Attendance, Sign, Survey};
 use crate::exchange::{Answer, Talker};
 use crate::outcome::{FoundDrive, Warning};
 use crate::profile::{Family, Registry};
+use crate::protocol::Protocol;
 use crate::text::{Text, both};
 
 /// Characters of the reply to the first question, about.
@@ -66,7 +67,7 @@ async fn describe_drive(
         drive: finding.drive.clone().unwrap_or_else(|| "unknown".to_owned()),
         product: finding.product.clone(),
         evidence: finding.evidence.clone(),
-        ..stranger(session, address, both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"))
+        ..stranger(session, address, nobody_known(session))
     };
     let Some(mut target) = finding.target(address, registry) else { return Ok(Some(found)) };
     let titles = registry.drives().into_iter().find(|drive| drive.id == target.family.drive);
@@ -88,8 +89,18 @@ async fn describe_drive(
     Ok(Some(found))
 }
 
+/// What is no drive that we know.
+fn nobody_known(session: &Session<'_>) -> Text {
+    match session.protocol() {
+        Protocol::Sdo(_) => {
+            both!("node that answers SDO, no known drive", "Knoten, der SDO beantwortet, kein bekannter Antrieb")
+        }
+        _ => both!("Modbus device, no known drive", "Modbus-Gerät, kein bekannter Antrieb"),
+    }
+}
+
 /// Somebody of whom no more is known than that he answers.
-fn stranger(session: &Session<'_>, address: u8, title: Text) -> FoundDrive {
+pub(super) fn stranger(session: &Session<'_>, address: u8, title: Text) -> FoundDrive {
     FoundDrive {
         address,
         drive: "unknown".to_owned(),

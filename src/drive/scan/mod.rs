@@ -1,6 +1,7 @@
 //! Who is there, and with what setting? Surveys of one line, in the order in which drives are likely to be found.
 
 mod look;
+mod on_bus;
 mod order;
 mod pace;
 mod plan;
@@ -61,6 +62,8 @@ pub struct ScanResult {
     pub is_over_time: bool,
     /// What is left would take about so long.
     pub left: Span,
+    /// A bus has a master, so nobody was asked: what was heard is all that there is.
+    pub unasked: Option<Failure>,
     /// Why it ended early.
     pub cut: Option<AccessError>,
 }
@@ -174,7 +177,12 @@ pub fn ranges(addresses: &BTreeSet<u8>) -> String {
 
 /// Searches a line. Tells progress and finds as they come; what was found stays when it is interrupted.
 pub async fn scan(session: &mut Session<'_>, plan: &ScanPlan, registry: &Registry) -> ScanResult {
+    if let Some(heard) = on_bus::only_listens(session, plan).await {
+        return heard;
+    }
     let mut search = Search::new(session, plan, registry);
     let cut = search.run().await.err();
-    search.ended(cut)
+    let mut result = search.ended(cut);
+    result.warnings.extend(on_bus::no_proof(session));
+    result
 }

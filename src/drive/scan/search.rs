@@ -121,7 +121,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
             self.warnings.extend(garbled.map(|&address| look::garbled(address, searched.found, at)));
         }
         let Search { drives, searched, warnings, yielded, is_over_time, .. } = self;
-        ScanResult { drives, searched, warnings, yielded, is_over_time, left, cut }
+        ScanResult { drives, searched, warnings, yielded, is_over_time, left, unasked: None, cut }
     }
 
     pub(super) async fn run(&mut self) -> Result<(), AccessError> {
@@ -415,7 +415,7 @@ impl<'p, 's, 'o> Search<'p, 's, 'o> {
 }
 
 /// A setting at which nothing was asked yet, but for what earlier searches did.
-fn unsearched(plan: &ScanPlan, tuning: Tuning) -> Searched {
+pub(super) fn unsearched(plan: &ScanPlan, tuning: Tuning) -> Searched {
     let before = || plan.before.iter().filter(|row| row.is_at(tuning));
     let wanted: Vec<u8> =
         plan.addresses.iter().filter(|&&address| probe(tuning.protocol, address).is_some()).copied().collect();

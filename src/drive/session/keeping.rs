@@ -2,7 +2,9 @@
 
 use super::Session;
 use crate::drive::access::AccessError;
+use crate::drive::can;
 use crate::drive::open_line::OpenLine;
+use crate::protocol::Protocol;
 use crate::tick::{Span, Tick};
 use std::pin::pin;
 
@@ -55,7 +57,11 @@ impl<'a> Session<'a> {
     /// was on its way to a lost question is nobody's answer.
     pub async fn reopen(&mut self) -> Result<(), AccessError> {
         let interrupt = self.interrupt.clone();
-        let reopen = async |line: &mut OpenLine<'a>| line.link.reopen().await;
+        let (bus, ends) = (self.protocol(), interrupt.clone());
+        let reopen = async |line: &mut OpenLine<'a>| match bus {
+            Protocol::Sdo(channel) => can::reopen(&mut line.link, line.master.line().baud, channel, &ends).await,
+            _ => Ok(line.link.reopen().await?),
+        };
         tokio::select! {
             reopened = self.on_line(reopen) => reopened?,
             () = interrupt.raised() => return Err(AccessError::Interrupted),

@@ -17,7 +17,7 @@ const WHO_ANSWERS: Text = Text::new(
     "-v zeigt die Telegramme; ist es ein Antrieb dieser Familie, oder ist ein zweiter Master am Bus?",
 );
 
-const ADVICE: [(&str, Text); 23] = [
+const ADVICE: [(&str, Text); 25] = [
     (
         "silence.no_reply",
         Text::new(
@@ -27,6 +27,23 @@ const ADVICE: [(&str, Text); 23] = [
             "Adresse, Baudrate, Parität und Protokoll prüfen (P.395; ab Werk spricht der Antrieb VABus, nicht Modbus), \
              ferner vertauschte Adern A und B, Abschluss und ob ein zweiter Master am Bus ist; `antrieb scan` fragt alle \
              Adressen",
+        ),
+    ),
+    (
+        "silence.no_acknowledge",
+        Text::new(
+            "check the bit rate (-b; P.903 of every drive), CAN high and low, both terminations, and whether a drive is on the bus at \
+             all: with P.900 = -1, as from the factory, it is not",
+            "Bitrate (-b; P.903 jedes Umrichters), CAN high und low und beide Abschlüsse prüfen, und ob überhaupt ein Umrichter am \
+             Bus ist: mit P.900 = -1, wie ab Werk, ist er es nicht",
+        ),
+    ),
+    (
+        "port.can_unsent",
+        Text::new(
+            "its channel was closed, or it gave the bus up (bus off): unplug it and plug it in again; check bit rate and wiring",
+            "sein Kanal ist geschlossen, oder er hat den Bus aufgegeben (Bus-Off): abziehen und wieder einstecken; Bitrate und \
+             Verdrahtung prüfen",
         ),
     ),
     (

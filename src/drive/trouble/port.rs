@@ -8,7 +8,11 @@ use crate::transport::{LinkError, list_ports};
 
 /// The failure to show when a port cannot be used.
 pub(in crate::drive) fn link(error: &LinkError) -> Failure {
-    let class = if matches!(error, LinkError::Recording { .. }) { Class::Data } else { Class::Port };
+    let class = match error {
+        LinkError::Recording { .. } => Class::Data,
+        LinkError::Unacknowledged { .. } => Class::Silence,
+        _ => Class::Port,
+    };
     let failure = match error {
         LinkError::NotFound(port) => {
             let hint = meant(port, &list_ports().iter().map(ToString::to_string).collect::<Vec<_>>());
@@ -63,6 +67,8 @@ fn code(error: &LinkError) -> &'static str {
         LinkError::Stuck(_) => "port.stuck",
         LinkError::Stranger { .. } => "port.stranger",
         LinkError::Lost(_) => "port.lost",
+        LinkError::Unsent(_) => "port.can_unsent",
+        LinkError::Unacknowledged { .. } => "silence.no_acknowledge",
     }
 }
 
@@ -88,6 +94,11 @@ fn said(error: &LinkError) -> Text {
         LinkError::Lost(port) => {
             both!("{error}", "Anschluss '{port}' verloren: Adapter abgezogen oder Gegenseite hat aufgelegt")
         }
+        LinkError::Unsent(port) => both!("{error}", "der CAN-Adapter an '{port}' lehnt es ab, einen Frame zu senden"),
+        LinkError::Unacknowledged { port, flags } => both!(
+            "{error}",
+            "der CAN-Adapter an '{port}' meldet Fehler (Statusbits {flags:02X}h): niemand am Bus bestätigt seine Frames"
+        ),
         LinkError::Stuck(port) => {
             both!("{error}", "Anschluss '{port}' nimmt keine Bytes an: niemand holt sie dort ab")
         }

@@ -3,6 +3,7 @@
 //! * [`Frame`]: what stands on the bus;
 //! * [`Service`]: what an identifier means by the predefined connection set;
 //! * [`nmt`], [`emergency`], [`sdo`], [`pdo`]: what the data of a service say, to bytes and back;
+//! * [`Telegram`]: a frame of SDO as a conversation has it;
 //! * [`slcan`], [`candump`]: frames as text, of adapters and of recordings.
 
 pub mod candump;
@@ -13,9 +14,11 @@ pub mod nmt;
 pub mod pdo;
 pub mod sdo;
 pub mod slcan;
+mod telegram;
 
 pub use frame::{Body, Frame, FrameError, Identifier, Payload};
 pub use identifier::{EMERGENCIES, FOR_PDOS, LAST_DRIVE, LAST_NODE, PdoNumber, SdoChannel, Service};
+pub use telegram::{Telegram, duration};
 
 #[cfg(test)]
 mod tests;

@@ -67,6 +67,15 @@ pub fn cut(text: &str) -> impl Iterator<Item = &str> {
 }
 
 impl Word {
+    /// Status flags that tell of errors on the bus: error warning, error passive, bus error (Lawicel CANUSB manual, F).
+    pub const ERRORS: u8 = 1 << 2 | 1 << 5 | 1 << 7;
+
+    /// The word that sets a bit rate; `None` for one that has no number.
+    pub fn rate(bit_rate: u32) -> Option<Self> {
+        let place = RATES.iter().position(|rate| u32::from(*rate) * 1_000 == bit_rate)?;
+        u8::try_from(place).ok().map(Word::Rate)
+    }
+
     /// Reads a command without its end.
     pub fn read(word: &str) -> Result<Self, FrameError> {
         let wrong = || FrameError::Form(word.to_owned());

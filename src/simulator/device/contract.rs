@@ -1,10 +1,11 @@
 //! What a station asks of the device behind it.
 //!
 //! [`Device`] is what every device has, however it is asked: time, power, a shaft, memory. What it understands on the
-//! line is a face of its own for each protocol ([`AskedByModbus`], [`AskedByVabus`]); a device that is not asked by one of
+//! line is a face of its own for each protocol ([`AskedByModbus`], [`AskedByVabus`], [`AskedBySdo`]); a device that is not asked by one of
 //! them has no such face, and one that is asked by something else gets another.
 
 use super::counters::Counters;
+use crate::profile::Type;
 use crate::protocol::line::LineSetting;
 use crate::protocol::modbus::pdu::Reply as ModbusReply;
 use crate::protocol::vabus::{Address, Reply as VabusReply, Request};
@@ -70,6 +71,11 @@ pub(crate) trait Device: fmt::Debug + Send + CloneDevice {
 
     /// The device as a slave of VABus.
     fn vabus(&mut self) -> Option<&mut dyn AskedByVabus> {
+        None
+    }
+
+    /// The device as a server of SDO.
+    fn sdo(&mut self) -> Option<&mut dyn AskedBySdo> {
         None
     }
 
@@ -155,6 +161,22 @@ pub(crate) trait AskedByVabus {
 
     /// What a telegram with a wrong check character gets.
     fn garbled(&mut self, own: Address, telegram: &[u8]) -> Option<Response<VabusReply>>;
+}
+
+/// A server of SDO, whatever frames carry it.
+pub(crate) trait AskedBySdo {
+    /// The bits of a value, and its type; or the code of a refusal.
+    fn upload(&mut self, now: Tick, object: Object) -> Result<(u32, Type), u8>;
+
+    /// Takes a value, or tells the code of a refusal.
+    fn download(&mut self, now: Tick, object: Object, bits: u32) -> Result<Effect, u8>;
+}
+
+/// A parameter in a data set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Object {
+    pub(crate) number: u16,
+    pub(crate) set: u8,
 }
 
 /// What a request gets.

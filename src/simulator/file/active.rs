@@ -27,7 +27,19 @@ const HEAVIEST: i64 = 1_000;
 impl BenchFile<'_> {
     /// An ACT or ACU without its line.
     pub(crate) fn active(&self, row: &DriveTable, model: Model, family: Option<&Family>) -> Result<Setup, Broken> {
+        self.active_with(row, model, family, &[])
+    }
+
+    /// The same with these option modules at least.
+    pub(crate) fn active_with(
+        &self,
+        row: &DriveTable,
+        model: Model,
+        family: Option<&Family>,
+        modules: &[&str],
+    ) -> Result<Setup, Broken> {
         let mut setup = Setup::plain(model == Model::Acu);
+        setup.modules = modules.iter().map(|&module| module.to_owned()).collect();
         setup.readings = self.readings(row, model)?;
         setup.strict_remote = row.strict_remote;
         for sto in [&row.stoa, &row.stob].into_iter().flatten() {
@@ -78,7 +90,7 @@ impl BenchFile<'_> {
         family: Option<&Family>,
         setup: &mut Setup,
     ) -> Result<(), Broken> {
-        setup.modules = modules.iter().map(|module| module.get_ref().clone()).collect();
+        setup.modules.extend(modules.iter().map(|module| module.get_ref().clone()));
         for module in modules {
             self.check_module(module, family)?;
         }

@@ -7,6 +7,7 @@
 //! ```
 
 mod active;
+mod can;
 mod drive;
 mod line;
 mod module;

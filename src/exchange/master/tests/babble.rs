@@ -1,6 +1,7 @@
 //! A line that is never silent: the end that no byte can put off.
 
 use super::*;
+use crate::protocol::can::sdo::{Multiplexer, Request::Upload};
 
 /// What an adversary sends: the next bytes, so long after the last ones.
 type Babble = fn(u64) -> (u64, Vec<u8>);
@@ -46,6 +47,7 @@ fn a_line_that_is_never_silent_fails_in_time_whatever_is_spoken_on_it() {
                     vabus::Request::Enquiry { address: Address::drive(1).unwrap(), header }.into()
                 }
                 Protocol::Modbus(_) => Question::from(Request::ReadLong { address: 210 }),
+                Protocol::Sdo(_) => Upload(Multiplexer { index: 411, sub: 0 }).into(),
             };
             let (outcome, took) = beside(&mut master, Tick::ZERO, question, babble);
             assert!(took <= master.limits().longest(protocol, line), "{protocol}, {index}: {took}");

@@ -13,7 +13,7 @@ use crate::profile::Family;
 use crate::protocol::modbus::pdu::Reply as ModbusReply;
 use crate::protocol::vabus::{Address, Reply as VabusReply, Request};
 use crate::simulator::device::contract::{
-    Action, AskedByModbus, AskedByVabus, Device, Effect, Goes, NodeSetting, Response,
+    Action, AskedByModbus, AskedBySdo, AskedByVabus, Device, Effect, Goes, NodeSetting, Response,
 };
 use crate::simulator::device::counters::Counters;
 use crate::tick::Tick;
@@ -21,7 +21,7 @@ use crate::tick::Tick;
 /// An ACT or ACU.
 #[derive(Clone, Debug)]
 pub(crate) struct Drive {
-    active: Active,
+    pub(super) active: Active,
     vabus: Slave,
     port: LineParams,
 }
@@ -97,6 +97,10 @@ impl Device for Drive {
     }
 
     fn vabus(&mut self) -> Option<&mut dyn AskedByVabus> {
+        Some(self)
+    }
+
+    fn sdo(&mut self) -> Option<&mut dyn AskedBySdo> {
         Some(self)
     }
 

@@ -1,8 +1,8 @@
-//! ACTIVE: ACT and ACU of Bonfiglioli Vectron, asked over Modbus and VABus (CM-485 and EM-RES-03 manuals).
+//! ACTIVE: ACT and ACU of Bonfiglioli Vectron, asked over Modbus, VABus and SDO (CM-485 and EM-RES-03 manuals).
 //!
 //! From the ground up: `store` and `spec` (parameters), `machine` (state machine), `state` (all that a drive holds),
-//! `values` (what it makes of that), `life` (time and power), `access` (reading and writing), `modbus` and `vabus` (what it
-//! answers), `line` (where it stands on its line), `drive` (all of it behind the contract).
+//! `values` (what it makes of that), `life` (time and power), `access` (reading and writing), `modbus`, `vabus` and `sdo` (what
+//! it answers), `line` (where it stands on its line), `drive` (all of it behind the contract).
 
 mod access;
 pub(crate) mod analog;
@@ -14,6 +14,7 @@ mod machine;
 mod modbus;
 pub(crate) mod readings;
 pub(crate) mod resolver;
+mod sdo;
 pub(crate) mod setup;
 mod spec;
 mod state;

@@ -1,0 +1,74 @@
+//! What is otherwise where the line is a CAN bus.
+
+use crate::args::Settings;
+use crate::drive::job::{self, Step};
+use crate::failure::{Class, Failure};
+use crate::outcome::Outcome;
+use crate::text::{Text, both};
+
+/// The place of a node on the bus: node, bit rate, the identifiers of SDO1, whether SDO2 is there (EM-RES-03 manual 5.4, 5.5, 5.9.4).
+const PLACE: [u32; 5] = [900, 903, 921, 922, 923];
+/// Largest node of a drive (manual 5.5).
+pub(super) const LAST_NODE: u8 = 63;
+/// What a question ends with that nobody answers.
+const SILENT: &str = "silence.no_reply";
+
+/// No drive has a node from the factory (P.900 = -1), so none is taken unasked.
+pub(super) fn no_node() -> Failure {
+    let message = both!(
+        "expected the node of a drive, got none",
+        "erwartet: der Knoten eines Umrichters; es ist keiner angegeben"
+    );
+    Failure::new(Class::Usage, "usage.address", message).hint(both!(
+        "name it with -a, from 1 to 63: it is P.900, and -1 from the factory",
+        "mit -a angeben, 1 bis 63: er steht in P.900, ab Werk -1"
+    ))
+}
+
+/// Refuses what would cut our own line, and what nobody knows how to write: every answer has four bytes, so no width is found by asking.
+pub(super) fn check(settings: &Settings, steps: &[Step]) -> Result<(), Failure> {
+    if !settings.is_can() {
+        return Ok(());
+    }
+    if let Some(step) = steps.iter().find(|step| PLACE.contains(&step.param.id)) {
+        let label = step.param.label();
+        let message = both!(
+            "{label} is a setting of the bus that this goes over, and no source tells when it holds; nothing was sent",
+            "{label} ist eine Einstellung des Busses, über den dies geht, und keine Quelle nennt, ab wann sie gilt; es wurde nichts gesendet"
+        );
+        return Err(Failure::new(Class::Forbidden, "forbidden.own_line", message).with("param", step.param.id).hint(
+            both!(
+                "write it over the serial plug of the drive",
+                "über den seriellen Anschluss des Umrichters schreiben"
+            ),
+        ));
+    }
+    match steps.iter().find(|step| step.kind.is_none()) {
+        Some(step) => Err(job::no_width(&step.param)),
+        None => Ok(()),
+    }
+}
+
+/// What to do where a node is silent is another matter than on a serial line.
+pub fn advised(outcome: Result<Outcome, Failure>) -> Outcome {
+    let mut outcome = outcome.unwrap_or_else(Outcome::from);
+    outcome.each_error(&mut |error| {
+        if error.code == SILENT {
+            error.hint = Some(silent());
+        }
+    });
+    let failure = outcome.failure.map(|failure| match failure.code == SILENT {
+        true => failure.hint(silent()),
+        false => failure,
+    });
+    Outcome { failure, ..outcome }
+}
+
+fn silent() -> Text {
+    both!(
+        "somebody acknowledges on the bus, so bit rate and wiring fit; check the node (P.900), whether SDO2 is active (P.923; \
+         --protocol sdo1 is the way without it), and whether the node is stopped: then only its serial plug answers",
+        "jemand bestätigt am Bus, Bitrate und Verdrahtung passen also; den Knoten prüfen (P.900), ob SDO2 aktiv ist (P.923; ohne \
+         es geht --protocol sdo1), und ob der Knoten gestoppt ist: dann antwortet nur sein serieller Anschluss"
+    )
+}

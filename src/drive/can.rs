@@ -1,0 +1,117 @@
+//! A CAN bus as a line of a session: the channel of an adapter is opened, the bus is listened to, and what would disturb others ends it
+//! before anything is sent.
+
+mod trouble;
+
+use super::interrupt::Interrupt;
+use super::pump;
+use super::{AccessError, Opening};
+use crate::exchange::can::{Channel, Opened, Opening as Conversation, Traffic};
+use crate::failure::Failure;
+use crate::outcome::Event;
+use crate::protocol::can::SdoChannel;
+use crate::protocol::can::slcan::Word;
+use crate::text::{Text, both};
+use crate::transport::{Ailing, Between, Link, LinkError};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// Opens the bus behind an adapter for SDOs over one of their channels.
+pub(super) async fn open(
+    link: &mut Link,
+    opening: &Opening<'_>,
+    channel: SdoChannel,
+    interrupt: &Interrupt,
+    observe: &mut dyn FnMut(Event),
+) -> Result<Heard, Failure> {
+    let (port, bit_rate) = (opening.port.to_string(), opening.line.baud);
+    let rate = number(bit_rate).ok_or_else(|| trouble::bit_rate(bit_rate))?;
+    let opened = pump::run(&mut Conversation::new(rate), link, interrupt, None).await;
+    let opened = opened.map_err(|error| AccessError::from(error).failure(0, None))?;
+    let opened = opened.map_err(|why| trouble::unopened(&port, bit_rate, &why))?;
+    for note in notes(&port, &opened) {
+        observe(Event::Note(note));
+    }
+    forbidden(&opened.traffic, channel).map_or(Ok(()), Err)?;
+    let heard = Rc::new(RefCell::new(opened.traffic));
+    link.put_between(Box::new(Channel::new(channel, heard.clone())));
+    Ok(heard)
+}
+
+/// What is heard on a bus, from before the first question on.
+pub(super) type Heard = Rc<RefCell<Traffic>>;
+
+/// Opens it again behind an adapter that was lost, where the same holds.
+pub(super) async fn reopen(
+    link: &mut Link,
+    bit_rate: u32,
+    channel: SdoChannel,
+    interrupt: &Interrupt,
+) -> Result<(), AccessError> {
+    link.part();
+    link.reopen().await?;
+    let opened = match number(bit_rate) {
+        Some(rate) => pump::run(&mut Conversation::new(rate), link, interrupt, None).await?.ok(),
+        None => None,
+    };
+    if opened.is_none_or(|opened| forbidden(&opened.traffic, channel).is_some()) {
+        return Err(LinkError::Unsent(link.adapter().name).into());
+    }
+    link.put_between(Box::new(Channel::new(channel, Heard::default())));
+    Ok(())
+}
+
+/// The number of a bit rate in SLCAN.
+fn number(bit_rate: u32) -> Option<u8> {
+    match Word::rate(bit_rate) {
+        Some(Word::Rate(number)) => Some(number),
+        _ => None,
+    }
+}
+
+/// What is to be known of the adapter.
+fn notes(port: &str, opened: &Opened) -> Vec<Text> {
+    let mute = opened.is_mute.then(|| {
+        both!(
+            "{port}: the adapter acknowledges nothing; if nobody answers, perhaps it is none that speaks SLCAN",
+            "{port}: der Adapter bestätigt nichts; antwortet niemand, so ist er vielleicht keiner, der SLCAN spricht"
+        )
+    });
+    let acknowledged = opened.acknowledged.then(|| {
+        both!(
+            "{port}: the adapter cannot only listen, so it took part in the bus while it was listened to",
+            "{port}: der Adapter kann nicht nur zuhören und nahm deshalb schon beim Zuhören am Bus teil"
+        )
+    });
+    mute.into_iter().chain(acknowledged).collect()
+}
+
+/// Why nobody may be asked over a channel, if so: it belongs to who was heard.
+fn forbidden(traffic: &Traffic, channel: SdoChannel) -> Option<Failure> {
+    match channel {
+        SdoChannel::Two if traffic.asks(channel) => Some(trouble::other_tool()),
+        SdoChannel::One if traffic.asks(channel) || traffic.has_master => Some(trouble::other_master()),
+        _ => None,
+    }
+}
+
+impl Between for Channel {
+    fn put(&mut self, telegram: &[u8]) -> Vec<u8> {
+        Channel::put(self, telegram)
+    }
+
+    fn take(&mut self, said: &[u8]) -> Vec<u8> {
+        Channel::take(self, said)
+    }
+
+    fn ailing(&mut self) -> Option<Ailing> {
+        match self.refused() {
+            true => Some(Ailing::Unsent),
+            false => self.ails().map(Ailing::Unacknowledged),
+        }
+    }
+
+    fn farewell(&self) -> &'static [u8] {
+        Channel::farewell()
+    }
+}

@@ -1,0 +1,114 @@
+//! Adapters of every kind, by hand.
+
+use super::{Channel, Opening, Unopened};
+use crate::exchange::{Conversation, Step};
+use crate::protocol::can::{SdoChannel, Telegram};
+use crate::tick::{Span, Tick};
+use proptest::prelude::*;
+use std::rc::Rc;
+
+/// Opens behind an adapter that says this to that; how it ended, what it was told, and when.
+fn opened(says: impl Fn(&str) -> Vec<u8>) -> (<Opening as Conversation>::End, Vec<String>, Span) {
+    let (mut opening, mut now, mut told) = (Opening::new(6), Tick::ZERO, Vec::new());
+    loop {
+        match opening.step(now) {
+            Step::Done(end) => return (end, told, now.since(Tick::ZERO)),
+            Step::Wait(until) => {
+                opening.feed(now, &says(""));
+                now = until.max(now + Span::from_millis(1));
+            }
+            Step::Send(bytes) => {
+                let word = String::from_utf8(bytes).unwrap().trim_end().to_owned();
+                opening.feed(now, &says(&word));
+                told.push(word);
+            }
+        }
+    }
+}
+
+fn channel(sdo: SdoChannel) -> Channel {
+    Channel::new(sdo, Rc::default())
+}
+
+const WORDS: [&str; 8] = ["", "C", "V", "S6", "L", "F", "C", "O"];
+
+#[test]
+fn the_bus_is_listened_to_before_the_channel_is_opened() {
+    let (end, told, took) = opened(|word| match word {
+        "V" => b"V1013\r".to_vec(),
+        "F" => b"F00\r".to_vec(),
+        "C" => b"\x07".to_vec(),
+        _ => b"\r".to_vec(),
+    });
+    let end = end.unwrap();
+    assert_eq!((told, end.version.as_deref(), end.is_mute), (WORDS.map(str::to_owned).to_vec(), Some("1013"), false));
+    assert!(took >= Span::from_millis(1_250) && took < Span::from_secs(3), "{took}");
+}
+
+#[test]
+fn an_adapter_that_says_nothing_is_opened_and_known() {
+    let (end, told, took) = opened(|_| Vec::new());
+    assert!(end.unwrap().is_mute && told == WORDS && took < Span::from_secs(5), "{took}");
+}
+
+#[test]
+fn what_is_refused_ends_it_and_what_only_listens_for_itself_does_not() {
+    let but = |refused: &'static str| {
+        opened(move |word| match word {
+            "F" => b"F00\r".to_vec(),
+            word if word == refused => b"\x07".to_vec(),
+            _ => b"\r".to_vec(),
+        })
+    };
+    assert_eq!(but("S6").0, Err(Unopened::Rate));
+    assert_eq!(but("O").0, Err(Unopened::Refused));
+    let (end, told, _) = but("L");
+    assert!(end.unwrap().acknowledged);
+    assert_eq!(told[4..], ["L", "O", "F"]);
+}
+
+#[test]
+fn errors_without_a_frame_are_another_bit_rate() {
+    let says = |frame: &'static [u8]| {
+        move |word: &str| match word {
+            "F" => b"F84\r".to_vec(),
+            "L" => [b"\r", frame].concat(),
+            _ => b"\r".to_vec(),
+        }
+    };
+    assert_eq!(opened(says(b"")).0, Err(Unopened::Errors(0x84)));
+    assert_eq!(opened(says(b"t0800\r")).0.unwrap().traffic.frames, 1);
+}
+
+#[test]
+fn a_flood_and_what_is_no_adapter_end_it_in_time() {
+    let (end, _, took) = opened(|_| vec![0x55; 2_000]);
+    assert!(matches!(end, Err(Unopened::NoAdapter(bytes)) if bytes > 2_000) && took < Span::from_secs(5), "{took}");
+}
+
+#[test]
+fn a_channel_passes_on_its_own_sdos_and_nothing_else() {
+    let mut channel = channel(SdoChannel::Two);
+    let asked = Telegram::request(SdoChannel::Two, 5, [0x40, 0x9B, 1, 0, 0, 0, 0, 0]).unwrap();
+    assert_eq!(channel.put(&asked.encode()), b"t6458409B010000000000\r");
+    assert!(channel.take(b"z\rt0800\rt585842").is_empty());
+    assert!(channel.take(b"9B010033000000\rt5C5842").is_empty(), "the other channel");
+    let reply = channel.take(b"9B010033000000\rT000005C50\r");
+    assert_eq!(reply, [5, 0xC5, 0x42, 0x9B, 1, 0, 0x33, 0, 0, 0]);
+    // Nobody answers: the adapter is asked how the bus is, and tells.
+    channel.put(&asked.encode());
+    assert_eq!(channel.put(&asked.encode()), b"F\rt6458409B010000000000\r");
+    assert_eq!((channel.take(b"FA4\rz\r").len(), channel.ails(), channel.refused()), (0, Some(0xA4), false));
+    channel.take(b"\x07");
+    assert!(channel.refused() && !channel.refused());
+}
+
+proptest! {
+    #[test]
+    fn no_bytes_bring_it_down(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        let mut channel = channel(SdoChannel::One);
+        prop_assert!(channel.take(&bytes).len() % Telegram::LEN == 0);
+        let (_, _, took) = opened(|_| bytes.clone());
+        prop_assert!(took < Span::from_secs(6));
+    }
+}

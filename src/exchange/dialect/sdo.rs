@@ -1,0 +1,184 @@
+//! SDO in a conversation: a question is one frame and so is its answer, which names the parameter and the data set, a refusal too. What
+//! comes are whole frames of SDO and nothing else: [`crate::exchange::can`] has cut them out of what an adapter says.
+
+use super::{Asks, Cut, Found, Question, STRAGGLE, Said, Says, Speech};
+use crate::protocol::Protocol;
+use crate::protocol::can::sdo::{Multiplexer, Reply, Request};
+use crate::protocol::can::{SdoChannel, Service, Telegram, duration};
+use crate::protocol::line::LineSetting;
+use crate::tick::Span;
+
+/// SDO over one of the channels, which has nothing to remember.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::exchange) struct Sdo(pub(super) SdoChannel);
+
+/// The error register is cleared by reading (P.11).
+const ERROR_REGISTER: u16 = 11;
+
+impl From<Request> for Question {
+    fn from(request: Request) -> Self {
+        Question::Sdo(request)
+    }
+}
+
+/// Whose value a question or an answer is about.
+fn of_request(request: &Request) -> Option<Multiplexer> {
+    match request {
+        Request::Upload(of) | Request::Download(of, _) => Some(*of),
+        _ => None,
+    }
+}
+
+impl Asks for Request {
+    fn telegram(&self, station: u8) -> Vec<u8> {
+        let telegram = Telegram::request(SdoChannel::Two, station, self.encode());
+        telegram.map(|telegram| telegram.encode().to_vec()).unwrap_or_default()
+    }
+
+    fn is_write(&self) -> bool {
+        matches!(self, Request::Download(..))
+    }
+
+    fn is_answered_by(&self, said: &Said) -> bool {
+        let Said::Sdo(reply) = said else { return false };
+        match (self, reply) {
+            (Request::Upload(asked), Reply::Upload(of, _)) => asked == of,
+            (Request::Download(asked, _), Reply::Downloaded(of)) => asked == of,
+            (asked, Reply::Abort(of, _)) => of_request(asked) == Some(*of),
+            _ => false,
+        }
+    }
+
+    fn function(&self) -> u8 {
+        u8::from(Asks::is_write(self))
+    }
+
+    fn is_harmless(&self) -> bool {
+        matches!(self, Request::Upload(of) if of.index != ERROR_REGISTER)
+    }
+}
+
+impl Says for Reply {
+    fn is_refusal(&self) -> bool {
+        matches!(self, Reply::Abort(..))
+    }
+}
+
+impl Sdo {
+    /// The node that a frame of this channel comes from, and what it says.
+    fn reply(self, bytes: &[u8]) -> Option<(u8, Reply)> {
+        let telegram = Telegram::decode(bytes)?;
+        match telegram.service() {
+            Service::SdoReply(channel, node) if channel == self.0 => Some((node, Reply::decode(telegram.data))),
+            _ => None,
+        }
+    }
+}
+
+impl Speech for Sdo {
+    fn protocol(&self) -> Protocol {
+        Protocol::Sdo(self.0)
+    }
+
+    fn encode(&mut self, station: u8, question: &Question) -> Vec<u8> {
+        let Question::Sdo(request) = question else { return question.asks().telegram(station) };
+        let telegram = Telegram::request(self.0, station, request.encode());
+        telegram.map(|telegram| telegram.encode().to_vec()).unwrap_or_default()
+    }
+
+    fn find(&self, came: &[u8], station: u8, question: &Question) -> Option<Found> {
+        let Question::Sdo(request) = question else { return None };
+        let (frames, _) = came.as_chunks::<{ Telegram::LEN }>();
+        (0..).zip(frames).find_map(|(place, frame)| {
+            let (node, reply) = self.reply(frame)?;
+            let said = Said::Sdo(reply);
+            let start = place * Telegram::LEN;
+            let fits = node == station && Asks::is_answered_by(request, &said);
+            fits.then_some(Found { start, end: start + Telegram::LEN, said })
+        })
+    }
+
+    fn sender(&self, bytes: &[u8]) -> Option<(u8, Option<Said>)> {
+        let telegram = Telegram::decode(bytes)?;
+        match telegram.service() {
+            Service::SdoReply(_, node) => Some((node, Some(Said::Sdo(Reply::decode(telegram.data))))),
+            Service::SdoRequest(_, node) => Some((node, None)),
+            _ => None,
+        }
+    }
+
+    fn question(&self, bytes: &[u8]) -> Option<(u8, Question)> {
+        let telegram = Telegram::decode(bytes)?;
+        match telegram.service() {
+            Service::SdoRequest(channel, node) if channel == self.0 => {
+                Some((node, Question::Sdo(Request::decode(telegram.data))))
+            }
+            _ => None,
+        }
+    }
+
+    fn cutter(&self, _: LineSetting) -> (Box<dyn Cut>, Span) {
+        (Box::new(Frames::default()), STRAGGLE)
+    }
+
+    fn names_its_question(&self) -> bool {
+        true
+    }
+
+    fn least_turnaround(&self, _: LineSetting) -> Span {
+        Span::ZERO
+    }
+
+    fn duration(&self, line: LineSetting, bytes: usize) -> Span {
+        let frames = bytes.div_ceil(Telegram::LEN) as u64;
+        duration(line.baud, 8).times(frames)
+    }
+
+    /// The bus itself parts frames.
+    fn gap(&self, _: LineSetting, _: Span) -> Span {
+        Span::ZERO
+    }
+
+    /// What comes is whole.
+    fn straggle(&self, _: &[u8]) -> Span {
+        Span::ZERO
+    }
+
+    fn longest_straggle(&self) -> Span {
+        Span::ZERO
+    }
+
+    fn shortest_reply(&self) -> usize {
+        Telegram::LEN
+    }
+
+    /// An acknowledgement tells no value: what was written before under the same name is answered alike.
+    fn answers_alike(&self, missing: &Question, question: &Question) -> bool {
+        let (Question::Sdo(missing), Question::Sdo(question)) = (missing, question) else { return true };
+        Asks::is_write(missing) == Asks::is_write(question) && of_request(missing) == of_request(question)
+    }
+
+    /// A refusal names the parameter, but not whether it was read or written.
+    fn refusals_alike(&self, missing: &Question, question: &Question) -> bool {
+        let (Question::Sdo(missing), Question::Sdo(question)) = (missing, question) else { return true };
+        of_request(missing) == of_request(question)
+    }
+}
+
+/// Whole frames, one behind the other.
+#[derive(Debug, Default)]
+struct Frames(Vec<u8>);
+
+impl Cut for Frames {
+    fn feed(&mut self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        self.0.extend(bytes);
+        let (frames, rest) = self.0.as_chunks::<{ Telegram::LEN }>();
+        let (frames, rest) = (frames.iter().map(|frame| frame.to_vec()).collect(), rest.to_vec());
+        self.0 = rest;
+        frames
+    }
+
+    fn silence(&mut self) -> Vec<Vec<u8>> {
+        Some(std::mem::take(&mut self.0)).into_iter().filter(|rest| !rest.is_empty()).collect()
+    }
+}

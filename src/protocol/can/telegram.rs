@@ -1,0 +1,73 @@
+//! A frame of SDO as bytes: its identifier, and all eight of its data. What a conversation says and hears in place of characters.
+
+use super::frame::{Body, Frame, Identifier, Payload};
+use super::identifier::{LAST_DRIVE, SdoChannel, Service};
+use crate::tick::Span;
+
+/// A frame of eight bytes under an identifier of 11 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Telegram {
+    /// Its identifier.
+    pub identifier: u16,
+    /// Its data.
+    pub data: [u8; Payload::MOST],
+}
+
+impl Telegram {
+    /// Bytes of it: two of the identifier, most significant first, and the data.
+    pub const LEN: usize = 10;
+
+    /// A question to a node over a channel; `None` for a node that no drive has.
+    pub fn request(channel: SdoChannel, node: u8, data: [u8; Payload::MOST]) -> Option<Self> {
+        let node = (node <= LAST_DRIVE).then_some(node)?;
+        Some(Telegram { identifier: Service::SdoRequest(channel, node).identifier()?, data })
+    }
+
+    /// `None` for a frame of anything but 11 bits and eight bytes.
+    pub fn of(frame: &Frame) -> Option<Self> {
+        match (frame.identifier, &frame.body) {
+            (Identifier::Standard(identifier), Body::Data(payload)) => {
+                Some(Telegram { identifier, data: payload.eight()? })
+            }
+            _ => None,
+        }
+    }
+
+    /// `None` for bytes that are none.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        let (head, data) = bytes.split_first_chunk()?;
+        let identifier = u16::from_be_bytes(*head);
+        let data = data.try_into().ok()?;
+        (identifier <= Identifier::MAX_STANDARD).then_some(Telegram { identifier, data })
+    }
+
+    /// Its bytes.
+    pub fn encode(&self) -> [u8; Self::LEN] {
+        let [high, low] = self.identifier.to_be_bytes();
+        let [a, b, c, d, e, f, g, h] = self.data;
+        [high, low, a, b, c, d, e, f, g, h]
+    }
+
+    /// The frame that carries it.
+    pub fn frame(&self) -> Frame {
+        Frame { identifier: Identifier::Standard(self.identifier), body: Body::Data(self.data.into()) }
+    }
+
+    /// What its identifier is for.
+    pub fn service(&self) -> Service {
+        Service::of(self.identifier)
+    }
+}
+
+/// Bits of a frame of 11 bits around its data, with the three between frames (ISO 11898-1), and those of each byte.
+const AROUND: u64 = 47;
+const BITS_PER_BYTE: u64 = 8;
+/// Bits of a frame that may be stuffed, without its data: after every four of them at most one is (ISO 11898-1).
+const STUFFED: u64 = 34;
+
+/// The longest that a frame of so many bytes takes on a bus.
+pub fn duration(bit_rate: u32, bytes: u64) -> Span {
+    let data = bytes * BITS_PER_BYTE;
+    let bits = AROUND + data + (STUFFED + data - 1) / 4;
+    Span::from_micros((bits * 1_000_000).div_ceil(u64::from(bit_rate.max(1))))
+}

@@ -1,0 +1,295 @@
+//! The wire: one frame at a time, the smallest identifier first, everybody hears it (ISO 11898-1).
+
+use super::adapter::{Adapter, Channel, Out, Quirks};
+use super::node::Node;
+use crate::protocol::can::{Body, Frame, SdoChannel, Service, duration};
+use crate::protocol::line::{LineSetting, Parity};
+use crate::simulator::dice::Dice;
+use crate::tick::{Span, Tick};
+use std::collections::VecDeque;
+
+/// A CAN bus with drives on it, behind an adapter, and its judge.
+#[derive(Clone, Debug)]
+pub struct Can {
+    now: Tick,
+    /// Bits per second of everybody but the adapter.
+    rate: u32,
+    nodes: Vec<Node>,
+    foreign: Vec<Foreign>,
+    adapter: Adapter,
+    /// What waits for the bus.
+    waiting: Vec<(Sender, Frame)>,
+    /// What is on it, and until when.
+    running: Option<(Tick, Sender, Frame)>,
+    /// What comes to the host of the adapter.
+    heard: VecDeque<(Tick, u8)>,
+    /// Of a thousand frames to the adapter or from it, so many are lost.
+    losses: u64,
+    dice: Dice,
+    remarks: Vec<String>,
+    received: u64,
+    answered: u64,
+}
+
+/// Somebody else who says the same again and again.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Foreign {
+    pub(crate) frame: Frame,
+    pub(crate) every: Span,
+    pub(crate) at: Tick,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sender {
+    Adapter,
+    Node(usize),
+    Foreign,
+}
+
+/// Everything of a bus but its drives.
+#[derive(Clone, Debug)]
+pub(crate) struct Setup {
+    pub(crate) rate: u32,
+    pub(crate) quirks: Quirks,
+    pub(crate) foreign: Vec<Foreign>,
+    pub(crate) losses: u64,
+    pub(crate) seed: u64,
+}
+
+/// Bit rate of the standard bus; the factory setting of P.903 is not printed.
+pub(crate) const RATE: u32 = 500_000;
+/// Remarks kept.
+const MOST_REMARKS: usize = 1_000;
+/// Bytes that the driver keeps for a master that does not read.
+const MOST_HEARD: usize = 65_536;
+/// Frames that wait for the bus; a controller has some.
+const MOST_WAITING: usize = 256;
+/// Status flags of an adapter that hears what is no frame, and of one whom nobody acknowledges (Lawicel CANUSB manual, F).
+const HEARS_ERRORS: u8 = 1 << 7 | 1 << 2;
+const UNACKNOWLEDGED: u8 = 1 << 7 | 1 << 5 | 1 << 2;
+/// Events at one and the same time after which the bus moves on whatever happens.
+const MOST_AT_ONCE: u32 = 10_000;
+
+impl Can {
+    pub(crate) fn new(setup: Setup, nodes: Vec<Node>) -> Self {
+        Can {
+            now: Tick::ZERO,
+            rate: setup.rate,
+            nodes,
+            foreign: setup.foreign,
+            adapter: Adapter::new(setup.quirks),
+            waiting: Vec::new(),
+            running: None,
+            heard: VecDeque::new(),
+            losses: setup.losses,
+            dice: Dice::new(setup.seed),
+            remarks: Vec::new(),
+            received: 0,
+            answered: 0,
+        }
+    }
+
+    /// How a host talks to the adapter.
+    pub fn line(&self) -> LineSetting {
+        LineSetting { baud: 115_200, data_bits: 8, parity: Parity::None, stop_bits: 1 }
+    }
+
+    /// Bits per second.
+    pub fn rate(&self) -> u32 {
+        self.rate
+    }
+
+    /// What is on it: word of the family, and its node, if it takes part.
+    pub fn nodes(&self) -> impl Iterator<Item = (&'static str, Option<u8>)> {
+        self.nodes.iter().map(|node| (node.device.model(), node.id))
+    }
+
+    /// Raw value in the RAM of a node.
+    pub fn ram(&self, node: u8, number: u32, set: u8) -> Option<i64> {
+        self.nodes.iter().find(|found| found.id == Some(node))?.device.ram(number, set)
+    }
+
+    /// Raw value in the EEPROM of a node.
+    pub fn eeprom(&self, node: u8, number: u32, set: u8) -> Option<i64> {
+        self.nodes.iter().find(|found| found.id == Some(node))?.device.eeprom(number, set)
+    }
+
+    /// What the judge noted about the master, the first thousand.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// Whether the adapter takes part in the bus.
+    pub fn is_open(&self) -> bool {
+        self.adapter.channel == Channel::Open
+    }
+
+    /// Frames of the master, answers, and cells of EEPROMs written.
+    pub fn counts(&self) -> [u64; 3] {
+        let writes = self.nodes.iter().map(|node| node.device.eeprom_writes()).sum();
+        [self.received, self.answered, writes]
+    }
+
+    /// Shafts that turn, and drives that feed a motor.
+    pub fn turning(&self) -> [u64; 2] {
+        let turning = self.nodes.iter().map(|node| node.device.turning(self.now)).sum();
+        [turning, self.nodes.iter().map(|node| node.device.energised()).sum()]
+    }
+
+    /// The host of the adapter says this.
+    pub fn master_sends(&mut self, at: Tick, bytes: &[u8]) {
+        let at = at.max(self.now);
+        self.run_to(at);
+        for &byte in bytes {
+            for out in self.adapter.feed(byte) {
+                match out {
+                    Out::Says(text, later) => self.say(&text, later),
+                    Out::Sends(frame) => self.take(frame),
+                }
+            }
+        }
+    }
+
+    /// A frame of the master.
+    fn take(&mut self, frame: Frame) {
+        self.received += 1;
+        self.judge(&frame);
+        let has_partner = self.nodes.iter().any(|node| node.id.is_some()) || !self.foreign.is_empty();
+        if self.adapter.rate != Some(self.rate) || !has_partner {
+            return self.adapter.flags(UNACKNOWLEDGED);
+        }
+        self.wait_for_bus(Sender::Adapter, frame);
+    }
+
+    fn judge(&mut self, frame: &Frame) {
+        let identifier = frame.identifier.number();
+        let service = u16::try_from(identifier).map_or(Service::Free, Service::of);
+        let has_master = self.nodes.iter().any(Node::is_master);
+        match service {
+            Service::SdoRequest(SdoChannel::Two, _) => {}
+            Service::SdoRequest(SdoChannel::One, _) if has_master => self.remark("SDO1 is the master's"),
+            Service::SdoRequest(SdoChannel::One, _) => {}
+            _ => self.remark(&format!("{frame}: nothing but questions over SDO is anybody's but the master's")),
+        }
+        if self.adapter.rate != Some(self.rate) {
+            self.remark("the adapter disturbs the bus: it sends at another bit rate");
+        }
+        if matches!(frame.body, Body::Remote(_)) {
+            self.remark("a remote request, which no drive answers");
+        }
+    }
+
+    fn remark(&mut self, text: &str) {
+        if self.remarks.len() < MOST_REMARKS {
+            self.remarks.push(format!("{} us: {text}", self.now.as_micros()));
+        }
+    }
+
+    /// The adapter says something to its host.
+    fn say(&mut self, text: &str, later: Span) {
+        let at = self.now + self.adapter.quirks.latency + later;
+        self.heard.extend(text.bytes().map(|byte| (at, byte)));
+        let surplus = self.heard.len().saturating_sub(MOST_HEARD);
+        self.heard.drain(..surplus);
+    }
+
+    fn wait_for_bus(&mut self, sender: Sender, frame: Frame) {
+        if self.waiting.len() < MOST_WAITING {
+            self.waiting.push((sender, frame));
+        }
+    }
+
+    /// The next moment at which something may change if the master stays silent.
+    pub fn next_event(&self) -> Option<Tick> {
+        self.next_inside().into_iter().chain(self.heard.iter().map(|heard| heard.0)).min()
+    }
+
+    fn next_inside(&self) -> Option<Tick> {
+        let nodes = self.nodes.iter().filter_map(Node::next);
+        let foreign = self.foreign.iter().map(|foreign| foreign.at);
+        let waiting = (!self.waiting.is_empty() && self.running.is_none()).then_some(self.now);
+        nodes.chain(foreign).chain(self.running.map(|running| running.0)).chain(waiting).min()
+    }
+
+    /// Runs until `to`, inclusive; returns every byte that came to the host since the last call, with its time.
+    pub fn advance(&mut self, to: Tick) -> Vec<(Tick, u8)> {
+        self.run_to(to);
+        self.heard.make_contiguous().sort_by_key(|heard| heard.0);
+        let due = self.heard.partition_point(|heard| heard.0 <= to);
+        self.heard.drain(..due).collect()
+    }
+
+    fn run_to(&mut self, to: Tick) {
+        let mut at_once = 0;
+        while let Some(next) = self.next_inside().filter(|next| *next <= to) {
+            at_once = if next > self.now { 0 } else { at_once + 1 };
+            if at_once > MOST_AT_ONCE {
+                break;
+            }
+            self.now = self.now.max(next);
+            self.step();
+        }
+        self.now = self.now.max(to);
+    }
+
+    fn step(&mut self) {
+        let now = self.now;
+        if let Some((_, sender, frame)) = self.running.filter(|running| running.0 <= now) {
+            self.running = None;
+            self.deliver(sender, &frame);
+        }
+        for place in 0..self.nodes.len() {
+            let said = self.nodes.get_mut(place).map(|node| node.run(now)).unwrap_or_default();
+            said.into_iter().for_each(|frame| self.wait_for_bus(Sender::Node(place), frame));
+        }
+        for place in 0..self.foreign.len() {
+            let Some(foreign) = self.foreign.get_mut(place).filter(|foreign| foreign.at <= now) else { continue };
+            foreign.at = now + foreign.every;
+            let frame = foreign.frame;
+            self.wait_for_bus(Sender::Foreign, frame);
+        }
+        self.arbitrate();
+    }
+
+    /// Who has the smallest identifier gets a bus that is free.
+    fn arbitrate(&mut self) {
+        if self.running.is_some() {
+            return;
+        }
+        let first =
+            (0..self.waiting.len()).min_by_key(|place| self.waiting.get(*place).map(|(_, frame)| frame.identifier));
+        let Some((sender, frame)) = first.map(|place| self.waiting.remove(place)) else { return };
+        let ends = self.now + duration(self.rate, frame.bytes().len() as u64);
+        self.running = Some((ends, sender, frame));
+    }
+
+    /// A frame is over: everybody but who sent it has heard it.
+    fn deliver(&mut self, sender: Sender, frame: &Frame) {
+        let now = self.now;
+        let fits = self.adapter.rate == Some(self.rate);
+        if sender != Sender::Adapter && self.adapter.channel != Channel::Closed && !fits {
+            self.adapter.flags(HEARS_ERRORS);
+            if self.adapter.channel == Channel::Open {
+                // Its error frames spoil everything.
+                return self.remark("the adapter disturbs the bus: it takes part at another bit rate");
+            }
+        } else if sender != Sender::Adapter
+            && !self.chance()
+            && let Some(text) = self.adapter.hears(frame)
+        {
+            self.say(&text, Span::ZERO);
+        }
+        if sender == Sender::Adapter && self.chance() {
+            return;
+        }
+        for (place, node) in self.nodes.iter_mut().enumerate() {
+            if sender != Sender::Node(place) {
+                self.answered += u64::from(node.hear(now, frame));
+            }
+        }
+    }
+
+    fn chance(&mut self) -> bool {
+        self.losses > 0 && self.dice.below(1_000) < self.losses
+    }
+}

@@ -1,0 +1,11 @@
+//! A CAN bus with drives on it as the EM-RES-03 manual (chapter 5) has them, behind an adapter that speaks SLCAN.
+//!
+//! `bus` is the wire: who sends, who wins it, who hears; `node` a drive on it; `adapter` what the master is connected to, with what
+//! adapters do each in its own way; `readings` what the manual leaves open.
+
+pub(crate) mod adapter;
+pub(crate) mod bus;
+pub(crate) mod node;
+pub(crate) mod readings;
+#[cfg(test)]
+mod tests;

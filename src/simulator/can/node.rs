@@ -1,0 +1,318 @@
+//! A drive on the bus: its place, its state, what it answers and what it says by itself (EM-RES-03 manual 5.8 to 5.10).
+//!
+//! Choices where the manual is silent:
+//! - it is there as soon as the bench begins, Pre-Operational, and has said its boot-up before;
+//! - after Reset Node and Reset Communication it says its boot-up 100 ms later, behind a software reset when that is over;
+//! - a question of less than eight bytes is none; an emergency is sent in every state.
+
+use super::readings::{Reading, Readings};
+use crate::profile::Type;
+use crate::protocol::can::emergency::Emergency;
+use crate::protocol::can::nmt::{Command, Life, Order};
+use crate::protocol::can::sdo::{AbortCode, Initiate, Multiplexer, Reply, Request};
+use crate::protocol::can::{Body, Frame, Identifier, SdoChannel, Service};
+use crate::simulator::device::contract::{Action, Device, Effect, Object, RESTART};
+use crate::simulator::station::script::Script;
+use crate::tick::{Span, Tick};
+
+/// How a node takes part; the numbers are those of P.978 (manual 5.12).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum State {
+    PreOperational = 1,
+    Operational = 2,
+    Stopped = 3,
+}
+
+/// A drive on the bus.
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    pub(crate) device: Box<dyn Device>,
+    script: Script,
+    readings: Readings,
+    reply_delay: Span,
+    /// Its node, 0 for the master; `None` where it is off the bus.
+    pub(crate) id: Option<u8>,
+    pub(crate) state: State,
+    /// It initialises until then, and says its boot-up; whether it takes the place that its parameters name.
+    booting: Option<(Tick, bool)>,
+    /// What it has to say, and when.
+    saying: Vec<(Tick, Frame)>,
+    /// The fault that stood when it was looked at last.
+    fault: u16,
+    /// The master starts everybody then, and beats the time.
+    starts: Option<Tick>,
+    beats: Option<Tick>,
+}
+
+/// Parameters of the system bus (manual 7.2), and the fault key of the basic manual.
+const NODE_ID: u32 = 900;
+const BOOT_UP_DELAY: u32 = 904;
+const SYNC_IDENTIFIER: u32 = 918;
+const SYNC_TIME: u32 = 919;
+const SDO1: [u32; 2] = [921, 922];
+const SDO2_ACTIVE: u32 = 923;
+const NODE_STATE: u32 = 978;
+const CAN_STATE: u32 = 979;
+const OWN: std::ops::RangeInclusive<u16> = 900..=989;
+const FAULT: u32 = 260;
+/// How long a node needs for a new beginning of its communication.
+const ANEW: Span = Span::from_millis(100);
+/// Largest data set that is one, and the first of the RAM (CM-485 manual 7).
+const FIRST_RAM: u8 = 5;
+/// Codes of an abort (manual 5.10.1).
+const VALUE: u8 = 1;
+const SET: u8 = 2;
+const TYPE: u8 = 10;
+const UNKNOWN: u8 = 11;
+const OTHER: u8 = 15;
+
+impl Node {
+    pub(crate) fn new(device: Box<dyn Device>, script: Script, readings: Readings, reply_delay: Span) -> Self {
+        let mut node = Node {
+            device,
+            script,
+            readings,
+            reply_delay,
+            id: None,
+            state: State::PreOperational,
+            booting: None,
+            saying: Vec::new(),
+            fault: 0,
+            starts: None,
+            beats: None,
+        };
+        node.take_place(Tick::ZERO);
+        node.fault = node.fault_key();
+        node
+    }
+
+    /// Whether it commands the others.
+    pub(crate) fn is_master(&self) -> bool {
+        self.id == Some(0)
+    }
+
+    fn value(&self, number: u32) -> i64 {
+        self.device.ram(number, 0).unwrap_or(0)
+    }
+
+    /// Takes the place that its parameters name.
+    fn take_place(&mut self, now: Tick) {
+        self.id = u8::try_from(self.value(NODE_ID)).ok();
+        self.turn(now, State::PreOperational);
+        self.device.act(now, Action::Set(CAN_STATE, 0, 1));
+        let is_master = self.is_master();
+        self.starts = is_master.then(|| now + self.millis(BOOT_UP_DELAY).longer(Span::from_millis(3_500)));
+        self.beats = None;
+    }
+
+    fn millis(&self, number: u32) -> Span {
+        Span::from_millis(u64::try_from(self.value(number)).unwrap_or(0))
+    }
+
+    fn turn(&mut self, now: Tick, state: State) {
+        self.state = state;
+        self.device.act(now, Action::Set(NODE_STATE, 0, state as i64));
+    }
+
+    fn fault_key(&self) -> u16 {
+        if self.device.in_fault() { self.value(FAULT) as u16 } else { 0 }
+    }
+
+    /// When something will happen by itself.
+    pub(crate) fn next(&self) -> Option<Tick> {
+        let said = self.saying.iter().map(|said| said.0);
+        let own = [
+            self.device.next(),
+            self.script.next(&*self.device),
+            self.booting.map(|booting| booting.0),
+            self.starts,
+            self.beats,
+        ];
+        own.into_iter().flatten().chain(said).min()
+    }
+
+    /// Lets the time pass; what it puts on the bus now.
+    pub(crate) fn run(&mut self, now: Tick) -> Vec<Frame> {
+        self.device.catch_up(now);
+        while let Some(action) = self.script.due(now, &*self.device) {
+            self.device.act(now, action);
+            if action == Action::PowerCycle {
+                self.restart(now, RESTART);
+            }
+        }
+        if let Some((_, anew)) = self.booting.filter(|booting| booting.0 <= now) {
+            self.booting = None;
+            match anew {
+                true => self.take_place(now),
+                false => self.turn(now, State::PreOperational),
+            }
+            let boots = !self.is_master() || self.readings.has(Reading::MasterBootsUp);
+            let frame = self.id.and_then(|id| Service::BootUp(id).identifier());
+            let frame = frame.and_then(|identifier| Frame::data(identifier, &Life::BootUp.encode()));
+            self.saying.extend(frame.filter(|_| boots).map(|frame| (now, frame)));
+        }
+        self.look_for_faults(now);
+        self.command(now);
+        let (due, later) = std::mem::take(&mut self.saying).into_iter().partition(|said| said.0 <= now);
+        self.saying = later;
+        if self.id.is_none() {
+            return Vec::new();
+        }
+        due.into_iter().map(|said: (Tick, Frame)| said.1).collect()
+    }
+
+    fn look_for_faults(&mut self, now: Tick) {
+        let fault = self.fault_key();
+        if fault == std::mem::replace(&mut self.fault, fault) {
+            return;
+        }
+        let told = if fault == 0 { Emergency::CLEARED } else { Emergency::of_a_drive(fault) };
+        let identifier = self.id.and_then(|id| Service::Emergency(id).identifier());
+        let frame = identifier.and_then(|identifier| Frame::data(identifier, &told.encode()));
+        self.saying.extend(frame.map(|frame| (now, frame)));
+    }
+
+    /// What a master drive does: it starts all again and again, and beats the time (manual 5.8.1, 5.8.2).
+    fn command(&mut self, now: Tick) {
+        if self.starts.is_some_and(|at| at <= now) {
+            self.starts = Some(now + self.millis(BOOT_UP_DELAY).longer(Span::from_millis(3_500)));
+            let order = Order { command: Command::Start, node: 0 };
+            self.saying.extend(Frame::data(0, &order.encode()).map(|frame| (now, frame)));
+            self.turn(now, State::Operational);
+            self.beats = self.beats.or(Some(now));
+        }
+        if self.beats.is_some_and(|at| at <= now) {
+            let beat = self.millis(SYNC_TIME);
+            self.beats = (beat > Span::ZERO).then(|| now + beat);
+            let identifier = u16::try_from(self.value(SYNC_IDENTIFIER)).ok().filter(|identifier| *identifier != 0);
+            let identifier = identifier.or(Service::Sync.identifier()).filter(|_| beat > Span::ZERO);
+            let frame = identifier.and_then(|identifier| Frame::data(identifier, &[]));
+            self.saying.extend(frame.map(|frame| (now, frame)));
+        }
+    }
+
+    /// It begins anew, and is away meanwhile.
+    fn restart(&mut self, now: Tick, span: Span) {
+        self.device.power_up(now, now + span);
+        self.booting = Some((now + span, true));
+        self.saying.clear();
+    }
+
+    /// A frame of somebody else was on the bus until now. Whether it was a question that it answers.
+    pub(crate) fn hear(&mut self, now: Tick, frame: &Frame) -> bool {
+        let (Identifier::Standard(identifier), Body::Data(payload)) = (frame.identifier, &frame.body) else {
+            return false;
+        };
+        let Some(id) = self.id.filter(|_| self.booting.is_none()) else { return false };
+        if identifier == 0 {
+            if let Some(order) = Order::decode(payload.bytes()).filter(|order| order.node == 0 || order.node == id) {
+                self.obey(now, order.command);
+            }
+            return false;
+        }
+        let Some(reply_on) = self.served(id, identifier).filter(|_| self.state != State::Stopped) else { return false };
+        let Some(reply) = payload.eight().and_then(|data| self.serve(now, Request::decode(data))) else { return false };
+        self.saying.extend(Frame::data(reply_on, &reply.encode()).map(|frame| (now + self.reply_delay, frame)));
+        true
+    }
+
+    fn obey(&mut self, now: Tick, command: Command) {
+        if self.is_master() {
+            return;
+        }
+        match command {
+            Command::Start => self.turn(now, State::Operational),
+            Command::Stop => self.turn(now, State::Stopped),
+            Command::PreOperational => self.turn(now, State::PreOperational),
+            Command::ResetNode | Command::ResetCommunication => {
+                self.booting = Some((now + ANEW, self.readings.has(Reading::PlaceHoldsAfterReset)));
+            }
+            Command::Unknown(_) => {}
+        }
+    }
+
+    /// The identifier on which a question under another one is answered.
+    fn served(&self, id: u8, identifier: u16) -> Option<u16> {
+        let set = |place: usize, usual: Service| {
+            let number = SDO1.get(place).map_or(0, |number| self.value(*number));
+            u16::try_from(number).ok().filter(|number| *number != 0).or(usual.identifier())
+        };
+        let serves_sdo1 = !self.is_master() || self.readings.has(Reading::MasterServesSdo1);
+        if serves_sdo1 && set(0, Service::SdoRequest(SdoChannel::One, id)) == Some(identifier) {
+            return set(1, Service::SdoReply(SdoChannel::One, id));
+        }
+        let is_second = Service::SdoRequest(SdoChannel::Two, id).identifier() == Some(identifier);
+        let is_active = self.value(SDO2_ACTIVE) == 1;
+        Service::SdoReply(SdoChannel::Two, id).identifier().filter(|_| is_second && is_active)
+    }
+
+    fn serve(&mut self, now: Tick, request: Request) -> Option<Reply> {
+        let silent = self.readings.has(Reading::SegmentsAreSilent);
+        let code = if self.readings.has(Reading::SegmentsAreWrongType) { TYPE } else { OTHER };
+        let refused = |of, code: u8| Reply::Abort(of, AbortCode(code.into()));
+        let nobody = Multiplexer { index: 0, sub: 0 };
+        match request {
+            Request::Upload(of) => Some(self.upload(now, of).unwrap_or_else(|code| refused(of, code))),
+            Request::Download(of, Initiate::Expedited { bytes, .. }) => {
+                let done = self.download(now, of, u32::from_le_bytes(bytes));
+                Some(done.map_or_else(|code| refused(of, code), |()| Reply::Downloaded(of)))
+            }
+            Request::Abort(..) => None,
+            _ if silent => None,
+            Request::Download(of, _) => Some(refused(of, code)),
+            Request::DownloadSegment(_) | Request::UploadSegment { .. } | Request::Other(_) => {
+                Some(refused(nobody, code))
+            }
+        }
+    }
+
+    fn object(&self, of: Multiplexer) -> Result<Object, u8> {
+        if self.readings.has(Reading::OwnParametersUnknown) && OWN.contains(&of.index) {
+            return Err(UNKNOWN);
+        }
+        if of.sub >= FIRST_RAM && self.readings.has(Reading::NoRam) {
+            return Err(SET);
+        }
+        Ok(Object { number: of.index, set: of.sub })
+    }
+
+    fn upload(&mut self, now: Tick, of: Multiplexer) -> Result<Reply, u8> {
+        let object = self.object(of)?;
+        let taken = self.readings.has(Reading::SetsAreTaken);
+        let sdo = self.device.sdo().ok_or(OTHER)?;
+        let (bits, kind) = match sdo.upload(now, object) {
+            Err(SET) if taken => sdo.upload(now, Object { set: 0, ..object })?,
+            told => told?,
+        };
+        let word = bits as u16;
+        let extended = kind == Type::Int && word & 0x8000 != 0 && self.readings.has(Reading::SignIsExtended);
+        let bits = match kind {
+            Type::Long => bits,
+            _ if extended => 0xFFFF_0000 | u32::from(word),
+            _ => u32::from(word),
+        };
+        Ok(Reply::Upload(of, Initiate::untold(bits)))
+    }
+
+    fn download(&mut self, now: Tick, of: Multiplexer, bits: u32) -> Result<(), u8> {
+        let object = self.object(of)?;
+        let (taken, strict) = (self.readings.has(Reading::SetsAreTaken), self.readings.has(Reading::TailIsRefused));
+        let sdo = self.device.sdo().ok_or(OTHER)?;
+        if strict && bits > u32::from(u16::MAX) && sdo.upload(now, object).is_ok_and(|(_, kind)| kind != Type::Long) {
+            return Err(VALUE);
+        }
+        let effect = match sdo.download(now, object, bits) {
+            Err(SET) if taken => sdo.download(now, Object { set: 0, ..object }, bits)?,
+            told => told?,
+        };
+        match effect {
+            Effect::Reset => self.restart(now, RESTART),
+            Effect::None if of.index == NODE_ID as u16 && self.readings.has(Reading::PlaceHoldsAtOnce) => {
+                // The answer still goes out at the old place.
+                self.booting = Some((now + ANEW, true));
+            }
+            Effect::None => {}
+        }
+        Ok(())
+    }
+}
