@@ -270,6 +270,7 @@ const WRONG: &[(u8, &str)] = &[
 
 /// Names of settings, modes and values.
 const NAMED: &[&str] = &[
+    "sdo",
     "contact",
     "first",
     "first-contact",
