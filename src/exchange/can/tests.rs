@@ -107,7 +107,7 @@ proptest! {
     #[test]
     fn no_bytes_bring_it_down(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         let mut channel = channel(SdoChannel::One);
-        prop_assert!(channel.take(&bytes).len() % Telegram::LEN == 0);
+        prop_assert!(channel.take(&bytes).len().is_multiple_of(Telegram::LEN));
         let (_, _, took) = opened(|_| bytes.clone());
         prop_assert!(took < Span::from_secs(6));
     }
