@@ -59,7 +59,8 @@ pub struct Watched {
     begun: Tick,
     samples: u64,
     told: Option<Tick>,
-    status: Option<u32>,
+    /// What the drive said of its state, and when.
+    status: Option<(u32, Tick)>,
     news: RunNews,
     /// What was said of it last.
     said: Option<RunNews>,
@@ -209,7 +210,7 @@ impl Motor<'_, '_> {
     /// A status word was seen.
     pub(super) fn sees_status(&mut self, status: u32) {
         let Some(shown) = &mut self.watched else { return };
-        shown.status = Some(status);
+        shown.status = Some((status, self.session.now()));
         if let Some(param) = self.target.family.clone().role("status-word") {
             self.sees(param, status.into());
         }
@@ -247,11 +248,13 @@ impl Motor<'_, '_> {
         shown.news.setpoint = setpoint.map(|setpoint| setpoint.value);
         shown.news.unit = setpoint.map(|setpoint| setpoint.unit.clone()).filter(|unit| !unit.is_empty());
         shown.changes(self.session);
-        let Some(status) = shown.status.filter(|_| shown.told.is_none_or(|told| now.since(told) >= SOONEST)) else {
+        let Some((status, at)) = shown.status.filter(|_| shown.told.is_none_or(|told| now.since(told) >= SOONEST))
+        else {
             return;
         };
         let oldest = seconds(now.since(shown.begun + STALE)).raw;
         let state: State = describe::state(&self.target.family, status);
+        let is_known = now.since(at) < STALE;
         let sample = Sample {
             t: seconds(now.since(shown.begun)),
             n: shown.samples,
@@ -259,7 +262,7 @@ impl Motor<'_, '_> {
             address: self.target.address,
             called: None,
             drive: self.target.family.drive.clone(),
-            state: Some(state),
+            state: is_known.then_some(state),
             values: shown
                 .rows
                 .iter()

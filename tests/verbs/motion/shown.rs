@@ -135,7 +135,7 @@ fn on_a_slow_line_the_values_of_a_run_take_turns() {
 fn a_value_that_was_refused_is_left_out_of_the_view() {
     let (model, keys, line) = DRIVES[1];
     let mut refused = 0;
-    for once in 67..=72 {
+    for once in 68..=73 {
         let keys = format!("{keys}\n[[disturb]]\nonce = {once}\nkind = \"exception\"");
         let seen = run((model, &keys, line), "--view --duration 4s", &mut |_, _, _| {});
         let asked = |from: usize, hex: &str| seen.sent[from..].iter().filter(|sent| sent.1 == hex).count();
@@ -150,4 +150,16 @@ fn a_value_that_was_refused_is_left_out_of_the_view() {
         assert!(looks < 40, "{once}: {looks}");
     }
     assert!(refused >= 4, "{refused}");
+}
+
+#[test]
+fn what_a_drive_said_of_its_state_long_ago_is_no_state() {
+    let (model, keys, line) = DRIVES[1];
+    let keys = format!("{keys}\n[[drive.event]]\nat = \"4s\"\nsilent = \"600s\"");
+    let seen = run((model, &keys, line), "--view", &mut |_, _, _| {});
+    assert!(seen.failure.is_some());
+    let known = seen.samples.iter().filter(|sample| sample.state.is_some()).map(|sample| sample.t.raw).max().unwrap();
+    assert!((2_000_000..8_000_000).contains(&known), "{known}");
+    let last = seen.samples.last().unwrap();
+    assert!(last.t.raw > known && last.state.is_none() && last.values.is_empty(), "{last:?}");
 }
