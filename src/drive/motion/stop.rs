@@ -37,6 +37,18 @@ struct Proof {
     owed: bool,
 }
 
+/// That the drive did not work in the mode that was set for the run, so that the setpoint moved nothing and another stop may follow.
+fn left_mode(set: Option<&Mode>, shown: Option<&Mode>) -> Option<Text> {
+    let (set, shown) = set.zip(shown).filter(|(set, shown)| set.value != shown.value)?;
+    let (set, shown) = (set.text(), shown.text());
+    Some(both!(
+        "the drive had left the mode '{set}': it was stopped in the mode '{shown}'",
+        "der Antrieb hatte die Betriebsart '{set}' verlassen: angehalten wurde er in '{shown}'",
+        set,
+        shown
+    ))
+}
+
 impl Motor<'_, '_> {
     /// Sends the stop and waits for the state and the standstill that prove it. Somebody who interrupts again gets a
     /// stronger one, and so does a drive that does not obey. Never fails: it reports.
@@ -232,7 +244,9 @@ impl Motor<'_, '_> {
             return Some(row.clone());
         }
         self.zero_at_once().await;
-        self.zeroes = self.mode_shown().await.filter(Mode::zero_stops).map(|mode| mode.setpoint);
+        let shown = self.mode_shown().await;
+        self.instead = self.instead.take().or_else(|| left_mode(self.mode.as_ref(), shown.as_ref()));
+        self.zeroes = shown.filter(Mode::zero_stops).map(|mode| mode.setpoint);
         let other = row.otherwise.as_ref().filter(|_| self.zeroes.is_none());
         other.map_or(Some(row), |slug| family.motion.stop(slug)).cloned()
     }

@@ -367,7 +367,7 @@ fn a_ramp_under_virtual_contacts_opens_the_start_contacts_first() {
 fn a_setpoint_whose_write_was_not_answered_is_taken_back() {
     let bench = drive(READY, "");
     let mut given = false;
-    for once in (18..34).step_by(2) {
+    for once in 18..38 {
         let lost = format!("{bench}[[disturb]]\nonce = {once}\nkind = \"lost\"\n");
         let run =
             antrieb("-v --retries 0 -b 115200 -a 1 --yes sollwert 20Hz --enable --hold --duration 10ms --wait 0s")
