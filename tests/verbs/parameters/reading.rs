@@ -237,15 +237,14 @@ fn a_width_whose_question_was_lost_is_no_refusal() {
 }
 
 #[test]
-fn a_lost_cause_is_asked_for_by_another_refusal_or_said_to_be_unknown() {
+fn a_lost_cause_is_asked_for_by_another_refusal_or_set_by_set() {
     let bench = format!("{DIFFERING}[[disturb]]\nonce = 3\nkind = \"lost\"\n");
-    let run = antrieb("-a 1 --drive act read 372").on(&bench).json().exits(0);
-    assert_eq!(names(&run), ["372@1", "372@2", "372@3", "372@4"]);
-    for (lang, words) in [("en", "cause not known"), ("de", "Ursache unbekannt")] {
-        let line = format!("-v -a 1 --drive act --retries 0 --lang {lang} read 372");
-        let run = antrieb(&line).on(&bench).exits(6);
-        let asked = run.sent().iter().filter(|sent| sent.starts_with("01 03 00 0B")).count();
-        assert!(asked == 1 && run.err.contains(words), "{}", run.err);
+    for retries in ["", "--retries 0"] {
+        let run = antrieb(&format!("-v -a 1 --drive act {retries} read 372")).on(&bench).json().exits(0);
+        assert_eq!(names(&run), ["372@1", "372@2", "372@3", "372@4"], "{retries}");
+        // A cause that is asked for twice may be that of another refusal.
+        let asked = run.err.matches("> 01 03 00 0B").count();
+        assert!(asked <= 2 && (retries.is_empty() || asked == 1), "{retries}: {}", run.err);
     }
 }
 
