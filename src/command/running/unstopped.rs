@@ -10,7 +10,6 @@ pub(super) fn unsent(failure: Failure) -> Failure {
     if failure.class != Class::Port {
         return failure;
     }
-    let mut failure = failure;
     let hint = match failure.code.as_str() {
         "port.busy" => both!(
             "Ctrl-C in the program that holds the port ends a run of antrieb by its stop; or the enable input, the emergency stop, \
@@ -20,13 +19,14 @@ pub(super) fn unsent(failure: Failure) -> Failure {
         ),
         _ => stops_now(),
     };
+    warned(failure, &both!("no stop was sent", "es wurde kein Halt gesendet"), hint)
+}
+
+/// The danger first, with what became of the stop, and what ends it before any other hint.
+fn warned(failure: Failure, told: &Text, hint: Text) -> Failure {
+    let mut failure = failure;
     let turns = may_turn();
-    failure.message = both!(
-        "{turns}: no stop was sent; {why}",
-        "{turns}: es wurde kein Halt gesendet; {why}",
-        turns,
-        why = failure.message
-    );
+    failure.message = both!("{turns}: {told}; {why}", "{turns}: {told}; {why}", turns, told, why = failure.message);
     let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
     failure.hint(Text::join(&hints, "; "))
 }
@@ -46,7 +46,6 @@ pub(super) fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
     ) {
         return failure;
     }
-    let mut failure = failure;
     let (said, hint) = match act {
         // It may have been lost before the first of its bytes.
         _ if failure.class == Class::Port => {
@@ -77,10 +76,7 @@ pub(super) fn unstopped(failure: Failure, act: Relief, said: bool) -> Failure {
             stops_now(),
         ),
     };
-    let turns = may_turn();
-    failure.message = both!("{turns}: {said}; {why}", "{turns}: {said}; {why}", turns, said, why = failure.message);
-    let hints: Vec<Text> = [hint].into_iter().chain(failure.hint.take().map(|hint| *hint)).collect();
-    failure.hint(Text::join(&hints, "; "))
+    warned(failure, &said, hint)
 }
 
 /// Nobody agreed to the rest.
